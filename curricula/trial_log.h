@@ -1,0 +1,111 @@
+// The trial log (DESIGN 4.6): header once, then one record per servo tick. Written in checksummed blocks, recovered
+// up to the last whole block, little-endian on every machine.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace vallecula::curricula {
+
+enum class LoggedState : std::uint8_t { tracking = 0, limited = 1, lost = 2, recovering = 3 };
+
+/// Order of LogTick::loads.
+enum LoadedStructure { kTongue = 0, kEpiglottis, kGum, kPalate, kTeeth, kLarynx, kStructures };
+
+struct LogPose {
+  std::array<double, 3> position_m{};
+  std::array<double, 4> rotation_wxyz{1, 0, 0, 0};
+};
+
+struct LogLoad {
+  std::array<double, 3> force_n{};    ///< on the tool, world axes
+  std::array<double, 3> centre_m{};   ///< of the contacts, world
+  std::int32_t contacts = 0;
+};
+
+/// One servo tick. The same fields as engine::TickRecord; curricula knows no engine, so they are written out here.
+struct LogTick {
+  std::int64_t tick = 0;
+  double time_s = 0.0;
+  LogPose device_pose;
+  std::uint32_t buttons = 0;
+  bool device_valid = true;
+  std::int64_t step_fed = -1;
+  std::int64_t step_used = -1;
+  LogPose proxy_pose;
+  LoggedState state = LoggedState::tracking;
+  std::array<double, 3> model_force_n{};
+  std::array<double, 3> model_torque_nm{};
+  std::array<double, 3> displayed_force_n{};
+  std::array<LogLoad, kStructures> loads{};
+  bool has_sight = false;
+  double glottis_visible = 0.0;
+  std::uint32_t faults = 0;
+};
+
+/// Everything that must be known to understand and to repeat the trial. No identity of patient or trainee.
+struct LogHeader {
+  int schema = 1;
+  std::string software_version;
+  std::string build_hash;              ///< of the program that wrote it
+  std::string instruction_set;         ///< kernels' level, for instance "x86-64"
+  std::string package_name;
+  std::string package_path;            ///< as given, for replay
+  std::string package_sha256;          ///< of patient.yaml
+  std::string curriculum_path;
+  std::string scenario_id;
+  std::string scenario_yaml;           ///< the scenario's text: scoring needs no other file
+  std::string scenario_sha256;
+  std::string device_kind;             ///< scores are never pooled across kinds
+  double servo_period_s = 0.001;
+  double device_limit_n = 7.9;
+  bool realtime = false;
+  std::map<std::string, double> settings;  ///< engine settings by name
+  std::map<std::string, std::array<double, 3>> landmarks_m;  ///< patient landmarks in metres
+};
+
+/// What is known only at the end.
+struct LogFooter {
+  bool complete = false;               ///< false: the trial was cut off; the ticks are up to the last whole block
+  std::string ended;                   ///< "finished", "ended by trainee", ...
+  double loop_rate_hz = 0.0;
+  std::int64_t deadline_misses = 0;
+  std::int64_t overruns = 0;
+};
+
+struct TrialLog {
+  LogHeader header;
+  std::vector<LogTick> ticks;
+  LogFooter footer;
+};
+
+class TrialLogError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Appends ticks in checksummed blocks to PATH.part; close() writes the footer, syncs and renames to PATH.
+class TrialLogWriter {
+ public:
+  TrialLogWriter(const std::filesystem::path& path, const LogHeader& header);
+  ~TrialLogWriter();
+  TrialLogWriter(const TrialLogWriter&) = delete;
+  TrialLogWriter& operator=(const TrialLogWriter&) = delete;
+  void append(const LogTick& tick);
+  void close(const LogFooter& footer);
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+/// Reads a log (a .vtrial file, a .part left by a crash, or the folder that holds trial.vtrial). Throws TrialLogError.
+TrialLog read_trial_log(const std::filesystem::path& path);
+
+}  // namespace vallecula::curricula

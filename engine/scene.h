@@ -1,0 +1,78 @@
+// The scene: everything that stays as it is during a trial. What changes is in state.h.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "engine/types.h"
+
+namespace vallecula::engine {
+
+enum class Response : std::uint8_t { compliant, projection, penalty };
+enum class Coverage : std::uint8_t { full, paper };
+
+struct TissueMaterial {
+  double young_pa = 6000.0;
+  double poisson = 0.45;
+  double density_kg_m3 = 1040.0;
+};
+
+/// A rigid body that tissue nodes are anchored to, held at rest by springs: motion is linearised about rest
+/// (translations here; the mandible's hinge is a rotation about an axis through the condyles).
+struct SprungBody {
+  enum class Motion : std::uint8_t { fixed, translation, hinge };
+  Motion motion = Motion::fixed;
+  Vec3 pivot = Vec3::Zero();          ///< hinge: a point of the axis, m
+  Vec3 axis = Vec3::UnitX();          ///< hinge: unit axis
+  double stiffness = 0.0;             ///< N/m (translation) or N m/rad (hinge)
+  double inertia = 0.0;               ///< kg or kg m^2
+  double damping = 0.0;               ///< N s/m or N m s/rad
+};
+
+struct SoftBodyDescription {
+  std::vector<Vec3> nodes;                     ///< rest positions, m
+  std::vector<std::array<int, 4>> tets;        ///< positively oriented
+  std::vector<std::uint8_t> tet_material;      ///< index into materials, per tet
+  std::vector<Structure> tet_structure;        ///< tongue or epiglottis, per tet
+  std::vector<TissueMaterial> materials;
+  std::vector<std::int8_t> node_anchor;        ///< -1 free, else index into bodies
+  std::vector<SprungBody> bodies;
+};
+
+/// Rigid anatomy: a closed surface whose triangles name what they are. Triangles of `Structure::other` carry no load.
+struct RigidAnatomy {
+  TriangleMesh surface;
+  std::vector<Structure> triangle_structure;
+};
+
+struct ToolDescription {
+  TriangleMesh surface;                ///< closed, in the tool frame, m
+  double mass_kg = 0.08;               ///< virtual mass of the proxy
+};
+
+struct SightDescription {
+  Vec3 eye = Vec3::Zero();
+  std::vector<Vec3> glottis_outline;   ///< polygon of the glottic opening, in order
+  std::vector<TriangleMesh> occluders; ///< rigid surfaces that can stand in the way (face with mouth and airway walls)
+};
+
+struct HapticSettings {
+  double device_limit_n = 7.9;         ///< f_max
+  double coupling_stiffness_n_m = 1200.0;
+  double coupling_rotation_nm_rad = 3.0;
+  double limit_time_s = 0.5;           ///< over the limit for longer: the device is taken as lost
+  double force_rate_n_s = 400.0;       ///< bound on the displayed force's change at every transition
+};
+
+struct SceneDescription {
+  SoftBodyDescription soft;
+  RigidAnatomy rigid;
+  ToolDescription tool;
+  SightDescription sight;
+  HapticSettings haptics;
+  Response response = Response::compliant;
+  Coverage coverage = Coverage::full;
+  double step_s = 0.001;
+};
+
+}  // namespace vallecula::engine

@@ -1,0 +1,26 @@
+// What the screen sees: the newest finished step, copied whole, never shared with the simulation.
+#pragma once
+
+#include "engine/tick_record.h"
+
+namespace vallecula::engine {
+
+struct Snapshot {
+  std::int64_t step = -1;        ///< -1: nothing simulated yet
+  double time_s = 0.0;
+  Pose device_pose;              ///< the ghost, drawn grey where it parts from the proxy
+  Pose proxy_pose;
+  HapticState state = HapticState::tracking;
+  Vec3 model_force_n = Vec3::Zero();
+  Vec3 displayed_force_n = Vec3::Zero();
+  std::array<StructureLoad, kLoadedStructures> loads{};
+  double glottis_visible = 0.0;  ///< newest value, 0..1
+  std::uint32_t faults = 0;
+  std::int64_t ticks = 0;            ///< servo ticks so far
+  std::int64_t deadline_misses = 0;  ///< forces written more than 1 ms after they were due
+  std::int64_t overruns = 0;         ///< ticks whose simulation step was not finished in time
+  double loop_rate_hz = 0.0;         ///< servo rate over the last second
+  std::vector<float> soft_points;    ///< x y z (m) of every tissue node in the package's order; sized once
+};
+
+}  // namespace vallecula::engine

@@ -1,0 +1,58 @@
+// One trial: joins device, engine and recorder, owns their threads and their shutdown. No window in here.
+#pragma once
+
+#include <atomic>
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "curricula/scenario.h"
+#include "curricula/score/score.h"
+#include "device/haptic_device.h"
+#include "engine/scene.h"
+#include "engine/snapshot.h"
+#include "pipeline/package/patient_package.h"
+
+namespace vallecula::gui {
+
+struct TrialSetup {
+  std::filesystem::path patient;       ///< NAME.patient
+  std::filesystem::path curriculum;    ///< YAML
+  std::string scenario;                ///< id in it
+  std::string device;                  ///< KIND[:ARG]: "mouse", "scripted:expert", "scripted:novice", "scripted:press", "scripted:FILE.csv"
+  std::filesystem::path out;           ///< folder for trial.vtrial, score.json, report.html, force.png
+  bool realtime = true;                ///< false: as fast as it goes, servo and simulation in lockstep on one thread
+};
+
+struct TrialOutcome {
+  curricula::Score score;
+  std::filesystem::path log, score_json, report, force_plot;
+};
+
+/// Life: construct (loads and builds; may take a second) -> start -> poll latest()/finished -> finish. finish() is
+/// called once; the destructor stops the threads of a trial that was not finished and keeps its log as interrupted.
+class TrialSession {
+ public:
+  explicit TrialSession(const TrialSetup& setup);  ///< throws std::runtime_error with one clear message
+  ~TrialSession();
+  TrialSession(const TrialSession&) = delete;
+  TrialSession& operator=(const TrialSession&) = delete;
+
+  const pipeline::PatientPackage& package() const;
+  const curricula::Scenario& scenario() const;
+  const engine::SceneDescription& scene() const;   ///< m, LPS: tool mesh, soft mesh, surfaces as the engine has them
+  device::HapticDevice& device();                  ///< a mouse device is fed through this (dynamic_cast to device::MouseDevice)
+
+  void start();
+  bool finished() const;                           ///< the script or the scenario's time is over
+  void reset();                                    ///< tissue to rest, attempt starts anew (a fresh log)
+  /// Newest whole snapshot; wait-free; to be called by one thread only (the window's).
+  const engine::Snapshot& latest();
+  TrialOutcome finish(const std::string& how);     ///< stops, closes the log, scores, writes the results, adds the record
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace vallecula::gui

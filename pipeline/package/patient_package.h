@@ -1,0 +1,76 @@
+// The patient package: what import hands to the trainer. Plain numbers, millimetres, DICOM LPS.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace vallecula::pipeline {
+
+using Point = std::array<double, 3>;
+
+/// What a face.vtp triangle is: decides its colour, its friction with the blade and whose load a contact is.
+enum class Tissue : std::uint8_t { skin = 0, lip = 1, gum = 2, palate = 3, mucosa = 4, larynx = 5 };
+
+struct Surface {
+  std::vector<Point> points;                  ///< mm, LPS
+  std::vector<std::array<int, 3>> triangles;  ///< outward orientation
+  std::vector<std::uint8_t> tissue;           ///< per triangle (Tissue), for "face"; empty elsewhere
+};
+
+/// To what a node of the tongue mesh is fastened.
+enum class Anchor : std::uint8_t { free = 0, mandible = 1, hyoid = 2, larynx = 3 };
+
+struct TetMesh {
+  std::vector<Point> points;                 ///< mm, LPS, rest
+  std::vector<std::array<int, 4>> tets;      ///< positively oriented: (b-a)x(c-a).(d-a) > 0
+  std::vector<std::uint8_t> tissue;          ///< per tet: 0 tongue, 1 epiglottis
+  std::vector<std::uint8_t> anchor;          ///< per node (Anchor)
+};
+
+struct Material {
+  double young_pa = 0.0;
+  double poisson = 0.0;
+  double density_kg_m3 = 0.0;
+};
+
+struct QualityItem {
+  std::string name;      ///< "tongue volume"
+  double value = 0.0;
+  std::string unit;
+  bool ok = true;
+  std::string note;
+};
+
+struct PatientPackage {
+  int schema = 1;
+  std::string name;                            ///< of the folder; never from the source's identity
+  std::map<std::string, std::string> provenance;  ///< modality, voxel size, software version; no identity
+  std::map<std::string, Point> landmarks;      ///< mm, LPS; see kLandmarks. "glottis_normal" is a unit vector
+  std::map<std::string, Material> materials;   ///< "tongue", "epiglottis"
+  std::map<std::string, Surface> surfaces;     ///< "face", "airway", "mandible", "palate", "glottis" ...
+  TetMesh tongue;
+  std::vector<QualityItem> quality;
+};
+
+/// Landmarks a package must carry.
+constexpr std::array<const char*, 10> kLandmarks = {
+    "upper_gum_midline", "lower_gum_midline", "vallecula", "glottis_centre", "glottis_normal",
+    "carina", "operator_eye", "hyoid", "epiglottis_tip", "condyle_axis"};
+
+/// Names the file and what is wrong with it, and how to mend it.
+class PackageError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Writes DIR aside and renames it when whole; `label_map` (an NRRD already written by the caller) is moved in.
+void write_package(const PatientPackage& package, const std::filesystem::path& label_map, const std::filesystem::path& dir);
+/// Reads and checks (schema, sha256 of every file). Throws PackageError.
+PatientPackage read_package(const std::filesystem::path& dir);
+
+}  // namespace vallecula::pipeline
