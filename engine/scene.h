@@ -75,4 +75,11 @@ struct SceneDescription {
   double step_s = 0.001;
 };
 
+/// What is precomputed from a description; fixed, shared by everyone who steps or replays it.
+class Scene;
+
+/// Builds the scene (sphere fill, distance fields, stiffness; about a second). Throws std::invalid_argument with the
+/// offending number when the description cannot be simulated.
+std::shared_ptr<const Scene> build_scene(const SceneDescription& description);
+
 }  // namespace vallecula::engine
