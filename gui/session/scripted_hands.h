@@ -1,0 +1,19 @@
+// Hands that need no person: trajectories planned from a patient's landmarks.
+#pragma once
+
+#include <string>
+
+#include "curricula/scenario.h"
+#include "device/drivers/scripted_device.h"
+#include "pipeline/package/patient_package.h"
+
+namespace vallecula::gui {
+
+/// "expert": right corner, sweep, tip in the vallecula, lift along the handle, sight, withdrawal.
+/// "novice": levers on the upper gum and presses past the device limit.
+/// "press": presses the middle of the tongue's dorsum and withdraws; needs no open mouth.
+/// Blade-tip poses in metres, LPS. Throws std::runtime_error for any other name.
+device::Trajectory scripted_hand(const std::string& kind, const pipeline::PatientPackage& package,
+                                 const curricula::Scenario& scenario);
+
+}  // namespace vallecula::gui
