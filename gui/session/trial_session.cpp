@@ -1,0 +1,308 @@
+#include "gui/session/trial_session.h"
+
+#include <chrono>
+#include <exception>
+#include <stdexcept>
+#include <system_error>
+#include <thread>
+
+#include <QDateTime>
+
+#include "curricula/records/records.h"
+#include "curricula/trial_log.h"
+#include "device/drivers/mouse_device.h"
+#include "device/output_chain.h"
+#include "engine/haptics/runner.h"
+#include "gui/report/force_chart.h"
+#include "gui/report/report.h"
+#include "gui/session/device_choice.h"
+#include "gui/session/files.h"
+#include "gui/session/log_conversion.h"
+#include "gui/session/results_folder.h"
+#include "gui/session/scene_from_package.h"
+#include "gui/session/user_paths.h"
+
+namespace vallecula::gui {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr auto kRecorderPeriod = std::chrono::milliseconds(5);  ///< the ring holds 8 s
+constexpr std::int64_t kChunkTicks = 10;  ///< not in real time: ticks between two looks at the stop flag
+
+/// The engine's port onto a device; every force goes through the device's output chain.
+class DevicePort final : public engine::HapticPort {
+ public:
+  DevicePort(device::HapticDevice& device, const device::OutputLimits& limits) : device_(device), chain_(limits) {}
+
+  engine::PortInput read(double time_s) noexcept override {
+    const device::DeviceReading reading = device_.read(time_s);
+    engine::PortInput input;
+    input.pose.position = {reading.position_m[0], reading.position_m[1], reading.position_m[2]};
+    const auto& q = reading.rotation_wxyz;
+    input.pose.rotation = engine::Quat(q[0], q[1], q[2], q[3]);
+    input.buttons = reading.buttons;
+    input.valid = reading.valid;
+    return input;
+  }
+
+  void write(const engine::Vec3& force_n) noexcept override {
+    device_.write(chain_.apply({force_n.x(), force_n.y(), force_n.z()}));
+  }
+
+ private:
+  device::HapticDevice& device_;
+  device::OutputChain chain_;
+};
+
+curricula::Curriculum curriculum_with(const fs::path& file, const std::string& scenario) {
+  curricula::Curriculum curriculum = curricula::load_curriculum(file);
+  if (curriculum.find(scenario) == nullptr) {
+    std::string known;
+    for (const auto& one : curriculum.scenarios) known += (known.empty() ? "" : ", ") + one.id;
+    throw std::runtime_error(file.string() + ": has no scenario '" + scenario + "'; it has " + known);
+  }
+  return curriculum;
+}
+
+}  // namespace
+
+struct TrialSession::Impl {
+  explicit Impl(const TrialSetup& setup);
+  ~Impl();
+
+  void make_runner();
+  void start();
+  void stop();
+  void record(const engine::TickRecord& tick);
+  void record_in_real_time();
+  void run_at_full_speed();
+  void discard_log();
+  curricula::LogHeader header() const;
+  curricula::LogFooter footer(bool complete, const std::string& how) const;
+  TrialOutcome finish(const std::string& how);
+
+  TrialSetup setup;
+  pipeline::PatientPackage package;
+  curricula::Curriculum curriculum;
+  curricula::Scenario scenario;
+  engine::SceneDescription description;
+  std::shared_ptr<const engine::Scene> scene;
+  std::string package_sha256;
+  ResultsFolder results;
+  std::unique_ptr<device::HapticDevice> device;
+  std::unique_ptr<DevicePort> port;
+  std::unique_ptr<engine::Runner> runner;
+  std::unique_ptr<curricula::TrialLogWriter> writer;
+  std::thread worker;  ///< real time: empties the ring; else: runs the scene as well
+
+  std::atomic<bool> stop_asked{false};
+  std::atomic<bool> ended{false};
+  // Below: the worker's until it is joined.
+  std::int64_t recorded = 0;
+  std::string ended_by;
+  std::exception_ptr failure;
+};
+
+TrialSession::Impl::Impl(const TrialSetup& given)
+    : setup(given),
+      package(pipeline::read_package(given.patient)),
+      curriculum(curriculum_with(given.curriculum, given.scenario)),
+      scenario(*curriculum.find(given.scenario)),
+      description(scene_from_package(package, scenario)),
+      package_sha256(sha256_of_file(given.patient / "patient.yaml")),
+      results(given.out) {
+  device = make_device(setup.device, package, scenario);
+  const device::DeviceInfo info = device->info();
+  if (info.peak_force_n > 0.0) description.haptics.device_limit_n = info.peak_force_n;
+  { const curricula::Records opens(records_database()); }  // a database that cannot be used is named before the trial
+  scene = engine::build_scene(description);
+  make_runner();
+}
+
+TrialSession::Impl::~Impl() {
+  stop();
+  if (!writer) return;
+  if (recorded == 0) {
+    discard_log();
+    return;
+  }
+  try {
+    writer->close(footer(false, "interrupted"));
+  } catch (const std::exception&) {
+    // Nothing can be said from here; what was written whole is recovered from the .part file.
+  }
+}
+
+void TrialSession::Impl::make_runner() {
+  runner.reset();
+  device::OutputLimits limits;
+  limits.max_force_n = description.haptics.device_limit_n;
+  port = std::make_unique<DevicePort>(*device, limits);
+  runner = std::make_unique<engine::Runner>(scene, *port);
+}
+
+curricula::LogHeader TrialSession::Impl::header() const {
+  curricula::LogHeader header;
+  header.software_version = VALLECULA_VERSION;
+  header.build_hash = sha256_of_program();
+  header.instruction_set = engine::instruction_set();
+  header.package_name = package.name;
+  header.package_path = setup.patient.string();
+  header.package_sha256 = package_sha256;
+  header.curriculum_path = setup.curriculum.string();
+  header.scenario_id = scenario.id;
+  header.scenario_yaml = scenario.yaml;
+  header.scenario_sha256 = sha256_of_bytes(scenario.yaml);
+  header.device_kind = device->info().kind;
+  header.servo_period_s = 0.001;
+  header.device_limit_n = description.haptics.device_limit_n;
+  header.realtime = setup.realtime;
+  header.settings = settings_of(description);
+  for (const auto& [name, point] : package.landmarks) {
+    const double scale = name == "glottis_normal" ? 1.0 : 1e-3;
+    header.landmarks_m[name] = {point[0] * scale, point[1] * scale, point[2] * scale};
+  }
+  return header;
+}
+
+curricula::LogFooter TrialSession::Impl::footer(bool complete, const std::string& how) const {
+  const engine::TimingReport timing = runner->timing();
+  curricula::LogFooter footer;
+  footer.complete = complete;
+  footer.ended = ended_by.empty() ? how : ended_by;
+  footer.loop_rate_hz = timing.loop_rate_hz;
+  footer.deadline_misses = timing.deadline_misses;
+  footer.overruns = timing.overruns;
+  return footer;
+}
+
+void TrialSession::Impl::start() {
+  if (worker.joinable() || writer) throw std::logic_error("this trial has been started already");
+  results.remove_older_trial();
+  writer = std::make_unique<curricula::TrialLogWriter>(results.log(), header());
+  recorded = 0;
+  ended_by.clear();
+  failure = nullptr;
+  ended = false;
+  stop_asked = false;
+  if (setup.realtime) runner->start();
+  worker = std::thread([this] {
+    try {
+      setup.realtime ? record_in_real_time() : run_at_full_speed();
+    } catch (...) {
+      failure = std::current_exception();
+    }
+    ended = true;
+  });
+}
+
+void TrialSession::Impl::stop() {
+  stop_asked = true;
+  if (worker.joinable()) worker.join();
+  if (runner) runner->stop();
+  if (port) port->write(engine::Vec3::Zero());  // no hand is left with the last force
+}
+
+void TrialSession::Impl::record(const engine::TickRecord& tick) {
+  if (tick.tick != recorded) {
+    throw std::runtime_error("ticks " + std::to_string(recorded) + " to " + std::to_string(tick.tick - 1) +
+                             " were lost because the disk did not keep up; choose a faster disk for the results");
+  }
+  writer->append(to_log(tick));
+  ++recorded;
+  if (!ended_by.empty()) return;
+  if (device->finished(tick.time_s)) {
+    ended_by = "finished";
+  } else if (tick.time_s >= scenario.max_attempt_s) {
+    ended_by = "the scenario's time was over";
+  }
+}
+
+void TrialSession::Impl::record_in_real_time() {
+  engine::TickRecord tick;
+  while (!stop_asked && ended_by.empty()) {
+    while (runner->pop(tick)) record(tick);
+    std::this_thread::sleep_for(kRecorderPeriod);
+  }
+  runner->stop();
+  while (runner->pop(tick)) record(tick);
+}
+
+void TrialSession::Impl::run_at_full_speed() {
+  while (!stop_asked && ended_by.empty()) {
+    runner->run(kChunkTicks, [this](const engine::TickRecord& tick) { record(tick); });
+  }
+}
+
+void TrialSession::Impl::discard_log() {
+  writer.reset();
+  std::error_code ignored;
+  fs::remove(results.unfinished_log(), ignored);
+}
+
+TrialOutcome TrialSession::Impl::finish(const std::string& how) {
+  if (!writer) throw std::logic_error("this trial was not started, or is finished already");
+  stop();
+  if (failure) {
+    discard_log();
+    std::rethrow_exception(failure);
+  }
+  if (recorded == 0) {
+    discard_log();
+    throw std::runtime_error("the trial ended before its first tick; nothing was recorded");
+  }
+  writer->close(footer(true, how));
+  writer.reset();
+
+  // Scored from the file, so that `vallecula score` can only say the same.
+  const curricula::TrialLog log = curricula::read_trial_log(results.log());
+  TrialOutcome outcome{curricula::score_trial(log, scenario), results.log(), results.score_json(), results.report(),
+                       results.force_plot()};
+  write_file_whole(outcome.score_json, curricula::score_to_json(outcome.score, log, scenario) + "\n");
+  write_force_chart(outcome.force_plot, log, scenario, outcome.score);
+  write_report(results.folder(), log, scenario, outcome.score);
+
+  curricula::RecordRow row;
+  row.finished_utc = QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString();
+  row.curriculum_id = curriculum.id;
+  row.scenario_id = scenario.id;
+  row.device_kind = log.header.device_kind;
+  row.trial_path = outcome.log.string();
+  row.score = outcome.score;
+  try {
+    curricula::Records(records_database()).add(row);
+  } catch (const std::exception& error) {
+    throw std::runtime_error(std::string(error.what()) + " (the trial's results are whole, in " +
+                             results.folder().string() + ")");
+  }
+  return outcome;
+}
+
+TrialSession::TrialSession(const TrialSetup& setup) : impl_(std::make_unique<Impl>(setup)) {}
+TrialSession::~TrialSession() = default;
+
+const pipeline::PatientPackage& TrialSession::package() const { return impl_->package; }
+const curricula::Scenario& TrialSession::scenario() const { return impl_->scenario; }
+const engine::SceneDescription& TrialSession::scene() const { return impl_->description; }
+device::HapticDevice& TrialSession::device() { return *impl_->device; }
+void TrialSession::start() { impl_->start(); }
+bool TrialSession::finished() const { return impl_->ended; }
+const engine::Snapshot& TrialSession::latest() { return impl_->runner->latest(); }
+TrialOutcome TrialSession::finish(const std::string& how) { return impl_->finish(how); }
+
+void TrialSession::reset() {
+  const bool running = impl_->writer != nullptr;
+  impl_->stop();
+  impl_->discard_log();
+  // A live device stays (the window holds it); a script starts again from its first line, faults forgotten.
+  if (dynamic_cast<device::MouseDevice*>(impl_->device.get()) == nullptr) {
+    impl_->runner.reset();
+    impl_->device = make_device(impl_->setup.device, impl_->package, impl_->scenario);
+  }
+  impl_->make_runner();
+  if (running) impl_->start();
+}
+
+}  // namespace vallecula::gui
