@@ -26,10 +26,10 @@ struct Surface {
 enum class Anchor : std::uint8_t { free = 0, mandible = 1, hyoid = 2, larynx = 3 };
 
 struct TetMesh {
-  std::vector<Point> points;                 ///< mm, LPS, rest
-  std::vector<std::array<int, 4>> tets;      ///< positively oriented: (b-a)x(c-a).(d-a) > 0
-  std::vector<std::uint8_t> tissue;          ///< per tet: 0 tongue, 1 epiglottis
-  std::vector<std::uint8_t> anchor;          ///< per node (Anchor)
+  std::vector<Point> points;             ///< mm, LPS, rest
+  std::vector<std::array<int, 4>> tets;  ///< positively oriented: (b-a)x(c-a).(d-a) > 0
+  std::vector<std::uint8_t> tissue;      ///< per tet: 0 tongue, 1 epiglottis
+  std::vector<std::uint8_t> anchor;      ///< per node (Anchor)
 };
 
 struct Material {
@@ -39,7 +39,7 @@ struct Material {
 };
 
 struct QualityItem {
-  std::string name;      ///< "tongue volume"
+  std::string name;  ///< "tongue volume"
   double value = 0.0;
   std::string unit;
   bool ok = true;
@@ -48,19 +48,24 @@ struct QualityItem {
 
 struct PatientPackage {
   int schema = 1;
-  std::string name;                            ///< of the folder; never from the source's identity
+  std::string name;                               ///< of the folder; never from the source's identity
   std::map<std::string, std::string> provenance;  ///< modality, voxel size, software version; no identity
-  std::map<std::string, Point> landmarks;      ///< mm, LPS; see kLandmarks. "glottis_normal" is a unit vector
-  std::map<std::string, Material> materials;   ///< "tongue", "epiglottis"
-  std::map<std::string, Surface> surfaces;     ///< "face", "airway", "mandible", "palate", "glottis" ...
+  std::map<std::string, Point> landmarks;         ///< mm, LPS; see kLandmarks. "glottis_normal" is a unit vector
+  std::map<std::string, Material> materials;      ///< "tongue", "epiglottis"
+  std::map<std::string, Surface> surfaces;        ///< "face", "airway", "mandible", "palate", "glottis" ...
   TetMesh tongue;
   std::vector<QualityItem> quality;
 };
 
 /// Landmarks a package must carry.
-constexpr std::array<const char*, 10> kLandmarks = {
-    "upper_gum_midline", "lower_gum_midline", "vallecula", "glottis_centre", "glottis_normal",
-    "carina", "operator_eye", "hyoid", "epiglottis_tip", "condyle_axis"};
+constexpr std::array<const char*, 10> kLandmarks = {"upper_gum_midline", "lower_gum_midline",
+                                                    "vallecula",         "glottis_centre",
+                                                    "glottis_normal",    "carina",
+                                                    "operator_eye",      "hyoid",
+                                                    "epiglottis_tip",    "condyle_axis"};
+
+/// Surfaces a package must carry.
+constexpr std::array<const char*, 5> kSurfaces = {"face", "airway", "mandible", "palate", "glottis"};
 
 /// Names the file and what is wrong with it, and how to mend it.
 class PackageError : public std::runtime_error {
@@ -68,9 +73,13 @@ class PackageError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Writes DIR aside and renames it when whole; `label_map` (an NRRD already written by the caller) is moved in.
-void write_package(const PatientPackage& package, const std::filesystem::path& label_map, const std::filesystem::path& dir);
-/// Reads and checks (schema, sha256 of every file). Throws PackageError.
+/// Writes DIR aside and renames it when whole; `label_map` (an NRRD already written by the caller) is moved in, and the
+/// thumbnail is drawn from it. A package already at DIR is replaced; anything else there is left alone. Throws
+/// PackageError.
+void write_package(const PatientPackage& package, const std::filesystem::path& label_map,
+                   const std::filesystem::path& dir);
+/// Reads and checks (schema, landmarks, materials, sha256 of every file and of patient.yaml itself, meshes). Throws
+/// PackageError.
 PatientPackage read_package(const std::filesystem::path& dir);
 
 }  // namespace vallecula::pipeline

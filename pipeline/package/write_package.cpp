@@ -1,0 +1,137 @@
+#include <unistd.h>
+#include <yaml-cpp/yaml.h>
+
+#include <cmath>
+#include <fstream>
+#include <system_error>
+
+#include "pipeline/package/digest.h"
+#include "pipeline/package/label_map.h"
+#include "pipeline/package/mesh_files.h"
+#include "pipeline/package/patient_package.h"
+#include "pipeline/package/thumbnail.h"
+
+namespace vallecula::pipeline {
+namespace {
+
+namespace fs = std::filesystem;
+
+void check_complete(const PatientPackage& package) {
+  for (const auto* name : kLandmarks) {
+    const auto found = package.landmarks.find(name);
+    if (found == package.landmarks.end()) throw PackageError(std::string("package: landmark ") + name + " is missing");
+    for (const double v : found->second) {
+      if (!std::isfinite(v)) throw PackageError(std::string("package: landmark ") + name + " is not a finite point");
+    }
+  }
+  for (const auto* name : {"tongue", "epiglottis"}) {
+    if (package.materials.count(name) == 0)
+      throw PackageError(std::string("package: material ") + name + " is missing");
+  }
+  for (const auto* name : kSurfaces) {
+    if (package.surfaces.count(name) == 0) throw PackageError(std::string("package: surface ") + name + " is missing");
+  }
+}
+
+std::string described(const PatientPackage& package, const std::map<std::string, std::string>& hashes) {
+  YAML::Emitter y;
+  y.SetDoublePrecision(17);
+  y << YAML::BeginMap;
+  y << YAML::Key << "schema" << YAML::Value << package.schema;
+  y << YAML::Key << "name" << YAML::Value << package.name;
+  y << YAML::Key << "unit" << YAML::Value << "mm" << YAML::Key << "frame" << YAML::Value << "LPS";
+  y << YAML::Key << "provenance" << YAML::Value << YAML::BeginMap;
+  for (const auto& [key, value] : package.provenance)
+    y << YAML::Key << key << YAML::Value << YAML::DoubleQuoted << value;
+  y << YAML::EndMap;
+  y << YAML::Key << "landmarks" << YAML::Value << YAML::BeginMap;
+  for (const auto& [key, p] : package.landmarks) {
+    y << YAML::Key << key << YAML::Value << YAML::Flow << YAML::BeginSeq << p[0] << p[1] << p[2] << YAML::EndSeq;
+  }
+  y << YAML::EndMap;
+  y << YAML::Key << "materials" << YAML::Value << YAML::BeginMap;
+  for (const auto& [key, m] : package.materials) {
+    y << YAML::Key << key << YAML::Value << YAML::BeginMap << YAML::Key << "young_pa" << YAML::Value << m.young_pa
+      << YAML::Key << "poisson" << YAML::Value << m.poisson << YAML::Key << "density_kg_m3" << YAML::Value
+      << m.density_kg_m3 << YAML::EndMap;
+  }
+  y << YAML::EndMap;
+  y << YAML::Key << "quality" << YAML::Value << YAML::BeginSeq;
+  for (const auto& q : package.quality) {
+    y << YAML::BeginMap << YAML::Key << "name" << YAML::Value << YAML::DoubleQuoted << q.name << YAML::Key << "value"
+      << YAML::Value << q.value << YAML::Key << "unit" << YAML::Value << YAML::DoubleQuoted << q.unit << YAML::Key
+      << "ok" << YAML::Value << q.ok << YAML::Key << "note" << YAML::Value << YAML::DoubleQuoted << q.note
+      << YAML::EndMap;
+  }
+  y << YAML::EndSeq;
+  y << YAML::Key << "files" << YAML::Value << YAML::BeginMap;
+  for (const auto& [file, hash] : hashes) y << YAML::Key << file << YAML::Value << hash;
+  y << YAML::EndMap << YAML::EndMap;
+  std::string text = std::string(y.c_str()) + "\n";
+  // The description guards itself too: its last line is the digest of every line above it.
+  return text + "sha256: " + sha256_of_text(text) + "\n";
+}
+
+void fill_folder(const PatientPackage& package, const fs::path& label_map, const fs::path& folder) {
+  std::map<std::string, std::string> hashes;
+  const auto listed = [&](const std::string& file) { hashes[file] = sha256_of_file(folder / file); };
+
+  const auto labels = read_label_map(label_map);
+  fs::copy_file(label_map, folder / "labels.nrrd");
+  listed("labels.nrrd");
+  for (const auto& [name, surface] : package.surfaces) {
+    write_surface(surface, folder / (name + ".vtp"));
+    listed(name + ".vtp");
+  }
+  write_tet_mesh(package.tongue, folder / "tongue.vtu");
+  listed("tongue.vtu");
+  write_thumbnail(labels, package.landmarks.at("upper_gum_midline")[0], folder / "thumbnail.png");
+  listed("thumbnail.png");
+
+  std::ofstream out(folder / "patient.yaml", std::ios::binary);
+  out << described(package, hashes);
+  out.close();
+  if (!out) throw PackageError("package file patient.yaml: cannot be written; is there space on the disk?");
+}
+
+}  // namespace
+
+void write_package(const PatientPackage& package, const fs::path& label_map, const fs::path& dir) {
+  check_complete(package);
+  const auto target = fs::absolute(dir).lexically_normal();
+  const auto final_dir = target.filename().empty() ? target.parent_path() : target;
+  const bool replaces = fs::exists(final_dir);
+  if (replaces && !fs::exists(final_dir / "patient.yaml")) {
+    throw PackageError("package " + final_dir.filename().string() +
+                       ": a file or folder of this name exists and is not a patient package; choose another name");
+  }
+  const auto tag = "." + final_dir.filename().string() + "." + std::to_string(::getpid());
+  const auto aside = final_dir.parent_path() / (tag + ".part");
+  const auto old = final_dir.parent_path() / (tag + ".old");
+  std::error_code ignored;
+  try {
+    fs::create_directories(final_dir.parent_path());
+    fs::remove_all(aside);
+    fs::create_directory(aside);
+    fill_folder(package, label_map, aside);
+    if (replaces) fs::rename(final_dir, old);
+    try {
+      fs::rename(aside, final_dir);
+    } catch (...) {
+      if (replaces) fs::rename(old, final_dir, ignored);
+      throw;
+    }
+  } catch (const fs::filesystem_error& e) {
+    fs::remove_all(aside, ignored);
+    throw PackageError("package " + final_dir.filename().string() + ": cannot be written into " +
+                       final_dir.parent_path().string() + " (" + e.code().message() +
+                       "); choose a folder you may write to");
+  } catch (const std::exception& e) {
+    fs::remove_all(aside, ignored);
+    throw PackageError(e.what());
+  }
+  fs::remove_all(old, ignored);
+  fs::remove(label_map, ignored);
+}
+
+}  // namespace vallecula::pipeline

@@ -1,0 +1,180 @@
+// A package that was written is read back as it was, and one that was touched since is refused by the touched file's
+// name.
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <fstream>
+#include <random>
+
+#include "pipeline/package/label_map.h"
+#include "pipeline/package/patient_package.h"
+
+namespace vallecula::pipeline {
+namespace {
+
+namespace fs = std::filesystem;
+
+Surface tetrahedron_surface(double scale, bool with_tissue) {
+  Surface s;
+  s.points = {{0, 0, 0}, {scale, 0, 0}, {0, scale, 0}, {0, 0, scale / 3.0}};
+  s.triangles = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
+  if (with_tissue) s.tissue = {0, 1, 4, 5};
+  return s;
+}
+
+PatientPackage example() {
+  PatientPackage p;
+  p.name = "example";
+  p.provenance = {{"modality", "CT"}, {"note", "quotes \" and : colons"}};
+  double v = 0.1;
+  for (const auto* name : kLandmarks) {
+    p.landmarks[name] = {v, -v / 3.0, v * v};
+    v += 1.7;
+  }
+  p.materials["tongue"] = {6000.0, 0.45, 1040.0};
+  p.materials["epiglottis"] = {90e3, 0.45, 1040.0};
+  for (const auto* name : kSurfaces) p.surfaces[name] = tetrahedron_surface(7.0 + name[0], std::string(name) == "face");
+  p.tongue.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}};
+  p.tongue.tets = {{0, 1, 2, 3}, {1, 2, 3, 4}};
+  p.tongue.tissue = {0, 1};
+  p.tongue.anchor = {1, 2, 3, 0, 0};
+  p.quality = {{"tongue volume", 7.25, "ml", true, ""}, {"watertight", 0.0, "", false, "open: at the back"}};
+  return p;
+}
+
+Labels example_labels() {
+  Grid g;
+  g.size = {7, 9, 11};
+  g.spacing = {0.5, 0.6, 0.7};
+  g.origin = {-1.0, 2.0, -3.25};
+  Labels labels(g);
+  std::mt19937 random(3);
+  for (auto& v : labels.voxels) v = static_cast<std::uint8_t>(random() % 11);
+  return labels;
+}
+
+class Package : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = fs::temp_directory_path() / ("vallecula-package-test-" + std::to_string(::getpid()));
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  fs::path written() {
+    const auto dir = folder_ / "example.patient";
+    write_label_map(example_labels(), folder_ / "labels-aside.nrrd");
+    write_package(example(), folder_ / "labels-aside.nrrd", dir);
+    return dir;
+  }
+  fs::path folder_;
+};
+
+TEST_F(Package, ReadsBackWhatWasWritten) {
+  const auto dir = written();
+  const auto in = example();
+  const auto out = read_package(dir);
+  EXPECT_EQ(out.schema, 1);
+  EXPECT_EQ(out.name, in.name);
+  EXPECT_EQ(out.provenance, in.provenance);
+  EXPECT_EQ(out.landmarks, in.landmarks);
+  ASSERT_EQ(out.surfaces.size(), in.surfaces.size());
+  for (const auto& [name, surface] : in.surfaces) {
+    EXPECT_EQ(out.surfaces.at(name).points, surface.points) << name;
+    EXPECT_EQ(out.surfaces.at(name).triangles, surface.triangles) << name;
+    EXPECT_EQ(out.surfaces.at(name).tissue, surface.tissue) << name;
+  }
+  EXPECT_EQ(out.tongue.points, in.tongue.points);
+  EXPECT_EQ(out.tongue.tets, in.tongue.tets);
+  EXPECT_EQ(out.tongue.tissue, in.tongue.tissue);
+  EXPECT_EQ(out.tongue.anchor, in.tongue.anchor);
+  EXPECT_EQ(out.materials.at("epiglottis").young_pa, 90e3);
+  ASSERT_EQ(out.quality.size(), 2u);
+  EXPECT_EQ(out.quality[1].note, in.quality[1].note);
+  EXPECT_FALSE(out.quality[1].ok);
+  EXPECT_EQ(read_label_map(dir / "labels.nrrd").voxels, example_labels().voxels);
+  EXPECT_FALSE(fs::exists(folder_ / "labels-aside.nrrd")) << "the label map is moved in, not left behind";
+}
+
+TEST_F(Package, LeavesNothingElseBehind) {
+  const auto dir = written();
+  written();  // replaces the first
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()), 1);
+  EXPECT_NO_THROW(read_package(dir));
+}
+
+TEST_F(Package, AnyChangedByteIsRefusedByName) {
+  const auto dir = written();
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(dir)) files.push_back(entry.path());
+  ASSERT_EQ(files.size(), kSurfaces.size() + 4);  // patient.yaml, labels.nrrd, tongue.vtu, thumbnail.png
+  std::mt19937 random(11);
+  for (const auto& file : files) {
+    for (int trial = 0; trial < 5; ++trial) {
+      const auto at = static_cast<std::streamoff>(random() % fs::file_size(file));
+      std::fstream bytes(file, std::ios::binary | std::ios::in | std::ios::out);
+      bytes.seekg(at);
+      const char before = static_cast<char>(bytes.get());
+      const auto poke = [&](char c) {
+        bytes.seekp(at);
+        bytes.put(c);
+        bytes.flush();
+      };
+      poke(static_cast<char>(before ^ (1 << (random() % 7))));
+      try {
+        read_package(dir);
+        FAIL() << file << " changed at byte " << at << " and was accepted";
+      } catch (const PackageError& e) {
+        EXPECT_NE(std::string(e.what()).find(file.filename().string()), std::string::npos) << e.what();
+      }
+      poke(before);
+    }
+  }
+  EXPECT_NO_THROW(read_package(dir));
+}
+
+TEST_F(Package, MissingThingsAreNamed) {
+  const auto dir = written();
+  fs::remove(dir / "airway.vtp");
+  try {
+    read_package(dir);
+    FAIL();
+  } catch (const PackageError& e) {
+    EXPECT_NE(std::string(e.what()).find("airway.vtp"), std::string::npos);
+  }
+  EXPECT_THROW(read_package(folder_ / "nowhere.patient"), PackageError);
+  EXPECT_THROW(read_package(folder_), PackageError);
+
+  auto incomplete = example();
+  incomplete.landmarks.erase("carina");
+  write_label_map(example_labels(), folder_ / "l.nrrd");
+  EXPECT_THROW(write_package(incomplete, folder_ / "l.nrrd", folder_ / "b.patient"), PackageError);
+  EXPECT_FALSE(fs::exists(folder_ / "b.patient"));
+}
+
+TEST_F(Package, AnotherFolderIsNotOverwritten) {
+  fs::create_directories(folder_ / "photos");
+  std::ofstream(folder_ / "photos" / "a.txt") << "keep";
+  write_label_map(example_labels(), folder_ / "l.nrrd");
+  EXPECT_THROW(write_package(example(), folder_ / "l.nrrd", folder_ / "photos"), PackageError);
+  EXPECT_TRUE(fs::exists(folder_ / "photos" / "a.txt"));
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()), 2)
+      << "nothing half-written is left";
+}
+
+TEST_F(Package, AnInvertedTetrahedronIsRefused) {
+  auto p = example();
+  std::swap(p.tongue.tets[0][1], p.tongue.tets[0][2]);
+  write_label_map(example_labels(), folder_ / "l.nrrd");
+  write_package(p, folder_ / "l.nrrd", folder_ / "c.patient");
+  try {
+    read_package(folder_ / "c.patient");
+    FAIL();
+  } catch (const PackageError& e) {
+    EXPECT_NE(std::string(e.what()).find("tongue.vtu"), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace vallecula::pipeline
