@@ -1,0 +1,45 @@
+# What the packaging commands share. Sourced by them, never run: bash, no git needed, any working directory, any clone path.
+set -euo pipefail
+
+source_dir=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd -P)
+build_dir=$source_dir/build/release
+
+say() { printf '%s\n' "== $*"; }
+
+# fail CODE WHAT MEND: one message, then out. Codes as the program's own: 1 the work failed, 2 wrong usage.
+fail() {
+  printf '%s\n' "packaging/$(basename -- "$0"): $2" "  To mend: $3" >&2
+  exit "$1"
+}
+
+# As many compilers at once as there are processors, but never more than memory holds: a VTK and Qt file takes about 1 GB.
+build_jobs() {
+  local processors gigabytes
+  processors=$(nproc)
+  gigabytes=$(awk '/^MemAvailable:/ { print int($2 / 1048576) }' /proc/meminfo 2>/dev/null || true)
+  if [[ -n $gigabytes && $gigabytes -lt $processors ]]; then
+    processors=$((gigabytes > 1 ? gigabytes : 1))
+  fi
+  printf '%s\n' "$processors"
+}
+
+# build ON|OFF: the release preset, with or without the tests. Only what changed is built again.
+build() {
+  local with_tests=$1 fresh=()
+  cd -- "$source_dir"
+  if [[ -e $source_dir/build && ! -w $source_dir/build ]] || [[ ! -e $source_dir/build && ! -w $source_dir ]]; then
+    fail 1 "cannot write to $source_dir/build" "give this user the folder (it may have been made by root), or clone to a place of your own"
+  fi
+  # A tree that was moved or copied takes its old paths along in the cache; CMake refuses them.
+  if [[ -f $build_dir/CMakeCache.txt ]] && ! grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$source_dir" "$build_dir/CMakeCache.txt"; then
+    fresh=(--fresh)
+  fi
+  say "Configuring (release)"
+  cmake --preset release "${fresh[@]}" -DVALLECULA_TESTS="$with_tests" ||
+    fail 1 "configuring failed; the first error above names what is missing" \
+      "run packaging/setup; if it persists, remove $source_dir/build and run this again"
+  say "Building (release), $(build_jobs) at a time"
+  cmake --build --preset release --parallel "$(build_jobs)" ||
+    fail 1 "building failed; the first error above names the file and the line" \
+      "mend that file; if the compiler was killed, memory ran out: close other programs and run this again; a full disk shows in 'df -h'"
+}
