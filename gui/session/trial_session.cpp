@@ -48,7 +48,13 @@ class DevicePort final : public engine::HapticPort {
   }
 
   void write(const engine::Vec3& force_n) noexcept override {
-    device_.write(chain_.apply({force_n.x(), force_n.y(), force_n.z()}));
+    chain_.send(device_, {force_n.x(), force_n.y(), force_n.z()});
+  }
+
+  /// Not under the chain's rate limit: nobody drives the device any more.
+  void let_go() noexcept {
+    chain_.reset();
+    device_.write({0.0, 0.0, 0.0});
   }
 
  private:
@@ -138,7 +144,7 @@ TrialSession::Impl::~Impl() {
 void TrialSession::Impl::make_runner() {
   runner.reset();
   device::OutputLimits limits;
-  limits.max_force_n = description.haptics.device_limit_n;
+  limits.peak_force_n = device->info().peak_force_n;
   port = std::make_unique<DevicePort>(*device, limits);
   runner = std::make_unique<engine::Runner>(scene, *port);
 }
@@ -202,7 +208,7 @@ void TrialSession::Impl::stop() {
   stop_asked = true;
   if (worker.joinable()) worker.join();
   if (runner) runner->stop();
-  if (port) port->write(engine::Vec3::Zero());  // no hand is left with the last force
+  if (port) port->let_go();  // no hand is left with the last force
 }
 
 void TrialSession::Impl::record(const engine::TickRecord& tick) {

@@ -1,0 +1,143 @@
+#include "gui/report/report.h"
+
+#include <cstdio>
+
+#include <QByteArray>
+#include <QString>
+
+#include "gui/session/files.h"
+#include "gui/session/results_folder.h"
+
+namespace vallecula::gui {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string escaped(const std::string& text) { return QString::fromStdString(text).toHtmlEscaped().toStdString(); }
+
+std::string number(double value, int digits) {
+  char text[64];
+  std::snprintf(text, sizeof text, "%.*f", digits, value);
+  return text;
+}
+
+/// A figure beside what it was judged by.
+struct Row {
+  std::string name, value, limit, verdict;  ///< verdict: "ok", "over", "" where nothing was demanded
+};
+
+std::string verdict(bool ok) { return ok ? "within" : "missed"; }
+
+std::vector<Row> rows_of(const curricula::Score& score, const curricula::TrialLog& log,
+                         const curricula::Scenario& scenario) {
+  const curricula::PassLimits& pass = scenario.pass;
+  const bool seen = score.time_to_trachea_visible_s >= 0.0;
+  return {
+      {"Peak force on the tongue", number(score.peak_tongue_force_n, 2) + " N, at " +
+                                       number(score.time_of_peak_tongue_force_s, 1) + " s",
+       "at most " + number(pass.peak_tongue_force_n, 2) + " N", verdict(score.peak_tongue_force_n <= pass.peak_tongue_force_n)},
+      {"Peak force on the gum",
+       number(score.peak_gum_force_n, 2) + " N" +
+           (score.peak_gum_force_n > 0.0 ? ", at " + number(score.time_of_peak_gum_force_s, 1) + " s" : ""),
+       "at most " + number(pass.peak_gum_force_n, 2) + " N", verdict(score.peak_gum_force_n <= pass.peak_gum_force_n)},
+      {"Glottis seen, at best", number(score.glottis_visible_max_percent, 0) + " %",
+       "at least " + number(pass.glottis_visible_percent, 0) + " %",
+       verdict(score.glottis_visible_max_percent >= pass.glottis_visible_percent)},
+      {"Time to glottis in sight", seen ? number(score.time_to_trachea_visible_s, 1) + " s" : "never",
+       "in sight from " + number(scenario.sight_percent, 0) + " %", ""},
+      {"Attempt time (blade in to blade out)", number(score.attempt_time_s, 1) + " s",
+       "at most " + number(pass.attempt_time_s, 0) + " s", verdict(score.attempt_time_s <= pass.attempt_time_s)},
+      {"Time over the training target (tongue, " + number(scenario.targets.tongue_force_n, 1) + " N)",
+       number(score.time_over_target_s, 2) + " s", "at most " + number(pass.time_over_target_s, 2) + " s",
+       verdict(score.time_over_target_s <= pass.time_over_target_s)},
+      {"Time over the device limit (" + number(log.header.device_limit_n, 1) + " N)",
+       number(score.time_over_force_limit_s, 2) + " s", "at most " + number(pass.time_over_device_limit_s, 2) + " s",
+       verdict(score.time_over_force_limit_s <= pass.time_over_device_limit_s)},
+  };
+}
+
+std::string table(const std::vector<Row>& rows) {
+  std::string html = "<table>\n<tr><th>Figure</th><th>Measured</th><th>Demanded</th><th></th></tr>\n";
+  for (const Row& row : rows) {
+    html += "<tr><td>" + escaped(row.name) + "</td><td class=\"figure\">" + escaped(row.value) + "</td><td>" +
+            escaped(row.limit) + "</td><td class=\"" + row.verdict + "\">" + row.verdict + "</td></tr>\n";
+  }
+  return html + "</table>\n";
+}
+
+constexpr const char* kStyle = R"(
+body { font: 16px/1.5 "DejaVu Sans", "Segoe UI", sans-serif; color: #222; max-width: 62rem; margin: 2rem auto; padding: 0 1rem; }
+h1 { font-size: 1.6rem; margin-bottom: 0; } h2 { font-size: 1.15rem; margin-top: 2rem; }
+.sub { color: #555; margin-top: .2rem; }
+.summary { border-left: .5rem solid; padding: .6rem 1rem; font-size: 1.1rem; background: #f6f4ec; }
+.passed { border-color: #009E73; } .failed { border-color: #D55E00; }
+table { border-collapse: collapse; width: 100%; } th, td { text-align: left; padding: .35rem .6rem; border-bottom: 1px solid #ddd; }
+td.figure { font-weight: bold; } td.within { color: #00795a; } td.missed { color: #b34f00; font-weight: bold; }
+img { max-width: 100%; height: auto; } .shots { display: flex; flex-wrap: wrap; gap: 1rem; } .shots figure { margin: 0; flex: 1 1 26rem; }
+figcaption, .foot { color: #555; font-size: .85rem; }
+)";
+
+}  // namespace
+
+std::string summary_sentence(const curricula::Score& score, const curricula::Scenario& scenario) {
+  const bool seen = score.time_to_trachea_visible_s >= 0.0;
+  return std::string(score.passed ? "Passed" : "Not passed") + " (" + scenario.title + "): " +
+         (seen ? "the glottis came into sight after " + number(score.time_to_trachea_visible_s, 1) + " s (" +
+                     number(score.glottis_visible_max_percent, 0) + " % at best)"
+               : "the glottis never came into sight (" + number(score.glottis_visible_max_percent, 0) + " % at best)") +
+         ", with at most " + number(score.peak_tongue_force_n, 1) + " N on the tongue and " +
+         number(score.peak_gum_force_n, 1) + " N on the gum, in an attempt of " + number(score.attempt_time_s, 1) + " s.";
+}
+
+void write_report(const fs::path& folder, const curricula::TrialLog& log, const curricula::Scenario& scenario,
+                  const curricula::Score& score) {
+  const std::string chart = read_file(folder / "force.png");
+  const std::string chart_base64 = QByteArray::fromRawData(chart.data(), static_cast<int>(chart.size())).toBase64().toStdString();
+
+  std::string html = "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>Vallecula: " +
+                     escaped(scenario.title) + "</title>\n<meta name=\"viewport\" content=\"width=device-width\">\n<style>" +
+                     kStyle + "</style></head><body>\n<h1>" + escaped(scenario.title) + "</h1>\n<p class=\"sub\">Patient " +
+                     escaped(log.header.package_name) + ", scenario " + escaped(scenario.id) + "</p>\n";
+  html += std::string("<p class=\"summary ") + (score.passed ? "passed" : "failed") + "\">" +
+          escaped(summary_sentence(score, scenario)) + "</p>\n";
+  if (!score.reasons.empty()) {
+    html += score.passed ? "<h2>Remarks</h2>\n<ul>\n" : "<h2>Why it was not passed</h2>\n<ul>\n";
+    for (const std::string& reason : score.reasons) html += "<li>" + escaped(reason) + "</li>\n";
+    html += "</ul>\n";
+  }
+  html += "<h2>Figures</h2>\n" + table(rows_of(score, log, scenario));
+  html += "<h2>Force over time</h2>\n<img alt=\"Force on tongue and gum over time, with limit, target, peak and first "
+          "sight marked\" src=\"data:image/png;base64," + chart_base64 + "\">\n";
+  html += "<p class=\"foot\">The shaded span is the attempt, blade into the mouth to blade out. Tongue and gum: force of the "
+          "tissue on the blade (model force). The dotted line is what the device was told to show.</p>\n";
+  if (!scenario.debriefing.empty()) html += "<h2>Debriefing</h2>\n<p>" + escaped(scenario.debriefing) + "</p>\n";
+  const std::vector<fs::path> shots = screenshots_in(folder);
+  if (!shots.empty()) {
+    html += "<h2>Pictures</h2>\n<div class=\"shots\">\n";
+    for (const fs::path& shot : shots) {
+      const std::string name = escaped(shot.filename().string());
+      html += "<figure><img alt=\"" + name + "\" src=\"" + name + "\"><figcaption>" + name + "</figcaption></figure>\n";
+    }
+    html += "</div>\n";
+  }
+  html += "<h2>How it was recorded</h2>\n<table>\n";
+  const auto line = [&html](const std::string& name, const std::string& value) {
+    html += "<tr><td>" + escaped(name) + "</td><td>" + escaped(value) + "</td></tr>\n";
+  };
+  line("Device", log.header.device_kind + ", limit " + number(log.header.device_limit_n, 1) + " N");
+  line("Servo loop", log.header.realtime ? number(score.loop_rate_hz, 1) + " Hz over " + std::to_string(score.ticks) +
+                                               " ticks, " + std::to_string(score.deadline_misses) + " deadline misses, " +
+                                               std::to_string(log.footer.overruns) + " overruns"
+                                         : std::to_string(score.ticks) + " ticks of 1 ms, not in real time");
+  line("How it ended", log.footer.ended);
+  line("Vallecula", log.header.software_version + ", build " + log.header.build_hash.substr(0, 12) + ", kernels " +
+                        log.header.instruction_set);
+  line("Patient package", log.header.package_name + ", sha256 " + log.header.package_sha256.substr(0, 12));
+  line("Scenario", scenario.id + ", sha256 " + log.header.scenario_sha256.substr(0, 12));
+  html += "</table>\n<p class=\"foot\">Vallecula is a training tool, not a medical device. Limits and targets are training "
+          "targets, not injury thresholds.</p>\n</body></html>\n";
+  write_file_whole(folder / "report.html", html);
+}
+
+}  // namespace vallecula::gui

@@ -1,0 +1,20 @@
+// The report of one trial as a page that any browser opens.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "curricula/score/score.h"
+
+namespace vallecula::gui {
+
+/// One sentence for a person: passed or not, and the figures that matter most.
+std::string summary_sentence(const curricula::Score& score, const curricula::Scenario& scenario);
+
+/// Writes FOLDER/report.html whole: summary, reasons, figures with their limits, FOLDER/force.png inside the page, and
+/// the screenshots operator-*.png and sagittal-*.png that lie in the folder by then (call again after adding some).
+/// Throws std::runtime_error naming the file.
+void write_report(const std::filesystem::path& folder, const curricula::TrialLog& log,
+                  const curricula::Scenario& scenario, const curricula::Score& score);
+
+}  // namespace vallecula::gui
