@@ -1,0 +1,19 @@
+// What Qt needs where no window is opened: fonts for the chart, plugins for the database.
+#pragma once
+
+#include <memory>
+
+#include <QGuiApplication>
+
+namespace vallecula::gui {
+
+/// A QGuiApplication on Qt's offscreen platform, which needs no display. Only one Qt application may live at a time.
+class HeadlessApplication {
+ public:
+  HeadlessApplication();
+
+ private:
+  std::unique_ptr<QGuiApplication> application_;
+};
+
+}  // namespace vallecula::gui

@@ -1,0 +1,32 @@
+#include "gui/commands/score_table.h"
+
+#include <iomanip>
+#include <string>
+
+#include "gui/report/report.h"
+
+namespace vallecula::gui {
+
+void print_score(std::ostream& out, const curricula::Score& score, const curricula::Scenario& scenario) {
+  const auto line = [&out](const std::string& name, double value, int digits, const std::string& unit) {
+    out << "  " << std::left << std::setw(34) << name << std::right << std::setw(9) << std::fixed
+        << std::setprecision(digits) << value << " " << unit << "\n";
+  };
+  out << summary_sentence(score, scenario) << "\n";
+  line("peak tongue force", score.peak_tongue_force_n, 2, "N");
+  line("peak gum force", score.peak_gum_force_n, 2, "N");
+  line("glottis seen at best", score.glottis_visible_max_percent, 1, "%");
+  if (score.time_to_trachea_visible_s >= 0.0) {
+    line("time to glottis in sight", score.time_to_trachea_visible_s, 2, "s");
+  } else {
+    out << "  " << std::left << std::setw(34) << "time to glottis in sight" << std::right << std::setw(9) << "never" << "\n";
+  }
+  line("attempt time", score.attempt_time_s, 2, "s");
+  line("time over the training target", score.time_over_target_s, 2, "s");
+  line("time over the device limit", score.time_over_force_limit_s, 2, "s");
+  line("servo loop", score.loop_rate_hz, 1, "Hz");
+  line("deadline misses", static_cast<double>(score.deadline_misses), 0, "of " + std::to_string(score.ticks) + " ticks");
+  for (const std::string& reason : score.reasons) out << "  - " << reason << "\n";
+}
+
+}  // namespace vallecula::gui
