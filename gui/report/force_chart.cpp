@@ -250,7 +250,7 @@ QImage draw_force_chart(const curricula::TrialLog& log, const curricula::Scenari
              QStringLiteral("counts as in sight from %1 %").arg(number(scenario.sight_percent, 0)), true);
   if (score.time_to_trachea_visible_s >= 0.0) {
     const double at_s = score.attempt_start_s + score.time_to_trachea_visible_s;
-    force.moment(at_s, kSight, QStringLiteral("first sight %1 s").arg(number(at_s, 1)));
+    force.moment(at_s, kSight, QStringLiteral("first sight, %1 s into the attempt").arg(number(score.time_to_trachea_visible_s, 1)));
     view.moment(at_s, kSight, QString());
   }
   if (score.peak_gum_force_n > 0.0) {
