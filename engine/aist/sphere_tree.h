@@ -1,0 +1,64 @@
+// The adaptive inner sphere tree (AIST; paper section 3.1, DESIGN 4.2): spheres that fill the soft body at rest, tied to
+// its tetrahedra by barycentric coordinates, and the clusters of them that a query prunes by.
+#pragma once
+
+#include <vector>
+
+#include "engine/mesh/soft_mesh.h"
+#include "engine/scene.h"
+
+namespace vallecula::engine {
+
+struct InnerSphere {
+  Vec3 centre;                     ///< at rest, m
+  double radius = 0.0;             ///< m
+  int level = 0;                   ///< 0 coarse, 1 the split cells', above: the surface levels of `full`
+  std::int32_t tet = -1;           ///< that contains the centre
+  std::array<double, 4> weight{};  ///< of that tet's nodes, in file order
+  std::int32_t tied = 0;           ///< number of tetrahedra the sphere encloses (their centroids lie in it)
+  std::int32_t triangle = -1;      ///< nearest face of the soft body's surface
+  std::array<double, 3> surface_weight{};  ///< the nearest surface point in it
+  double rest_gap = 0.0;           ///< g: from the sphere's surface to the tissue's surface at rest, m
+  double area = 0.0;               ///< surface area the sphere answers for, m^2 (contact stiffness is per area)
+  bool touchable = true;           ///< false where all three nodes of its surface face are anchored: nothing gets there
+};
+
+/// Spheres that lie together; bounded by the box of the tissue nodes they hang on (a centre is a convex combination of
+/// its nodes, so the box of the nodes holds it however the tissue deforms: refitting needs no sphere).
+struct SphereCluster {
+  std::int32_t first = 0, count = 0;   ///< range of spheres
+  std::int32_t first_node = 0, node_count = 0;  ///< range of SphereTree::cluster_nodes
+  double rest_gap_max = 0.0;           ///< largest radius + gap among its spheres, m
+};
+
+struct SphereTree {
+  std::vector<InnerSphere> spheres;    ///< ordered by cluster
+  std::vector<SphereCluster> clusters;
+  std::vector<std::int32_t> cluster_nodes;
+  std::vector<int> spheres_per_level;
+  double coarse_radius = 0.0;          ///< m
+  double mean_tet_volume = 0.0;        ///< m^3
+};
+
+struct FillSettings {
+  Coverage coverage = Coverage::full;
+  double sphere_ratio = 10.0;          ///< sphere volume over mean tetrahedron volume (the paper's optimum)
+  int levels = 2;                      ///< of the paper's grid: coarse and split cells
+  double surface_spacing = 0.00125;    ///< `full`: largest distance of surface spheres along an edge, m
+  double surface_radius = 0.001;       ///< `full`: their largest radius, m
+};
+
+/// Throws std::invalid_argument when no sphere fits.
+SphereTree fill_spheres(const SoftBodyDescription& soft, const SoftSurface& surface, const FillSettings& settings);
+
+/// Largest and mean gap of area-sampled surface points to the nearest sphere's surface, and the share with a gap of at
+/// most 0.25 mm (DESIGN 4.2 `uncovered_depth_m`).
+struct CoverageReport {
+  double uncovered_depth_m = 0.0;
+  double mean_gap_m = 0.0;
+  double covered_fraction = 0.0;
+};
+CoverageReport measure_coverage(const SphereTree& tree, const SoftBodyDescription& soft, const SoftSurface& surface,
+                                int samples);
+
+}  // namespace vallecula::engine

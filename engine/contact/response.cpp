@@ -1,0 +1,96 @@
+#include "engine/contact/response.h"
+
+#include <algorithm>
+
+namespace vallecula::engine {
+
+namespace {
+
+constexpr int kMaxIterations = 10;        // Algorithm 1, MaxIterationNumber
+constexpr float kAugmentation = 3.0f;     // contact stiffness over a surface node's own, compliant
+constexpr float kPenaltyShare = 0.1f;     // of that stiffness: an explicit penalty spring above it diverges at h = 1 ms
+
+/// The paper to the letter: free step, then each colliding sphere's centre is projected out along its normal and the
+/// correction goes to the vertices of its tetrahedron; the velocity is taken from the corrected positions. Its force
+/// reading is M dp / h^2, which depends on the step (DESIGN 4.3): shown, never scored.
+StepStatistics projection(const SphereTree& tree, const std::vector<std::array<int, 4>>& tets, const TissueModel& model,
+                          TissueState& tissue, ContactState& contacts) {
+  const StepStatistics statistics = implicit_step(model, tissue, nullptr, 0);
+  const double h = model.step_s;
+  for (int c = 0; c < contacts.count; ++c) contacts.constraints[c].multiplier = 0.0f;
+  for (int i = 0; i < kMaxIterations; ++i)
+    for (int c = 0; c < contacts.count; ++c) {
+      ContactConstraint& contact = contacts.constraints[c];
+      const InnerSphere& sphere = tree.spheres[contact.sphere];
+      const auto& tet = tets[sphere.tet];
+      const Vec3 n = to_vec3(contact.normal);
+      // The gap at the tick's start plus the surface point's way since: solution holds the free step's increments,
+      // external the corrections so far.
+      double gap = contact.gap;
+      for (int k = 0; k < 3; ++k)
+        gap += contact.weight[k] * n.dot(to_vec3(tissue.solution[contact.node[k]].v + tissue.external[contact.node[k]].v));
+      if (gap >= 0) continue;
+      double squares = 0.0;
+      for (int k = 0; k < 4; ++k) squares += sphere.weight[k] * sphere.weight[k];
+      for (int k = 0; k < 4; ++k) {
+        if (model.anchor[tet[k]] >= 0) continue;
+        const Vec3 move = -gap * sphere.weight[k] / squares * n;
+        tissue.external[tet[k]].v += from_vec3(move);
+        contact.multiplier += static_cast<float>(model.mass[tet[k]] * move.dot(n) / (h * h));
+      }
+    }
+  for (int i = 0; i < model.nodes; ++i) {
+    const Vec3 correction = to_vec3(tissue.external[i].v);
+    tissue.displacement[i] += correction;
+    tissue.velocity[i] += correction / h;
+  }
+  std::fill(tissue.external.begin(), tissue.external.end(), Float4{});
+  return statistics;
+}
+
+/// The baseline of the paper's Figure 7(a): springs on the penetration depth, applied explicitly.
+StepStatistics penalty(const TissueModel& model, TissueState& tissue, ContactState& contacts) {
+  for (int c = 0; c < contacts.count; ++c) {
+    ContactConstraint& contact = contacts.constraints[c];
+    contact.multiplier = std::max(0.0f, -contact.gap * contact.stiffness * kPenaltyShare);
+    for (int k = 0; k < 3; ++k)
+      tissue.external[contact.node[k]].v += splat(contact.multiplier * contact.weight[k]) * contact.normal;
+  }
+  return implicit_step(model, tissue, nullptr, 0);
+}
+
+}  // namespace
+
+StepStatistics respond(Response response, const SphereTree& tree, const std::vector<std::array<int, 4>>& tets,
+                       const TissueModel& model, TissueState& tissue, ContactState& contacts) noexcept {
+  StepStatistics statistics;
+  switch (response) {
+    case Response::compliant:
+      statistics = implicit_step(model, tissue, contacts.constraints.data(), contacts.count);
+      break;
+    case Response::projection: statistics = projection(tree, tets, model, tissue, contacts); break;
+    case Response::penalty: statistics = penalty(model, tissue, contacts); break;
+  }
+  keep_multipliers(contacts);
+  return statistics;
+}
+
+float contact_stiffness_per_area(const TissueModel& model, const TissueState& tissue, const SoftSurface& surface) {
+  const double h = model.step_s;
+  std::vector<double> area(model.nodes, 0.0);
+  double total = 0.0;
+  for (const auto& t : surface.triangles) {
+    const double a = (model.rest[t[1]] - model.rest[t[0]]).cross(model.rest[t[2]] - model.rest[t[0]]).norm() / 2;
+    for (int v : t) area[v] += a / 3;
+    total += a;
+  }
+  double stiffness = 0.0;
+  for (int i = 0; i < model.nodes; ++i) {
+    if (area[i] == 0.0) continue;
+    const Block3& k = tissue.stiffness[model.diagonal[i]];
+    stiffness += model.mass[i] / (h * h) + (double(k.column[0][0]) + k.column[1][1] + k.column[2][2]) / 3;
+  }
+  return static_cast<float>(kAugmentation * stiffness / total);
+}
+
+}  // namespace vallecula::engine

@@ -1,0 +1,17 @@
+// The three selectable contact responses (DESIGN 4.3). Each advances the tissue by one step and leaves in every
+// constraint's multiplier the force (N) it reads for that contact.
+#pragma once
+
+#include "engine/contact/tissue_contact.h"
+#include "engine/tissue/implicit_step.h"
+
+namespace vallecula::engine {
+
+StepStatistics respond(Response response, const SphereTree& tree, const std::vector<std::array<int, 4>>& tets,
+                       const TissueModel& model, TissueState& tissue, ContactState& contacts) noexcept;
+
+/// Stiffness of the augmented Lagrangian per surface area (N/m^3): a few times the stiffness a surface node offers in one
+/// step over the area it answers for. It sets how fast the multipliers settle, not the force they settle at.
+float contact_stiffness_per_area(const TissueModel& model, const TissueState& tissue, const SoftSurface& surface);
+
+}  // namespace vallecula::engine

@@ -1,0 +1,133 @@
+#include "engine/contact/signed_distance_grid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <thread>
+
+#include "engine/mesh/triangle_bvh.h"
+
+namespace vallecula::engine {
+
+SignedDistanceGrid::SignedDistanceGrid(const TriangleMesh& mesh, const Vec3& low, const Vec3& high, double spacing,
+                                       double band, const std::vector<std::uint8_t>& triangle_class)
+    : low_(low), spacing_(spacing), inverse_spacing_(1.0 / spacing), band_(band) {
+  constexpr double kMostCells = 4e7;  // 160 MB: a larger grid means wrong units, not a finer tool
+  double cells = 1;
+  for (int a = 0; a < 3; ++a) {
+    const double n = std::ceil((high[a] - low[a]) / spacing) + 1;
+    if (!(n >= 2) || !(n < 1e5)) throw std::invalid_argument("distance field: the box is empty or too large");
+    size_[a] = static_cast<int>(n);
+    cells *= n;
+  }
+  if (cells > kMostCells) throw std::invalid_argument("distance field: more than 40 million samples; check the units");
+  const TriangleBvh bvh(mesh);
+  constexpr float kUnknown = std::numeric_limits<float>::infinity();
+  values_.assign(static_cast<std::size_t>(cells), kUnknown);
+  if (!triangle_class.empty()) classes_.assign(values_.size(), 0);
+
+  // Only samples within the band of some triangle are worth an exact query: mark them by the triangles' boxes.
+  for (const auto& tri : mesh.triangles) {
+    Vec3 box_low = mesh.points[tri[0]], box_high = box_low;
+    for (int v : tri) {
+      box_low = box_low.cwiseMin(mesh.points[v]);
+      box_high = box_high.cwiseMax(mesh.points[v]);
+    }
+    int from[3], to[3];
+    for (int a = 0; a < 3; ++a) {
+      from[a] = std::max(0, static_cast<int>(std::floor((box_low[a] - band - low_[a]) * inverse_spacing_)));
+      to[a] = std::min(size_[a] - 1, static_cast<int>(std::ceil((box_high[a] + band - low_[a]) * inverse_spacing_)));
+    }
+    for (int k = from[2]; k <= to[2]; ++k)
+      for (int j = from[1]; j <= to[1]; ++j)
+        for (int i = from[0]; i <= to[0]; ++i) values_[index(i, j, k)] = 0.0f;
+  }
+  const auto fill_slices = [&](int first, int step) {
+    for (int k = first; k < size_[2]; k += step)
+      for (int j = 0; j < size_[1]; ++j)
+        for (int i = 0; i < size_[0]; ++i) {
+          float& value = values_[index(i, j, k)];
+          if (value == kUnknown) continue;
+          TriangleBvh::Hit hit;
+          const double d = bvh.signed_distance(low_ + spacing_ * Vec3(i, j, k), band, &hit);
+          if (hit.triangle < 0) {
+            value = kUnknown;
+            continue;
+          }
+          value = static_cast<float>(d);
+          if (!classes_.empty()) classes_[index(i, j, k)] = triangle_class[hit.triangle];
+        }
+  };
+  const int workers = std::clamp<int>(static_cast<int>(std::thread::hardware_concurrency()), 1, 4);
+  std::vector<std::thread> threads;
+  for (int w = 1; w < workers; ++w) threads.emplace_back(fill_slices, w, workers);
+  fill_slices(0, workers);
+  for (auto& t : threads) t.join();
+
+  // Beyond the band only the side matters; it is that of the next known sample along x (the band is wider than a cell,
+  // so a line cannot change sides without passing known samples). Lines without any are filled from their neighbours.
+  const auto spread = [&](int axis) {
+    int n[3] = {size_[0], size_[1], size_[2]};
+    const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+    int at[3];
+    for (at[u] = 0; at[u] < n[u]; ++at[u])
+      for (at[v] = 0; at[v] < n[v]; ++at[v])
+        for (int direction = 0; direction < 2; ++direction) {
+          float known = kUnknown;
+          for (int s = 0; s < n[axis]; ++s) {
+            at[axis] = direction == 0 ? s : n[axis] - 1 - s;
+            float& value = values_[index(at[0], at[1], at[2])];
+            if (value != kUnknown) {
+              known = value;
+            } else if (known != kUnknown) {
+              value = static_cast<float>(known < 0 ? -band : band);
+            }
+          }
+        }
+  };
+  for (int axis = 0; axis < 3; ++axis) spread(axis);
+  for (float& value : values_)
+    if (value == kUnknown) value = static_cast<float>(band);
+}
+
+bool SignedDistanceGrid::locate(const Vec3& p, int cell[3], double frac[3]) const noexcept {
+  for (int a = 0; a < 3; ++a) {
+    const double s = (p[a] - low_[a]) * inverse_spacing_;
+    if (!(s >= 0) || !(s < size_[a] - 1)) return false;
+    cell[a] = static_cast<int>(s);
+    frac[a] = s - cell[a];
+  }
+  return true;
+}
+
+SignedDistanceGrid::Sample SignedDistanceGrid::sample(const Vec3& p) const noexcept {
+  int c[3];
+  double f[3];
+  if (!locate(p, c, f)) return {band_, Vec3::Zero()};
+  const std::size_t base = index(c[0], c[1], c[2]);
+  const std::size_t dy = size_[0], dz = static_cast<std::size_t>(size_[0]) * size_[1];
+  const float* v = values_.data() + base;
+  const double v000 = v[0], v100 = v[1], v010 = v[dy], v110 = v[dy + 1];
+  const double v001 = v[dz], v101 = v[dz + 1], v011 = v[dz + dy], v111 = v[dz + dy + 1];
+  const double x00 = v000 + f[0] * (v100 - v000), x10 = v010 + f[0] * (v110 - v010);
+  const double x01 = v001 + f[0] * (v101 - v001), x11 = v011 + f[0] * (v111 - v011);
+  const double y0 = x00 + f[1] * (x10 - x00), y1 = x01 + f[1] * (x11 - x01);
+  const double gx0 = (v100 - v000) + f[1] * ((v110 - v010) - (v100 - v000));
+  const double gx1 = (v101 - v001) + f[1] * ((v111 - v011) - (v101 - v001));
+  Vec3 gradient(gx0 + f[2] * (gx1 - gx0), (x10 - x00) + f[2] * ((x11 - x01) - (x10 - x00)), y1 - y0);
+  const double length = gradient.norm();
+  if (length > 0) gradient /= length;
+  return {y0 + f[2] * (y1 - y0), gradient};
+}
+
+double SignedDistanceGrid::distance(const Vec3& p) const noexcept { return sample(p).distance; }
+
+std::uint8_t SignedDistanceGrid::class_at(const Vec3& p) const noexcept {
+  int c[3];
+  double f[3];
+  if (classes_.empty() || !locate(p, c, f)) return 0;
+  return classes_[index(c[0] + (f[0] > 0.5), c[1] + (f[1] > 0.5), c[2] + (f[2] > 0.5))];
+}
+
+}  // namespace vallecula::engine

@@ -1,0 +1,43 @@
+// The signed distance field of a closed rigid surface, sampled on a grid and read by trilinear interpolation.
+#pragma once
+
+#include <vector>
+
+#include "engine/types.h"
+
+namespace vallecula::engine {
+
+class SignedDistanceGrid {
+ public:
+  struct Sample {
+    double distance;      ///< m, negative inside; +-band beyond the band
+    Vec3 gradient;        ///< unit where it is defined, else zero
+  };
+
+  SignedDistanceGrid() = default;
+  /// Samples the box [low, high] with `spacing` (m); distances are exact within `band` of the surface and clamped to
+  /// +-band beyond. `triangle_class` (may be empty) is carried to the grid: class_at() gives that of the nearest triangle.
+  SignedDistanceGrid(const TriangleMesh& mesh, const Vec3& low, const Vec3& high, double spacing, double band,
+                     const std::vector<std::uint8_t>& triangle_class = {});
+
+  /// Outside the box: distance +band, gradient zero.
+  Sample sample(const Vec3& p) const noexcept;
+  double distance(const Vec3& p) const noexcept;
+  std::uint8_t class_at(const Vec3& p) const noexcept;
+  double band() const noexcept { return band_; }
+  double spacing() const noexcept { return spacing_; }
+
+ private:
+  bool locate(const Vec3& p, int cell[3], double frac[3]) const noexcept;
+  std::size_t index(int i, int j, int k) const noexcept {
+    return (static_cast<std::size_t>(k) * size_[1] + j) * size_[0] + i;
+  }
+
+  Vec3 low_ = Vec3::Zero();
+  double spacing_ = 1.0, inverse_spacing_ = 1.0, band_ = 0.0;
+  int size_[3] = {0, 0, 0};
+  std::vector<float> values_;
+  std::vector<std::uint8_t> classes_;
+};
+
+}  // namespace vallecula::engine

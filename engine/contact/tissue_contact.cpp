@@ -1,0 +1,107 @@
+#include "engine/contact/tissue_contact.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vallecula::engine {
+
+namespace {
+
+constexpr double kReach = 0.0005;     // constraints are set up this far ahead of touch, plus the tool's way in the tick
+constexpr double kTouching = 0.00025; // within it a sphere counts as in contact and keeps its side
+constexpr double kShallow = 0.0002;   // up to this depth the field's gradient is still that of the near side
+constexpr double kSameSide = 0.3;     // cosine between the kept side and the field's gradient
+constexpr int kExitSteps = 24;
+
+Vec3 node_position(const TissueModel& model, const TissueState& tissue, int node) {
+  return model.rest[node] + tissue.displacement[node];
+}
+
+/// Way out of the tool along `side` from a point inside, m; found by walking the field (each step is safe: |distance|).
+double exit_distance(const SignedDistanceGrid& field, const Vec3& p, const Vec3& side) {
+  double way = 0.0;
+  for (int i = 0; i < kExitSteps; ++i) {
+    const double d = field.distance(p + way * side);
+    if (d >= 0) break;
+    way += std::max(-d, 1e-5);
+  }
+  return way;
+}
+
+}  // namespace
+
+void find_contacts(const SphereTree& tree, const SoftSurface& surface, const TissueModel& model, const TissueState& tissue,
+                   const ToolField& field, const Pose& tool, const Pose& previous, float contact_stiffness_per_area,
+                   ContactState& contacts) noexcept {
+  contacts.count = 0;
+  contacts.queried_spheres = 0;
+  const Mat3 to_world = tool.rotation.toRotationMatrix();
+  const Mat3 to_tool = to_world.transpose();
+  // How far any part of the tool within 0.1 m of its tip moved in this tick.
+  const double moved = (tool.position - previous.position).norm() + 0.1 * tool.rotation.angularDistance(previous.rotation);
+  const double reach = std::min(kReach + moved, field.fine.band() * 0.9);
+
+  for (const SphereCluster& cluster : tree.clusters) {
+    Vec3 low = node_position(model, tissue, tree.cluster_nodes[cluster.first_node]), high = low;
+    for (int i = 1; i < cluster.node_count; ++i) {
+      const Vec3 p = node_position(model, tissue, tree.cluster_nodes[cluster.first_node + i]);
+      low = low.cwiseMin(p);
+      high = high.cwiseMax(p);
+    }
+    const double half = 0.5 * (high - low).norm();
+    const Vec3 centre = to_tool * (0.5 * (low + high) - tool.position);
+    if (field.coarse.distance(centre) > half + reach) {
+      for (int s = cluster.first; s < cluster.first + cluster.count; ++s) contacts.memory[s] = SphereContact{};
+      continue;
+    }
+    for (int s = cluster.first; s < cluster.first + cluster.count; ++s) {
+      const InnerSphere& sphere = tree.spheres[s];
+      SphereContact& memory = contacts.memory[s];
+      if (!sphere.touchable) continue;
+      ++contacts.queried_spheres;
+      const auto& face = surface.triangles[sphere.triangle];
+      Vec3 world = Vec3::Zero();
+      for (int k = 0; k < 3; ++k) world += sphere.surface_weight[k] * node_position(model, tissue, face[k]);
+      const Vec3 local = to_tool * (world - tool.position);
+      const SignedDistanceGrid::Sample here = field.fine.sample(local);
+      if (here.distance > reach && !(memory.touching && memory.multiplier > 0)) {
+        memory = SphereContact{};
+        continue;
+      }
+      double gap = here.distance;
+      if (!memory.touching) {
+        // Met within the tick: the side is where the point was seen from a tick ago if it is inside by now.
+        const Vec3 before = gap < 0 ? field.fine.sample(previous.to_local(world)).gradient : here.gradient;
+        memory.side = before.squaredNorm() > 0 ? before : here.gradient;
+      } else if (gap > -kShallow && (here.gradient.dot(memory.side) > kSameSide || gap > 0)) {
+        memory.side = here.gradient;
+      }
+      if (!(memory.side.squaredNorm() > 0.5)) {
+        memory = SphereContact{};
+        continue;
+      }
+      if (gap < 0 && (gap < -kShallow || here.gradient.dot(memory.side) <= kSameSide))
+        gap = -exit_distance(field.fine, local, memory.side);
+      memory.touching = gap < kTouching || memory.multiplier > 0;
+
+      ContactConstraint& c = contacts.constraints[contacts.count++];
+      for (int k = 0; k < 3; ++k) {
+        c.node[k] = face[k];
+        c.weight[k] = static_cast<float>(sphere.surface_weight[k]);
+      }
+      c.normal = from_vec3(to_world * memory.side);
+      c.gap = static_cast<float>(gap);
+      c.stiffness = static_cast<float>(contact_stiffness_per_area * sphere.area);
+      c.multiplier = memory.multiplier;
+      c.sphere = s;
+      c.active = false;
+    }
+  }
+}
+
+void keep_multipliers(ContactState& contacts) noexcept {
+  for (int i = 0; i < contacts.count; ++i)
+    contacts.memory[contacts.constraints[i].sphere].multiplier = contacts.constraints[i].multiplier;
+}
+
+}  // namespace vallecula::engine

@@ -1,0 +1,42 @@
+// Where the tool meets the tissue: the sphere tree is queried against the tool's distance field and each sphere in reach
+// gives one constraint.
+#pragma once
+
+#include <vector>
+
+#include "engine/aist/sphere_tree.h"
+#include "engine/contact/contact_constraint.h"
+#include "engine/contact/tool_field.h"
+#include "engine/tissue/tissue_state.h"
+
+namespace vallecula::engine {
+
+/// What a sphere remembers between ticks.
+struct SphereContact {
+  Vec3 side = Vec3::Zero();  ///< tool frame: outward normal of the last side that was not penetrating
+  float multiplier = 0.0f;   ///< N
+  bool touching = false;
+};
+
+struct ContactState {
+  explicit ContactState(std::size_t spheres) : memory(spheres), constraints(spheres) {}
+
+  std::vector<SphereContact> memory;           ///< per sphere
+  std::vector<ContactConstraint> constraints;  ///< the first `count` are this tick's
+  int count = 0;
+  std::int64_t queried_spheres = 0;            ///< of this tick, for the laboratory
+};
+
+/// Finds this tick's constraints with the tool at `tool` (it was at `previous` a tick ago). A constraint's gap is that of
+/// the tissue's surface point next to the sphere. DESIGN 4.3 writes (c' - q) . n >= r + g with the rest values of r and
+/// g; here the offset r + g is taken as the tissue carries it now (c minus its surface point), since a rigid offset stops
+/// the tool early by the strain times r + g: 0.3 mm under a 30 % press with 1 mm spheres.
+/// The normal is that of the tool's field on the last side that was not penetrating, kept while in contact.
+void find_contacts(const SphereTree& tree, const SoftSurface& surface, const TissueModel& model, const TissueState& tissue,
+                   const ToolField& field, const Pose& tool, const Pose& previous, float contact_stiffness_per_area,
+                   ContactState& contacts) noexcept;
+
+/// Hands the constraints' multipliers back to the spheres' memory (after the step).
+void keep_multipliers(ContactState& contacts) noexcept;
+
+}  // namespace vallecula::engine

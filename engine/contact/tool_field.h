@@ -1,0 +1,19 @@
+// The tool as contact sees it: its distance field, fine near the surface and coarse for pruning, and sample points on it.
+#pragma once
+
+#include <vector>
+
+#include "engine/contact/signed_distance_grid.h"
+
+namespace vallecula::engine {
+
+struct ToolField {
+  /// Throws std::invalid_argument when the surface is not closed (naming how many edges are open).
+  explicit ToolField(const TriangleMesh& surface);
+
+  SignedDistanceGrid fine;     ///< exact within 2 mm
+  SignedDistanceGrid coarse;   ///< to prune by, exact within 16 mm
+  std::vector<Vec3> samples;   ///< points on the surface about 1.5 mm apart, tool frame, m
+};
+
+}  // namespace vallecula::engine

@@ -1,0 +1,111 @@
+#include "engine/haptics/proxy.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Cholesky>
+
+namespace vallecula::engine {
+
+namespace {
+
+// Contact stiffness of rigid anatomy a sample point: gum and palate give by a tenth of a millimetre under a newton or two
+// (assumed); implicit in the proxy's step, so stable at any value.
+constexpr double kRigidStiffness = 8000.0;  // N/m
+constexpr double kCouplingDamping = 0.7;    // share of critical
+
+using Vec6 = Eigen::Matrix<double, 6, 1>;
+using Mat6 = Eigen::Matrix<double, 6, 6>;
+
+/// Calls visit(world arm from the tip, normal, depth, structure) for each sample point inside rigid anatomy.
+template <class Visit>
+void for_each_rigid_contact(const SignedDistanceGrid& rigid, const std::vector<Vec3>& samples, const Pose& tool,
+                            Visit visit) {
+  const Mat3 to_world = tool.rotation.toRotationMatrix();
+  for (const Vec3& local : samples) {
+    const Vec3 arm = to_world * local;
+    const Vec3 world = tool.position + arm;
+    const SignedDistanceGrid::Sample s = rigid.sample(world);
+    if (!(s.distance < 0)) continue;
+    const auto structure = static_cast<Structure>(rigid.class_at(world));
+    if (structure == Structure::other) continue;
+    visit(arm, s.gradient, -s.distance, structure);
+  }
+}
+
+}  // namespace
+
+Vec3 rotation_between(const Quat& from, const Quat& to) {
+  Quat d = to * from.conjugate();
+  if (d.w() < 0) d.coeffs() = -d.coeffs();
+  const double s = d.vec().norm();
+  if (s < 1e-12) return 2.0 * d.vec();
+  return 2.0 * std::atan2(s, d.w()) / s * d.vec();
+}
+
+Wrench coupling_wrench(const ProxySettings& settings, const Pose& proxy, const Pose& device, double scale) {
+  Wrench w;
+  w.force = scale * settings.stiffness_n_m * (device.position - proxy.position);
+  w.torque = scale * settings.rotation_nm_rad * rotation_between(proxy.rotation, device.rotation);
+  return w;
+}
+
+RigidContacts rigid_contacts(const SignedDistanceGrid& rigid, const std::vector<Vec3>& samples, const Pose& tool) noexcept {
+  RigidContacts out;
+  std::array<double, kLoadedStructures> weight{};
+  for_each_rigid_contact(rigid, samples, tool, [&](const Vec3& arm, const Vec3& n, double depth, Structure structure) {
+    const Vec3 force = kRigidStiffness * depth * n;
+    out.wrench.force += force;
+    out.wrench.torque += arm.cross(force);
+    StructureLoad& load = out.loads[static_cast<int>(structure)];
+    load.force_n += force;
+    load.centre_m += kRigidStiffness * depth * (tool.position + arm);
+    weight[static_cast<int>(structure)] += kRigidStiffness * depth;
+    ++load.contacts;
+  });
+  for (int i = 0; i < kLoadedStructures; ++i)
+    if (weight[i] > 0) out.loads[i].centre_m /= weight[i];
+  return out;
+}
+
+RigidContacts move_proxy(const ProxySettings& settings, const SignedDistanceGrid& rigid, const std::vector<Vec3>& samples,
+                         const Pose& device, const Wrench& device_velocity, double coupling_scale, double force_limit,
+                         const Wrench& tissue, ProxyState& proxy) noexcept {
+  const double h = settings.step_s;
+  const double k = settings.stiffness_n_m * coupling_scale, kr = settings.rotation_nm_rad * coupling_scale;
+  const double b = 2 * kCouplingDamping * std::sqrt(k * settings.mass_kg);
+  const double br = 2 * kCouplingDamping * std::sqrt(kr * settings.inertia_kg_m2);
+
+  Wrench pull = coupling_wrench(settings, proxy.pose, device, coupling_scale);
+  const double strength = pull.force.norm();
+  if (strength > force_limit) {
+    pull.force *= force_limit / strength;
+    pull.torque *= force_limit / strength;
+  }
+  Mat6 matrix = Mat6::Zero();
+  Vec6 right;
+  matrix.diagonal().head<3>().setConstant(settings.mass_kg / (h * h) + b / h + k);
+  matrix.diagonal().tail<3>().setConstant(settings.inertia_kg_m2 / (h * h) + br / h + kr);
+  right.head<3>() = settings.mass_kg / h * proxy.velocity + b * device_velocity.force + pull.force + tissue.force;
+  right.tail<3>() = settings.inertia_kg_m2 / h * proxy.angular_velocity + br * device_velocity.torque + pull.torque + tissue.torque;
+  for_each_rigid_contact(rigid, samples, proxy.pose, [&](const Vec3& arm, const Vec3& n, double depth, Structure) {
+    Vec6 j;
+    j << n, arm.cross(n);
+    matrix += kRigidStiffness * j * j.transpose();
+    right += kRigidStiffness * depth * j;
+  });
+  const Vec6 move = matrix.llt().solve(right);
+  proxy.velocity = move.head<3>() / h;
+  proxy.angular_velocity = move.tail<3>() / h;
+  proxy.pose.position += move.head<3>();
+  const Vec3 turn = move.tail<3>();
+  const double angle = turn.norm();
+  if (angle > 1e-15) {
+    const Vec3 axis = turn / angle;
+    proxy.pose.rotation = Quat(Eigen::AngleAxisd(angle, axis)) * proxy.pose.rotation;
+    proxy.pose.rotation.normalize();
+  }
+  return rigid_contacts(rigid, samples, proxy.pose);
+}
+
+}  // namespace vallecula::engine

@@ -1,0 +1,52 @@
+// The tool as the scene holds it: joined to the device pose by a 6-DoF virtual coupling, pushed by the tissue, stopped by
+// rigid anatomy.
+#pragma once
+
+#include "engine/contact/signed_distance_grid.h"
+#include "engine/contact/tool_field.h"
+#include "engine/tick_record.h"
+
+namespace vallecula::engine {
+
+struct ProxySettings {
+  double step_s = 0.001;
+  double mass_kg = 0.08;               ///< virtual
+  double inertia_kg_m2 = 7e-5;         ///< virtual, about the blade tip, the same about every axis
+  double stiffness_n_m = 1200.0;       ///< of the coupling
+  double rotation_nm_rad = 8.0;
+};
+
+struct ProxyState {
+  Pose pose;
+  Vec3 velocity = Vec3::Zero(), angular_velocity = Vec3::Zero();
+};
+
+/// Force and torque about the blade tip, world axes.
+struct Wrench {
+  Vec3 force = Vec3::Zero(), torque = Vec3::Zero();
+};
+
+/// Contacts of the tool with rigid anatomy in one tick.
+struct RigidContacts {
+  Wrench wrench;                                         ///< on the tool
+  std::array<StructureLoad, kLoadedStructures> loads{};  ///< by Structure
+};
+
+/// Rotation vector (axis times angle, rad) that turns `from` into `to`, world axes.
+Vec3 rotation_between(const Quat& from, const Quat& to);
+
+/// Force of the virtual coupling on the proxy: stiffness times the way to the device pose; `scale` in (0, 1].
+Wrench coupling_wrench(const ProxySettings& settings, const Pose& proxy, const Pose& device, double scale);
+
+/// One implicit step of the proxy: (M/h^2 + B/h + K) dx = M v/h + coupling + tissue + rigid contact, where K holds the
+/// coupling's and the rigid contacts' stiffness. `tissue` is the last tick's force of the tissue on the tool.
+/// `device_velocity` (m/s, rad/s): the damper works against the hand, so that moving freely costs no force.
+/// `force_limit`: the coupling pulls with no more than this (N). Returns the rigid contacts at the new pose.
+RigidContacts move_proxy(const ProxySettings& settings, const SignedDistanceGrid& rigid, const std::vector<Vec3>& samples,
+                         const Pose& device, const Wrench& device_velocity, double coupling_scale, double force_limit,
+                         const Wrench& tissue, ProxyState& proxy) noexcept;
+
+/// Rigid contacts of a proxy that is held still.
+RigidContacts rigid_contacts(const SignedDistanceGrid& rigid, const std::vector<Vec3>& samples, const Pose& tool) noexcept;
+
+}  // namespace vallecula::engine

@@ -1,0 +1,325 @@
+#include "engine/haptics/runner.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cerrno>
+#include <stdexcept>
+#include <thread>
+
+#include <pthread.h>
+#include <sched.h>
+#include <semaphore.h>
+#include <sys/mman.h>
+#include <sys/prctl.h>
+#include <time.h>
+
+#include "engine/haptics/servo.h"
+
+namespace vallecula::engine {
+
+namespace {
+
+constexpr std::size_t kRingSize = 8192;           // records: 8 s
+constexpr std::int64_t kPublishEverySteps = 8;    // snapshots at 125 Hz: twice what any screen shows
+constexpr std::int64_t kResultSlots = 8;
+constexpr std::int64_t kGiveUpNs = 5'000'000;     // further behind than this the clock is set anew instead of caught up
+constexpr std::int64_t kMissNs = 1'000'000;
+constexpr int kBins = 2000, kBinNs = 10'000;      // step times: 10 us bins up to 20 ms
+
+std::int64_t now_ns() {
+  timespec t;
+  clock_gettime(CLOCK_MONOTONIC, &t);
+  return t.tv_sec * 1'000'000'000LL + t.tv_nsec;
+}
+
+/// Wait-free hand-over of the newest snapshot: the writer fills one of three, swaps it with the one in the middle, the
+/// reader swaps the middle with its own.
+class LatestSnapshot {
+ public:
+  explicit LatestSnapshot(std::size_t points) {
+    for (Snapshot& s : slots_) s.soft_points.assign(3 * points, 0.0f);
+  }
+  Snapshot& to_write() { return slots_[writing_]; }
+  void publish() { writing_ = middle_.exchange(writing_ | kFresh, std::memory_order_acq_rel) & ~kFresh; }
+  const Snapshot& read() {
+    if (middle_.load(std::memory_order_acquire) & kFresh)
+      reading_ = middle_.exchange(reading_, std::memory_order_acq_rel) & ~kFresh;
+    return slots_[reading_];
+  }
+
+ private:
+  static constexpr int kFresh = 4;
+  std::array<Snapshot, 3> slots_;
+  int writing_ = 0, reading_ = 2;
+  std::atomic<int> middle_{1};
+};
+
+void fill_snapshot(const Scene& scene, const SceneState& state, const StepResult& result, Snapshot& s) {
+  s.step = result.step;
+  s.time_s = static_cast<double>(result.step) * scene.model.step_s;
+  s.device_pose = result.device_pose;
+  s.proxy_pose = result.proxy_pose;
+  s.state = result.limit.state;
+  s.model_force_n = result.model_force_n;
+  s.loads = result.loads;
+  s.glottis_visible = result.glottis_visible;
+  s.faults = result.faults;
+  for (int i = 0; i < scene.model.nodes; ++i)
+    for (int a = 0; a < 3; ++a)
+      s.soft_points[3 * i + a] = static_cast<float>(scene.model.rest[i][a] + state.tissue.displacement[i][a]);
+}
+
+/// Real-time priority and an eager timer where the system grants them; says what was got.
+std::string raise_this_thread(int priority) {
+  prctl(PR_SET_TIMERSLACK, 1UL, 0, 0, 0);
+  sched_param param{};
+  param.sched_priority = priority;
+  return pthread_setschedparam(pthread_self(), SCHED_FIFO, &param) == 0
+             ? "real-time priority " + std::to_string(priority)
+             : "ordinary priority (real-time priority was not granted; ticks may come late)";
+}
+
+}  // namespace
+
+struct Runner::Impl {
+  Impl(std::shared_ptr<const Scene> s, HapticPort& p)
+      : scene(std::move(s)), port(p), state(*scene), snapshots(scene->model.nodes), ring(kRingSize), bins(kBins, 0) {
+    sem_init(&work, 0, 0);
+  }
+  ~Impl() {
+    stop();
+    sem_destroy(&work);
+  }
+
+  std::shared_ptr<const Scene> scene;
+  HapticPort& port;
+  SceneState state;
+  ServoState servo;
+  LatestSnapshot snapshots;
+
+  // Records: single producer (servo), single consumer.
+  std::vector<TickRecord> ring;
+  std::atomic<std::uint64_t> ring_head{0}, ring_tail{0};
+  std::atomic<std::int64_t> dropped{0};
+
+  // Servo -> simulation: the input slot is written only while the simulation idles (fed == done).
+  StepInput input;
+  std::array<StepResult, kResultSlots> results;  // the slot of step s is s % kResultSlots
+  std::atomic<std::int64_t> fed{-1}, done{-1};
+  sem_t work;
+  std::atomic<bool> running{false};
+  std::thread servo_thread, simulation_thread;
+
+  std::atomic<std::int64_t> ticks{0}, misses{0}, overruns{0};
+  std::atomic<double> rate{0.0};
+  std::atomic<double> shown[3] = {0.0, 0.0, 0.0};
+  std::int64_t began_ns = 0, ended_ns = 0;
+  std::vector<std::int64_t> bins;
+  std::string servo_priority, simulation_priority;
+
+  void simulate(std::int64_t step_index) {
+    const std::int64_t before = now_ns();
+    const StepResult result = step(*scene, state, input);
+    results[step_index % kResultSlots] = result;
+    const std::int64_t bin = (now_ns() - before) / kBinNs;
+    ++bins[std::min<std::int64_t>(bin, kBins - 1)];
+    if (step_index % kPublishEverySteps == 0) {
+      Snapshot& s = snapshots.to_write();
+      fill_snapshot(*scene, state, result, s);
+      for (int a = 0; a < 3; ++a) s.displayed_force_n[a] = shown[a].load(std::memory_order_relaxed);
+      s.ticks = ticks.load(std::memory_order_relaxed);
+      s.deadline_misses = misses.load(std::memory_order_relaxed);
+      s.overruns = overruns.load(std::memory_order_relaxed);
+      s.loop_rate_hz = rate.load(std::memory_order_relaxed);
+      snapshots.publish();
+    }
+    done.store(step_index, std::memory_order_release);
+  }
+
+  void simulation_loop() {
+    simulation_priority = raise_this_thread(79);
+    for (;;) {
+      while (sem_wait(&work) != 0 && errno == EINTR) {
+      }
+      if (!running.load(std::memory_order_acquire)) return;
+      const std::int64_t step_index = fed.load(std::memory_order_acquire);
+      if (step_index > done.load(std::memory_order_relaxed)) simulate(step_index);
+    }
+  }
+
+  void push(const TickRecord& record) {
+    const std::uint64_t head = ring_head.load(std::memory_order_relaxed);
+    if (head - ring_tail.load(std::memory_order_acquire) >= kRingSize) {
+      dropped.fetch_add(1, std::memory_order_relaxed);
+      return;
+    }
+    ring[head % kRingSize] = record;
+    ring_head.store(head + 1, std::memory_order_release);
+  }
+
+  void show(const Vec3& force) {
+    for (int a = 0; a < 3; ++a) shown[a].store(force[a], std::memory_order_relaxed);
+    port.write(force);
+  }
+
+  void servo_loop() {
+    servo_priority = raise_this_thread(80);
+    const std::int64_t period = static_cast<std::int64_t>(scene->model.step_s * 1e9 + 0.5);
+    std::int64_t due = now_ns() + period;
+    std::int64_t second_began = due;
+    began_ns = due;
+    for (std::int64_t tick = 0; running.load(std::memory_order_acquire); ++tick) {
+      timespec until{due / 1'000'000'000, due % 1'000'000'000};
+      while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &until, nullptr) == EINTR) {
+      }
+      const PortInput in = port.read(static_cast<double>(tick) * scene->model.step_s);
+      const std::int64_t newest = done.load(std::memory_order_acquire);
+      const std::int64_t last_fed = fed.load(std::memory_order_relaxed);
+      const bool idle = newest == last_fed;
+      const StepResult none;
+      const StepResult& used = newest >= 0 ? results[newest % kResultSlots] : none;
+      const std::int64_t feeding = idle ? last_fed + 1 : -1;
+      const TickRecord record = servo_tick(*scene, tick, in, feeding, used, !idle, servo);
+      show(record.displayed_force_n);
+      if (now_ns() - due > kMissNs) misses.fetch_add(1, std::memory_order_relaxed);
+      if (idle) {
+        input.device = in.pose;
+        input.valid = in.valid;
+        fed.store(feeding, std::memory_order_release);
+        sem_post(&work);
+      } else {
+        overruns.fetch_add(1, std::memory_order_relaxed);
+      }
+      push(record);
+      ticks.store(tick + 1, std::memory_order_relaxed);
+      if ((tick + 1) % 1000 == 0) {
+        const std::int64_t t = now_ns();
+        rate.store(1000.0 * 1e9 / static_cast<double>(std::max<std::int64_t>(1, t - second_began)), std::memory_order_relaxed);
+        second_began = t;
+      }
+      due += period;
+      const std::int64_t behind = now_ns() - due;
+      if (behind > kGiveUpNs) due += behind;
+    }
+    ended_ns = now_ns();
+    show(Vec3::Zero());
+  }
+
+  void stop() {
+    if (!running.exchange(false)) return;
+    servo_thread.join();
+    sem_post(&work);
+    simulation_thread.join();
+  }
+};
+
+Runner::Runner(std::shared_ptr<const Scene> scene, HapticPort& port)
+    : impl_(std::make_unique<Impl>(std::move(scene), port)) {}
+
+Runner::~Runner() = default;
+
+void Runner::start() {
+  Impl& m = *impl_;
+  if (m.running || m.ticks > 0) throw std::logic_error("a runner runs once");
+  mlockall(MCL_CURRENT | MCL_FUTURE);  // best effort: without the right to, pages may be swapped
+  m.running = true;
+  m.simulation_thread = std::thread([&m] { m.simulation_loop(); });
+  m.servo_thread = std::thread([&m] { m.servo_loop(); });
+}
+
+void Runner::stop() { impl_->stop(); }
+
+bool Runner::pop(TickRecord& record) {
+  Impl& m = *impl_;
+  const std::uint64_t tail = m.ring_tail.load(std::memory_order_relaxed);
+  if (tail == m.ring_head.load(std::memory_order_acquire)) return false;
+  record = m.ring[tail % kRingSize];
+  m.ring_tail.store(tail + 1, std::memory_order_release);
+  return true;
+}
+
+const Snapshot& Runner::latest() { return impl_->snapshots.read(); }
+
+TimingReport Runner::timing() const {
+  const Impl& m = *impl_;
+  TimingReport report;
+  report.ticks = m.ticks;
+  report.deadline_misses = m.misses;
+  report.overruns = m.overruns;
+  if (m.ended_ns > m.began_ns) report.loop_rate_hz = static_cast<double>(report.ticks) * 1e9 / static_cast<double>(m.ended_ns - m.began_ns);
+  std::int64_t total = 0, sum = 0;
+  for (std::int64_t n : m.bins) total += n;
+  for (int i = 0; i < kBins; ++i) {
+    sum += m.bins[i];
+    const double upper = (i + 1) * kBinNs * 1e-6;
+    if (report.step_p50_ms == 0 && 2 * sum >= total && total > 0) report.step_p50_ms = upper;
+    if (report.step_p99_ms == 0 && 100 * sum >= 99 * total && total > 0) report.step_p99_ms = upper;
+  }
+  report.priority = "servo: " + m.servo_priority + "; simulation: " + m.simulation_priority;
+  return report;
+}
+
+void Runner::run(std::int64_t ticks, const std::function<void(const TickRecord&)>& sink) {
+  Impl& m = *impl_;
+  if (m.began_ns == 0) m.began_ns = now_ns();
+  for (std::int64_t i = 0; i < ticks; ++i) {
+    const std::int64_t tick = m.ticks;
+    const PortInput in = m.port.read(static_cast<double>(tick) * m.scene->model.step_s);
+    const std::int64_t feeding = m.fed + 1;
+    m.input.device = in.pose;
+    m.input.valid = in.valid;
+    m.fed = feeding;
+    m.simulate(feeding);
+    const TickRecord record = servo_tick(*m.scene, tick, in, feeding, m.results[feeding % kResultSlots], false, m.servo);
+    m.show(record.displayed_force_n);
+    m.ticks = tick + 1;
+    sink(record);
+  }
+  m.ended_ns = now_ns();
+  m.servo_priority = m.simulation_priority = "none needed (not in real time)";
+}
+
+struct Replayer::Impl {
+  explicit Impl(std::shared_ptr<const Scene> s) : scene(std::move(s)), state(*scene) {
+    snapshot.soft_points.assign(3 * scene->model.nodes, 0.0f);
+  }
+  std::shared_ptr<const Scene> scene;
+  SceneState state;
+  ServoState servo;
+  std::array<StepResult, kResultSlots> results;
+  Snapshot snapshot;
+};
+
+Replayer::Replayer(std::shared_ptr<const Scene> scene) : impl_(std::make_unique<Impl>(std::move(scene))) {}
+
+Replayer::~Replayer() = default;
+
+TickRecord Replayer::replay(const TickRecord& recorded) {
+  Impl& m = *impl_;
+  PortInput in;
+  in.pose = recorded.device_pose;
+  in.buttons = recorded.buttons;
+  in.valid = recorded.device_valid;
+  if (recorded.step_fed >= 0) {
+    StepInput input;
+    input.device = in.pose;
+    input.valid = in.valid;
+    const StepResult result = step(*m.scene, m.state, input);
+    m.results[result.step % kResultSlots] = result;
+  }
+  const StepResult none;
+  const StepResult& slot = recorded.step_used >= 0 ? m.results[recorded.step_used % kResultSlots] : none;
+  return servo_tick(*m.scene, recorded.tick, in, recorded.step_fed >= 0 ? m.state.step - 1 : -1, slot,
+                    (recorded.faults & kFaultOverrun) != 0, m.servo);
+}
+
+const Snapshot& Replayer::snapshot() {
+  Impl& m = *impl_;
+  if (m.state.step > 0) fill_snapshot(*m.scene, m.state, m.results[(m.state.step - 1) % kResultSlots], m.snapshot);
+  return m.snapshot;
+}
+
+std::string instruction_set() { return "x86-64"; }
+
+}  // namespace vallecula::engine

@@ -1,0 +1,94 @@
+#include "engine/scene.h"
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include "engine/contact/response.h"
+#include "engine/scene_data.h"
+
+namespace vallecula::engine {
+
+namespace {
+
+constexpr double kRigidSpacing = 0.0007, kRigidBand = 0.005;
+constexpr double kRigidMargin = 0.012;  // the rigid field reaches this far beyond the tissue at rest
+
+void check(const SceneDescription& d) {
+  const auto positive = [](double value, const char* what, const char* unit) {
+    if (!(value > 0) || !std::isfinite(value))
+      throw std::invalid_argument(std::string(what) + " is " + std::to_string(value) + " " + unit + "; it must be above 0");
+  };
+  positive(d.step_s, "the step", "s");
+  positive(d.tool.mass_kg, "the tool's mass", "kg");
+  positive(d.haptics.device_limit_n, "the device limit", "N");
+  positive(d.haptics.coupling_stiffness_n_m, "the coupling stiffness", "N/m");
+  positive(d.haptics.coupling_rotation_nm_rad, "the coupling's rotational stiffness", "N m/rad");
+  positive(d.haptics.force_rate_n_s, "the force rate", "N/s");
+  positive(d.haptics.limit_time_s, "the time over the limit", "s");
+  if (d.rigid.triangle_structure.size() != d.rigid.surface.triangles.size())
+    throw std::invalid_argument("rigid anatomy: a structure is needed for each triangle");
+}
+
+SignedDistanceGrid rigid_field(const SceneDescription& d) {
+  if (d.rigid.surface.triangles.empty()) return {};
+  // Only where the blade can meet it: around the tissue and from the mouth's opening (the landmarks lie within).
+  Vec3 low = d.soft.nodes.front(), high = low;
+  for (const Vec3& p : d.soft.nodes) {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+  const Vec3 margin = Vec3::Constant(kRigidMargin);
+  low -= margin;
+  high += margin;
+  for (std::size_t t = 0; t < d.rigid.surface.triangles.size(); ++t) {
+    const Structure s = d.rigid.triangle_structure[t];
+    if (s != Structure::gum && s != Structure::palate && s != Structure::teeth) continue;
+    for (int v : d.rigid.surface.triangles[t]) {
+      low = low.cwiseMin(d.rigid.surface.points[v] - 0.5 * margin);
+      high = high.cwiseMax(d.rigid.surface.points[v] + 0.5 * margin);
+    }
+  }
+  std::vector<std::uint8_t> classes;
+  for (Structure s : d.rigid.triangle_structure) classes.push_back(static_cast<std::uint8_t>(s));
+  return SignedDistanceGrid(d.rigid.surface, low, high, kRigidSpacing, kRigidBand, classes);
+}
+
+const SceneDescription& checked(const SceneDescription& d) {
+  check(d);
+  return d;
+}
+
+ProxySettings proxy_settings(const SceneDescription& d) {
+  ProxySettings p;
+  p.step_s = d.step_s;
+  p.mass_kg = d.tool.mass_kg;
+  p.stiffness_n_m = d.haptics.coupling_stiffness_n_m;
+  p.rotation_nm_rad = d.haptics.coupling_rotation_nm_rad;
+  return p;
+}
+
+}  // namespace
+
+Scene::Scene(const SceneDescription& d)
+    : description(checked(d)),
+      model(d.soft, d.step_s),
+      surface(extract_surface(d.soft.tets)),
+      tree(fill_spheres(d.soft, surface, [&d] {
+        FillSettings s;
+        s.coverage = d.coverage;
+        return s;
+      }())),
+      tool(d.tool.surface),
+      rigid(rigid_field(d)),
+      sight(d.sight),
+      proxy(proxy_settings(d)) {
+  contact_stiffness = contact_stiffness_per_area(model, TissueState(model), surface);
+  for (const Vec3& p : model.rest) centre += p / static_cast<double>(model.nodes);
+}
+
+std::shared_ptr<const Scene> build_scene(const SceneDescription& description) {
+  return std::make_shared<const Scene>(description);
+}
+
+}  // namespace vallecula::engine

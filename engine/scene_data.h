@@ -1,0 +1,29 @@
+// The scene as the engine steps it: everything precomputed from the description and never changed again.
+#pragma once
+
+#include "engine/aist/sphere_tree.h"
+#include "engine/contact/tool_field.h"
+#include "engine/haptics/proxy.h"
+#include "engine/scene.h"
+#include "engine/sight/line_of_sight.h"
+#include "engine/tissue/tissue_model.h"
+
+namespace vallecula::engine {
+
+class Scene {
+ public:
+  explicit Scene(const SceneDescription& description);
+
+  SceneDescription description;
+  TissueModel model;
+  SoftSurface surface;
+  SphereTree tree;
+  ToolField tool;
+  SignedDistanceGrid rigid;      ///< empty (nothing inside) without rigid anatomy
+  LineOfSight sight;
+  ProxySettings proxy;
+  float contact_stiffness = 0.0f;  ///< N/m^3
+  Vec3 centre = Vec3::Zero();      ///< of the tissue at rest: device poses are clamped to a ball around it
+};
+
+}  // namespace vallecula::engine

@@ -1,0 +1,52 @@
+// What changes in a scene, and one step of it. The state is all there is: equal states and equal inputs give equal steps,
+// bit for bit.
+#pragma once
+
+#include "engine/contact/tissue_contact.h"
+#include "engine/haptics/force_limit.h"
+#include "engine/scene_data.h"
+#include "engine/tick_record.h"
+#include "engine/tissue/tissue_state.h"
+
+namespace vallecula::engine {
+
+struct StepInput {
+  Pose device;
+  bool valid = true;
+};
+
+/// One step's result, as plain numbers.
+struct StepResult {
+  std::int64_t step = -1;
+  Pose device_pose;                        ///< the input, made finite and clamped
+  Pose proxy_pose;
+  LimitState limit;
+  Vec3 model_force_n = Vec3::Zero(), model_torque_nm = Vec3::Zero();
+  std::array<StructureLoad, kLoadedStructures> loads{};
+  double glottis_visible = 0.0;            ///< as of the last sight evaluation
+  std::uint32_t faults = kFaultNone;
+};
+
+struct SceneState {
+  explicit SceneState(const Scene& scene);
+
+  TissueState tissue;
+  ContactState contacts;
+  ProxyState proxy;
+  LimitState limit;
+  Wrench tissue_wrench;        ///< of the last step, on the tool
+  Wrench device_velocity;      ///< filtered; force holds m/s, torque rad/s
+  Pose device;                 ///< last good device pose
+  bool placed = false;         ///< the first good pose has placed the proxy
+  LineOfSight::Scratch sight;
+  double glottis_visible = 0.0;
+  std::int64_t step = 0;       ///< steps taken
+};
+
+constexpr std::int64_t kSightEverySteps = 20;
+
+/// Advances the scene by one step. No allocation, lock, I/O or exception; a non-finite tissue is put back to rest and
+/// reported as kFaultTissue, with no force.
+StepResult step(const Scene& scene, SceneState& state, const StepInput& input) noexcept;
+
+}  // namespace vallecula::engine

@@ -1,0 +1,97 @@
+#include "engine/tissue/tissue_model.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <stdexcept>
+
+#include "engine/mesh/soft_mesh.h"
+
+namespace vallecula::engine {
+
+TissueModel::TissueModel(const SoftBodyDescription& soft, double step) {
+  check_soft_body(soft);
+  nodes = static_cast<int>(soft.nodes.size());
+  tets = static_cast<int>(soft.tets.size());
+  step_s = step;
+  rest = soft.nodes;
+  anchor = soft.node_anchor;
+  bodies = soft.bodies;
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    const SprungBody& body = bodies[b];
+    if (body.motion == SprungBody::Motion::fixed) continue;
+    if (!(body.inertia > 0) || !(body.stiffness > 0) || body.damping < 0)
+      throw std::invalid_argument("sprung body " + std::to_string(b) + ": inertia and stiffness must be above 0");
+  }
+  mass.assign(nodes, 0.0f);
+
+  std::vector<double> node_mass(nodes, 0.0);
+  std::map<std::pair<int, int>, int> pressure_index;
+  std::vector<double> pressure_volume;
+  packs.resize((tets + 3) / 4);
+  std::vector<std::set<int>> neighbours(nodes);
+  for (int t = 0; t < static_cast<int>(packs.size()) * 4; ++t) {
+    TetPack& pack = packs[t / 4];
+    const int lane = t % 4;
+    if (t >= tets) {  // a lane that only pads: weightless and stiffless
+      for (int c = 0; c < 4; ++c) {
+        pack.node[c][lane] = 0;
+        pack.pressure[c][lane] = 0;
+        for (int a = 0; a < 3; ++a) pack.gradient[c][a][lane] = 0.0f;
+      }
+      pack.volume[lane] = pack.mu[lane] = pack.lambda[lane] = 0.0f;
+      continue;
+    }
+    const auto& k = soft.tets[t];
+    const TissueMaterial& material = soft.materials[soft.tet_material[t]];
+    const double volume = tet_volume(rest[k[0]], rest[k[1]], rest[k[2]], rest[k[3]]);
+    const auto gradients = shape_gradients(rest[k[0]], rest[k[1]], rest[k[2]], rest[k[3]]);
+    const double mu = material.young_pa / (2 * (1 + material.poisson));
+    const double lambda = material.young_pa * material.poisson / ((1 + material.poisson) * (1 - 2 * material.poisson));
+    pack.volume[lane] = static_cast<float>(volume);
+    pack.mu[lane] = static_cast<float>(mu);
+    pack.lambda[lane] = static_cast<float>(lambda);
+    for (int c = 0; c < 4; ++c) {
+      pack.node[c][lane] = k[c];
+      for (int a = 0; a < 3; ++a) pack.gradient[c][a][lane] = static_cast<float>(gradients(a, c));
+      const auto [it, fresh] =
+          pressure_index.try_emplace({k[c], soft.tet_material[t]}, static_cast<int>(pressure_index.size()));
+      if (fresh) {
+        pressure_volume.push_back(0.0);
+        pressure_lambda.push_back(static_cast<float>(lambda));
+      }
+      pack.pressure[c][lane] = it->second;
+      pressure_volume[it->second] += volume / 4;
+      node_mass[k[c]] += material.density_kg_m3 * volume / 4;
+      for (int d = 0; d < 4; ++d) neighbours[k[c]].insert(k[d]);
+    }
+  }
+  for (int i = 0; i < nodes; ++i) mass[i] = static_cast<float>(node_mass[i]);
+  for (double v : pressure_volume) pressure_inverse_volume.push_back(static_cast<float>(1.0 / v));
+
+  row_start.push_back(0);
+  for (int i = 0; i < nodes; ++i) {
+    for (int j : neighbours[i]) {
+      if (j == i) diagonal.push_back(static_cast<std::int32_t>(column.size()));
+      column.push_back(j);
+    }
+    row_start.push_back(static_cast<std::int32_t>(column.size()));
+  }
+  tet_block.resize(tets);
+  for (int t = 0; t < tets; ++t)
+    for (int c = 0; c < 4; ++c)
+      for (int d = 0; d < 4; ++d) {
+        const int i = soft.tets[t][c], j = soft.tets[t][d];
+        const auto begin = column.begin() + row_start[i], end = column.begin() + row_start[i + 1];
+        tet_block[t][4 * c + d] = static_cast<std::int32_t>(std::lower_bound(begin, end, j) - column.begin());
+      }
+
+  for (int i = 0; i < nodes; ++i) {
+    if (anchor[i] < 0) continue;
+    const SprungBody& body = bodies[anchor[i]];
+    const Vec3 arm = body.axis.normalized().cross(rest[i] - body.pivot);
+    anchored.push_back({i, anchor[i], from_vec3(arm)});
+  }
+}
+
+}  // namespace vallecula::engine
