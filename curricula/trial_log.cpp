@@ -22,7 +22,8 @@ std::string system_reason() { return std::strerror(errno); }
 
 fs::path part_of(const fs::path& path) { return fs::path(path.string() + ".part"); }
 
-/// Makes a rename in `folder` outlast a power cut. Some file systems do not let folders be synced: nothing to mend then.
+/// Makes a rename in `folder` outlast a power cut. Some file systems do not let folders be synced: nothing to mend
+/// then.
 void sync_folder(const fs::path& folder) {
   const int descriptor = ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (descriptor < 0) return;
@@ -91,7 +92,7 @@ struct TrialLogWriter::Impl {
   int descriptor = -1;
   std::uint32_t blocks = 0;
   std::int64_t ticks = 0;
-  std::string pending;   ///< encoded ticks of the block being filled
+  std::string pending;  ///< encoded ticks of the block being filled
 
   [[noreturn]] void fail(const std::string& what, const std::string& mend) const {
     throw TrialLogError("trial log " + part.string() + ": " + what + " (" + system_reason() + "); " + mend);
@@ -183,13 +184,14 @@ TrialLog read_trial_log(const fs::path& given) {
 
   std::string head(kFileHeadBytes, '\0');
   in.read(head.data(), static_cast<std::streamsize>(head.size()));
-  if (in.gcount() != static_cast<std::streamsize>(head.size()) || head.compare(0, kMagicBytes, kMagic, kMagicBytes) != 0) {
+  if (in.gcount() != static_cast<std::streamsize>(head.size()) ||
+      head.compare(0, kMagicBytes, kMagic, kMagicBytes) != 0) {
     throw TrialLogError(name + "is not a Vallecula trial log; give a .vtrial file or its folder");
   }
   const std::uint32_t version = get_u32(head.data() + kMagicBytes);
   if (version != kVersion) {
-    throw TrialLogError(name + "has format " + std::to_string(version) + ", this version reads " + std::to_string(kVersion) +
-                        "; use the Vallecula that wrote it");
+    throw TrialLogError(name + "has format " + std::to_string(version) + ", this version reads " +
+                        std::to_string(kVersion) + "; use the Vallecula that wrote it");
   }
 
   TrialLog log;
@@ -214,7 +216,8 @@ TrialLog read_trial_log(const fs::path& given) {
         std::int64_t ticks = 0;
         const LogFooter footer = footer_from_json(block.payload, ticks);
         if (ticks != static_cast<std::int64_t>(log.ticks.size())) {
-          problem = "its footer names " + std::to_string(ticks) + " ticks, but it holds " + std::to_string(log.ticks.size());
+          problem =
+              "its footer names " + std::to_string(ticks) + " ticks, but it holds " + std::to_string(log.ticks.size());
         } else {
           log.footer = footer;
           footer_seen = true;
@@ -230,7 +233,8 @@ TrialLog read_trial_log(const fs::path& given) {
   }
   if (problem.empty()) return log;
 
-  const std::string where = ", after block " + std::to_string(number) + " (" + std::to_string(log.ticks.size()) + " ticks)";
+  const std::string where =
+      ", after block " + std::to_string(number) + " (" + std::to_string(log.ticks.size()) + " ticks)";
   if (number == 0) {
     throw TrialLogError(name + "is damaged in its header (" + problem + "): nothing can be recovered; use a copy");
   }

@@ -1,11 +1,10 @@
 #include "curricula/trial_log_format.h"
 
-#include <cmath>
-#include <cstring>
-
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <cmath>
+#include <cstring>
 
 namespace vallecula::curricula::log_format {
 namespace {
@@ -85,12 +84,18 @@ QJsonValue field(const QJsonObject& object, const char* name, QJsonValue::Type t
   if (value.type() != type) throw TrialLogError(std::string("field '") + name + "' is missing or of the wrong type");
   return value;
 }
-std::string get_text(const QJsonObject& o, const char* name) { return field(o, name, QJsonValue::String).toString().toStdString(); }
+std::string get_text(const QJsonObject& o, const char* name) {
+  return field(o, name, QJsonValue::String).toString().toStdString();
+}
 double get_number(const QJsonObject& o, const char* name) { return field(o, name, QJsonValue::Double).toDouble(); }
 bool get_bool(const QJsonObject& o, const char* name) { return field(o, name, QJsonValue::Bool).toBool(); }
-std::int64_t get_integer(const QJsonObject& o, const char* name) { return field(o, name, QJsonValue::Double).toVariant().toLongLong(); }
+std::int64_t get_integer(const QJsonObject& o, const char* name) {
+  return field(o, name, QJsonValue::Double).toVariant().toLongLong();
+}
 
-std::string compact(const QJsonObject& object) { return QJsonDocument(object).toJson(QJsonDocument::Compact).toStdString(); }
+std::string compact(const QJsonObject& object) {
+  return QJsonDocument(object).toJson(QJsonDocument::Compact).toStdString();
+}
 
 }  // namespace
 
@@ -216,7 +221,8 @@ LogHeader header_from_json(const std::string& json) {
   LogHeader header;
   header.schema = static_cast<int>(get_integer(o, "schema"));
   if (header.schema != 1) {
-    throw TrialLogError("its schema is " + std::to_string(header.schema) + ", this version reads 1; use the newer Vallecula");
+    throw TrialLogError("its schema is " + std::to_string(header.schema) +
+                        ", this version reads 1; use the newer Vallecula");
   }
   header.software_version = get_text(o, "software_version");
   header.build_hash = get_text(o, "build_hash");
@@ -233,7 +239,8 @@ LogHeader header_from_json(const std::string& json) {
   header.device_limit_n = get_number(o, "device_limit_n");
   header.realtime = get_bool(o, "realtime");
   const QJsonObject settings = field(o, "settings", QJsonValue::Object).toObject();
-  for (auto it = settings.begin(); it != settings.end(); ++it) header.settings[it.key().toStdString()] = it.value().toDouble();
+  for (auto it = settings.begin(); it != settings.end(); ++it)
+    header.settings[it.key().toStdString()] = it.value().toDouble();
   const QJsonObject landmarks = field(o, "landmarks_m", QJsonValue::Object).toObject();
   for (auto it = landmarks.begin(); it != landmarks.end(); ++it) {
     const QJsonArray c = it.value().toArray();

@@ -26,8 +26,8 @@ constexpr std::size_t kLargestPayload = 16u << 20;  ///< a longer one is damage,
 constexpr int kTicksPerBlock = 256;                 ///< a crash loses at most a quarter of a second
 
 constexpr std::size_t kPoseBytes = 7 * 8, kVectorBytes = 3 * 8, kLoadBytes = 2 * kVectorBytes + 4;
-constexpr std::size_t kTickBytes = 8 + 8 + kPoseBytes + 4 + 1 + 8 + 8 + kPoseBytes + 1 + 3 * kVectorBytes +
-                                   kStructures * kLoadBytes + 1 + 8 + 4;
+constexpr std::size_t kTickBytes =
+    8 + 8 + kPoseBytes + 4 + 1 + 8 + 8 + kPoseBytes + 1 + 3 * kVectorBytes + kStructures * kLoadBytes + 1 + 8 + 4;
 
 /// CRC-32 of IEEE 802.3 (the one of zlib, PNG and Ethernet).
 std::uint32_t crc32(const char* data, std::size_t size) noexcept;

@@ -11,17 +11,17 @@
 namespace vallecula::device {
 
 struct DeviceKind {
-  std::string kind;         ///< "mouse"
-  std::string argument;     ///< what may follow the colon; empty: nothing
+  std::string kind;      ///< "mouse"
+  std::string argument;  ///< what may follow the colon; empty: nothing
   std::string description;
 };
 
 /// Every kind make_device() knows.
 std::vector<DeviceKind> device_kinds();
 
-/// Makes a device of `kind` with `argument` (the text after the colon of KIND[:ARG]). "scripted" takes a trajectory file
-/// (read_trajectory_csv) and the default hand; hands with other settings are made as ScriptedDevice. Throws DeviceError
-/// naming the kinds there are, or what is wrong with the argument.
+/// Makes a device of `kind` with `argument` (the text after the colon of KIND[:ARG]). "scripted" takes a trajectory
+/// file (read_trajectory_csv) and the default hand; hands with other settings are made as ScriptedDevice. Throws
+/// DeviceError naming the kinds there are, or what is wrong with the argument.
 std::unique_ptr<HapticDevice> make_device(const std::string& kind, const std::string& argument);
 
 }  // namespace vallecula::device

@@ -5,13 +5,18 @@ namespace vallecula::device {
 
 const char* describe(DeviceFault fault) noexcept {
   switch (fault) {
-    case DeviceFault::none: return "The device works.";
+    case DeviceFault::none:
+      return "The device works.";
     case DeviceFault::force_exceeded:
-      return "The device was pressed against its force limit for too long and switched its force off: ease the hand, it comes "
+      return "The device was pressed against its force limit for too long and switched its force off: ease the hand, "
+             "it comes "
              "back by itself.";
-    case DeviceFault::communication_lost: return "The device does not answer: check its cable and its power.";
-    case DeviceFault::unplugged: return "The device is unplugged: plug it in again.";
-    case DeviceFault::motor_warm: return "The device's motors are too warm: let it rest for a minute.";
+    case DeviceFault::communication_lost:
+      return "The device does not answer: check its cable and its power.";
+    case DeviceFault::unplugged:
+      return "The device is unplugged: plug it in again.";
+    case DeviceFault::motor_warm:
+      return "The device's motors are too warm: let it rest for a minute.";
     case DeviceFault::non_finite_command:
       return "A force that is not a number was held back and zero force was sent: please report this trial's log.";
   }

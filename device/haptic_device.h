@@ -15,7 +15,14 @@ struct DeviceReading {
   bool valid = true;   ///< false: a fault holds; the pose is the last known one
 };
 
-enum class DeviceFault : std::uint8_t { none, force_exceeded, communication_lost, unplugged, motor_warm, non_finite_command };
+enum class DeviceFault : std::uint8_t {
+  none,
+  force_exceeded,
+  communication_lost,
+  unplugged,
+  motor_warm,
+  non_finite_command
+};
 /// One plain sentence for a person.
 const char* describe(DeviceFault fault) noexcept;
 

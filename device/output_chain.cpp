@@ -11,7 +11,8 @@ namespace {
 
 double checked(double value, bool ok, const char* name) {
   if (!std::isfinite(value) || !ok) {
-    throw std::invalid_argument(std::string("output chain: ") + name + " = " + std::to_string(value) + " is out of range");
+    throw std::invalid_argument(std::string("output chain: ") + name + " = " + std::to_string(value) +
+                                " is out of range");
   }
   return value;
 }

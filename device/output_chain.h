@@ -6,10 +6,10 @@
 namespace vallecula::device {
 
 struct OutputLimits {
-  double peak_force_n = 7.9;    ///< magnitude never exceeded; 0 for a device that shows no force
-  double rate_n_s = 400.0;      ///< bound on the change of the force sent, as a vector, per second
-  double cutoff_hz = 200.0;     ///< first-order low-pass; below the servo's Nyquist frequency
-  double period_s = 0.001;      ///< of the servo
+  double peak_force_n = 7.9;  ///< magnitude never exceeded; 0 for a device that shows no force
+  double rate_n_s = 400.0;    ///< bound on the change of the force sent, as a vector, per second
+  double cutoff_hz = 200.0;   ///< first-order low-pass; below the servo's Nyquist frequency
+  double period_s = 0.001;    ///< of the servo
 };
 
 /// One per device, used by the servo thread only.

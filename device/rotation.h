@@ -14,7 +14,9 @@ inline Vector subtract(const Vector& a, const Vector& b) noexcept { return {a[0]
 inline Vector scale(const Vector& a, double s) noexcept { return {a[0] * s, a[1] * s, a[2] * s}; }
 /// Scaled so that neither huge nor tiny components overflow or vanish; infinite or NaN input gives a non-finite result.
 inline double length(const Vector& a) noexcept { return std::hypot(a[0], a[1], a[2]); }
-inline bool finite(const Vector& a) noexcept { return std::isfinite(a[0]) && std::isfinite(a[1]) && std::isfinite(a[2]); }
+inline bool finite(const Vector& a) noexcept {
+  return std::isfinite(a[0]) && std::isfinite(a[1]) && std::isfinite(a[2]);
+}
 
 inline double dot(const Rotation& a, const Rotation& b) noexcept {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3];

@@ -13,7 +13,8 @@ namespace {
 
 constexpr std::size_t kMaxRows = 1000000;
 
-/// Weighted harmonic mean of the neighbouring slopes, zero at a turning point: keeps the cubic monotone between keyframes.
+/// Weighted harmonic mean of the neighbouring slopes, zero at a turning point: keeps the cubic monotone between
+/// keyframes.
 double monotone_slope(double left_slope, double right_slope, double left_s, double right_s) {
   if (!(left_slope * right_slope > 0.0)) return 0.0;
   const double a = 2.0 * right_s + left_s, b = right_s + 2.0 * left_s;
@@ -59,14 +60,16 @@ Trajectory::Trajectory(std::vector<Keyframe> keyframes) : keyframes_(std::move(k
   for (std::size_t i = 0; i < keyframes_.size(); ++i) {
     Keyframe& k = keyframes_[i];
     const std::string which = "trajectory: keyframe " + std::to_string(i + 1);
-    if (!std::isfinite(k.time_s) || !finite(k.position_m)) throw DeviceError(which + " has a number that is not finite");
+    if (!std::isfinite(k.time_s) || !finite(k.position_m))
+      throw DeviceError(which + " has a number that is not finite");
     if (i > 0 && !(k.time_s > keyframes_[i - 1].time_s)) {
       throw DeviceError(which + ": time " + std::to_string(k.time_s) + " s is not later than the one before (" +
                         std::to_string(keyframes_[i - 1].time_s) + " s)");
     }
     const double norm = std::sqrt(dot(k.rotation_wxyz, k.rotation_wxyz));
     if (!(std::abs(norm - 1.0) <= 0.01)) {
-      throw DeviceError(which + ": rotation has length " + std::to_string(norm) + "; a unit quaternion (w first) is needed");
+      throw DeviceError(which + ": rotation has length " + std::to_string(norm) +
+                        "; a unit quaternion (w first) is needed");
     }
     k.rotation_wxyz = normalised(k.rotation_wxyz);
   }
@@ -130,7 +133,8 @@ std::vector<Keyframe> read_trajectory_csv(const std::filesystem::path& file) {
       throw DeviceError(where + std::to_string(fields.size()) + " columns; expected t,x,y,z or t,x,y,z,qw,qx,qy,qz");
     }
     if (width != 0 && fields.size() != width) {
-      throw DeviceError(where + std::to_string(fields.size()) + " columns, but the lines before have " + std::to_string(width));
+      throw DeviceError(where + std::to_string(fields.size()) + " columns, but the lines before have " +
+                        std::to_string(width));
     }
     width = fields.size();
     std::array<double, 8> v{0, 0, 0, 0, 1, 0, 0, 0};
@@ -145,7 +149,8 @@ std::vector<Keyframe> read_trajectory_csv(const std::filesystem::path& file) {
     }
     const double norm = std::sqrt(v[4] * v[4] + v[5] * v[5] + v[6] * v[6] + v[7] * v[7]);
     if (!(std::abs(norm - 1.0) <= 0.01)) {
-      throw DeviceError(where + "rotation has length " + std::to_string(norm) + "; expected a unit quaternion, w first");
+      throw DeviceError(where + "rotation has length " + std::to_string(norm) +
+                        "; expected a unit quaternion, w first");
     }
     if (rows.size() == kMaxRows) throw DeviceError(where + "more than " + std::to_string(kMaxRows) + " rows");
     rows.push_back({v[0], {v[1], v[2], v[3]}, {v[4], v[5], v[6], v[7]}});

@@ -22,12 +22,12 @@ class DeviceError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Position: monotone piecewise cubic (Fritsch and Butland 1984): through every keyframe, with continuous velocity, never
-/// beyond the two neighbouring keyframes on any axis, at rest at both ends. Rotation: slerp by the shorter arc.
+/// Position: monotone piecewise cubic (Fritsch and Butland 1984): through every keyframe, with continuous velocity,
+/// never beyond the two neighbouring keyframes on any axis, at rest at both ends. Rotation: slerp by the shorter arc.
 class Trajectory {
  public:
-  /// Throws DeviceError unless there is a keyframe, all numbers are finite, times increase strictly and every rotation has
-  /// a length within 1 % of one (it is normalised).
+  /// Throws DeviceError unless there is a keyframe, all numbers are finite, times increase strictly and every rotation
+  /// has a length within 1 % of one (it is normalised).
   explicit Trajectory(std::vector<Keyframe> keyframes);
 
   /// Before the first and after the last keyframe the pose rests there. A time that is NaN gives the first. Allocates
@@ -43,8 +43,8 @@ class Trajectory {
 };
 
 /// Reads rows `t,x,y,z[,qw,qx,qy,qz]` in s and m; rotation is the identity where it is left out. A first line of column
-/// names, blank lines and lines starting with # are skipped. Every row has the same number of columns. At most a million
-/// rows. Throws DeviceError naming file and line.
+/// names, blank lines and lines starting with # are skipped. Every row has the same number of columns. At most a
+/// million rows. Throws DeviceError naming file and line.
 std::vector<Keyframe> read_trajectory_csv(const std::filesystem::path& file);
 
 }  // namespace vallecula::device

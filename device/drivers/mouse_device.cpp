@@ -13,7 +13,8 @@ constexpr double kLongestStep = 0.05;
 
 void require_positive(double value, const char* name) {
   if (!(value > 0.0) || !std::isfinite(value)) {
-    throw DeviceError(std::string("mouse device: ") + name + " = " + std::to_string(value) + "; expected a positive number");
+    throw DeviceError(std::string("mouse device: ") + name + " = " + std::to_string(value) +
+                      "; expected a positive number");
   }
 }
 
@@ -98,8 +99,10 @@ DeviceReading MouseDevice::read(double time_s) noexcept {
   const Vector way = subtract(target.position_m, limited_.position_m);
   const double distance = length(way), reach = settings_.max_speed_m_s * step_s;
   limited_.position_m = distance > reach ? add(limited_.position_m, scale(way, reach / distance)) : target.position_m;
-  const double angle = angle_between(limited_.rotation_wxyz, target.rotation_wxyz), turn = settings_.max_turn_rad_s * step_s;
-  limited_.rotation_wxyz = angle > turn ? slerp(limited_.rotation_wxyz, target.rotation_wxyz, turn / angle) : target.rotation_wxyz;
+  const double angle = angle_between(limited_.rotation_wxyz, target.rotation_wxyz),
+               turn = settings_.max_turn_rad_s * step_s;
+  limited_.rotation_wxyz =
+      angle > turn ? slerp(limited_.rotation_wxyz, target.rotation_wxyz, turn / angle) : target.rotation_wxyz;
   lift_ = std::clamp(lift_ + target.lift_direction * settings_.lift_speed_m_s * step_s, 0.0, settings_.lift_range_m);
 
   const double share = 1.0 - std::exp(-step_s / settings_.smoothing_s);

@@ -9,12 +9,12 @@
 namespace vallecula::device {
 
 struct MouseSettings {
-  double max_speed_m_s = 0.25;         ///< of the blade tip; a brisk hand
+  double max_speed_m_s = 0.25;  ///< of the blade tip; a brisk hand
   double max_turn_rad_s = 3.0;
-  double smoothing_s = 0.02;           ///< time constant of each of two low-passes: mouse steps at 60 Hz leave no trace
-  double lift_speed_m_s = 0.012;       ///< while the lift key is held
-  double lift_range_m = 0.025;         ///< ANATOMY: the glottis is in full view by 15 mm
-  double workspace_m = 0.20;           ///< the target stays this near to where the tool was placed
+  double smoothing_s = 0.02;      ///< time constant of each of two low-passes: mouse steps at 60 Hz leave no trace
+  double lift_speed_m_s = 0.012;  ///< while the lift key is held
+  double lift_range_m = 0.025;    ///< ANATOMY: the glottis is in full view by 15 mm
+  double workspace_m = 0.20;      ///< the target stays this near to where the tool was placed
 };
 
 /// Setters: one thread, the window's. read, write: one thread, the servo's. Both wait-free. Shows no force: the window
@@ -25,8 +25,8 @@ class MouseDevice final : public HapticDevice {
   explicit MouseDevice(const MouseSettings& settings = {});
 
   // --- the window's thread -------------------------------------------------------------------------------------------
-  /// Puts the tool there at once, without lift, and makes it the middle of the workspace. Call before a trial starts and
-  /// at a reset. Ignored unless all numbers are finite.
+  /// Puts the tool there at once, without lift, and makes it the middle of the workspace. Call before a trial starts
+  /// and at a reset. Ignored unless all numbers are finite.
   void place(const std::array<double, 3>& position_m, const std::array<double, 4>& rotation_wxyz) noexcept;
   /// World directions of the picture (unit vectors): to its right, to its top, and into it.
   void set_view_axes(const std::array<double, 3>& right, const std::array<double, 3>& up,
@@ -38,8 +38,8 @@ class MouseDevice final : public HapticDevice {
   /// Turns about the tool's own axes through the tip, rad: pitch about +y (raises or lowers the handle), yaw about +z,
   /// roll about +x (the blade's length).
   void turn(double pitch_rad, double yaw_rad, double roll_rad) noexcept;
-  /// Lift along the handle (tool +z): +1 while the lift key is held, -1 while the lower key is, 0 when both are free; the
-  /// tool then stays lifted as far as it came.
+  /// Lift along the handle (tool +z): +1 while the lift key is held, -1 while the lower key is, 0 when both are free;
+  /// the tool then stays lifted as far as it came.
   void set_lift(double direction) noexcept;
   void set_buttons(std::uint32_t buttons) noexcept;
 
@@ -59,7 +59,7 @@ class MouseDevice final : public HapticDevice {
     std::array<double, 4> rotation_wxyz{1, 0, 0, 0};
     double lift_direction = 0.0;
     std::uint32_t buttons = 0;
-    std::uint32_t placement = 0;       ///< counts place(): the servo then jumps instead of following
+    std::uint32_t placement = 0;  ///< counts place(): the servo then jumps instead of following
   };
   struct Stage {
     std::array<double, 3> position_m{0, 0, 0};
@@ -73,7 +73,7 @@ class MouseDevice final : public HapticDevice {
   std::array<double, 3> centre_{0, 0, 0}, right_{1, 0, 0}, up_{0, -1, 0}, forward_{0, 0, -1};
   LatestValue<Target> handed_;
   // Servo's side.
-  Stage limited_, smooth_, out_;       ///< follows the target at bounded speed; then two low-passes
+  Stage limited_, smooth_, out_;  ///< follows the target at bounded speed; then two low-passes
   double lift_ = 0.0, smooth_lift_ = 0.0;
   std::uint32_t placement_ = 0;
   double now_s_ = 0.0;

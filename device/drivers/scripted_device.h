@@ -1,5 +1,5 @@
-// A hand without a person: follows a trajectory, yields to the force it feels, trembles a little, and stands on a device
-// with a force limit of its own.
+// A hand without a person: follows a trajectory, yields to the force it feels, trembles a little, and stands on a
+// device with a force limit of its own.
 #pragma once
 
 #include <atomic>
@@ -9,13 +9,13 @@
 namespace vallecula::device {
 
 struct HandSettings {
-  double stiffness_n_m = 400.0;        ///< how firmly the hand holds its intended pose; a seated arm has 200-1000 (assumed)
-  double damping_n_s_m = 8.0;          ///< the yielding lags by damping/stiffness; at least 2, or a stiff scene would chatter
-  double tremor_amplitude_m = 0.0;     ///< bound of the physiological tremor (8-12 Hz) along each axis
-  unsigned tremor_seed = 1;            ///< same seed, same tremor, on every machine
-  double device_limit_n = 7.9;         ///< what the device can give: larger commands are clamped
-  double limit_time_s = 0.5;           ///< commanded at the limit for longer than this: fault force_exceeded
-  double recovery_time_s = 1.0;        ///< after a fault the device stays unusable at least this long
+  double stiffness_n_m = 400.0;  ///< how firmly the hand holds its intended pose; a seated arm has 200-1000 (assumed)
+  double damping_n_s_m = 8.0;    ///< the yielding lags by damping/stiffness; at least 2, or a stiff scene would chatter
+  double tremor_amplitude_m = 0.0;  ///< bound of the physiological tremor (8-12 Hz) along each axis
+  unsigned tremor_seed = 1;         ///< same seed, same tremor, on every machine
+  double device_limit_n = 7.9;      ///< what the device can give: larger commands are clamped
+  double limit_time_s = 0.5;        ///< commanded at the limit for longer than this: fault force_exceeded
+  double recovery_time_s = 1.0;     ///< after a fault the device stays unusable at least this long
 };
 
 /// A command of at least this share of the limit counts as "at the limit".
@@ -52,12 +52,12 @@ class ScriptedDevice final : public HapticDevice {
   Trajectory trajectory_;
   HandSettings hand_;
   std::array<std::array<Wave, kTremorWaves>, 3> waves_{};
-  std::array<double, 3> yield_{0, 0, 0};     ///< displacement of the hand by the force, m
+  std::array<double, 3> yield_{0, 0, 0};  ///< displacement of the hand by the force, m
   std::array<double, 3> given_{0, 0, 0};
   double commanded_n_ = 0.0;
   double now_s_ = 0.0;
   bool started_ = false;
-  double at_limit_since_s_ = -1.0;           ///< negative: not at the limit
+  double at_limit_since_s_ = -1.0;  ///< negative: not at the limit
   double fault_since_s_ = 0.0;
   DeviceReading last_;
   std::atomic<DeviceFault> fault_{DeviceFault::none};
