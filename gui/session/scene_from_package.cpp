@@ -1,0 +1,128 @@
+#include "gui/session/scene_from_package.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "engine/tool/miller_blade.h"
+
+namespace vallecula::gui {
+
+namespace {
+
+using engine::Vec3;
+using pipeline::Anchor;
+using pipeline::PatientPackage;
+using pipeline::Tissue;
+
+constexpr double kMetres = 0.001;  // the one conversion from the package's millimetres
+
+// Springs that hold hyoid and mandible (DESIGN 4.1: the hyoid follows 0.3-0.4 of the lift). No measured stiffness was
+// found; these give that share on the term manikin (figures in engine/README.md) and scale with the infant's size.
+constexpr double kTermSize = 0.0503;         // m, upper gum to vallecula of the term manikin
+constexpr double kHyoidStiffness = 250.0;    // N/m
+constexpr double kMandibleStiffness = 1.2;   // N m/rad about the condyles
+constexpr double kBodyDampingRatio = 1.0;    // critically damped (assumed)
+constexpr double kHyoidMass = 0.010;         // kg, with the muscles that hang on it (assumed)
+constexpr double kMandibleMass = 0.030;      // kg (assumed)
+
+Vec3 metres(const pipeline::Point& p) { return Vec3(p[0], p[1], p[2]) * kMetres; }
+
+const pipeline::Surface& surface(const PatientPackage& package, const char* name) {
+  const auto found = package.surfaces.find(name);
+  if (found == package.surfaces.end() || found->second.triangles.empty())
+    throw std::runtime_error("patient '" + package.name + "': it has no surface '" + name + "'; import it again");
+  return found->second;
+}
+
+Vec3 landmark(const PatientPackage& package, const char* name) {
+  const auto found = package.landmarks.find(name);
+  if (found == package.landmarks.end())
+    throw std::runtime_error("patient '" + package.name + "': it has no landmark '" + name + "'; import it again");
+  return metres(found->second);
+}
+
+engine::TriangleMesh mesh_of(const pipeline::Surface& s) {
+  engine::TriangleMesh mesh;
+  mesh.points.reserve(s.points.size());
+  for (const auto& p : s.points) mesh.points.push_back(metres(p));
+  mesh.triangles = s.triangles;
+  return mesh;
+}
+
+engine::Structure structure_of(std::uint8_t tissue) {
+  switch (static_cast<Tissue>(tissue)) {
+    case Tissue::gum: return engine::Structure::gum;
+    case Tissue::palate: return engine::Structure::palate;
+    case Tissue::larynx: return engine::Structure::larynx;
+    case Tissue::skin:
+    case Tissue::lip:
+    case Tissue::mucosa: break;  // they yield; lips and cheeks do not stop the blade yet
+  }
+  return engine::Structure::other;
+}
+
+engine::SoftBodyDescription soft_body(const PatientPackage& package, const curricula::Scenario& scenario) {
+  engine::SoftBodyDescription soft;
+  for (const auto& p : package.tongue.points) soft.nodes.push_back(metres(p));
+  soft.tets = package.tongue.tets;
+  for (std::uint8_t tissue : package.tongue.tissue) {
+    soft.tet_material.push_back(tissue);
+    soft.tet_structure.push_back(tissue == 0 ? engine::Structure::tongue : engine::Structure::epiglottis);
+  }
+  for (const char* name : {"tongue", "epiglottis"}) {
+    const auto found = package.materials.find(name);
+    if (found == package.materials.end())
+      throw std::runtime_error("patient '" + package.name + "': it has no material '" + name + "'; import it again");
+    soft.materials.push_back({found->second.young_pa, found->second.poisson, found->second.density_kg_m3});
+  }
+  if (scenario.tongue_young_pa > 0) soft.materials[0].young_pa = scenario.tongue_young_pa;
+
+  const Vec3 condyles = landmark(package, "condyle_axis");
+  const double size = (landmark(package, "vallecula") - landmark(package, "upper_gum_midline")).norm() / kTermSize;
+  const double stiffer = soft.materials[0].young_pa / 6000.0;  // a stiffer tongue is taken to hang in stiffer muscles
+  const auto damped = [](engine::SprungBody body) {
+    body.damping = 2 * kBodyDampingRatio * std::sqrt(body.stiffness * body.inertia);
+    return body;
+  };
+  engine::SprungBody mandible;
+  mandible.motion = engine::SprungBody::Motion::hinge;
+  mandible.pivot = condyles;
+  mandible.axis = Vec3::UnitX();
+  mandible.stiffness = kMandibleStiffness * stiffer * size * size * size;
+  const double reach = (landmark(package, "lower_gum_midline") - condyles).norm();
+  mandible.inertia = kMandibleMass * size * size * size * reach * reach / 3;
+  engine::SprungBody hyoid;
+  hyoid.motion = engine::SprungBody::Motion::translation;
+  hyoid.stiffness = kHyoidStiffness * stiffer * size;
+  hyoid.inertia = kHyoidMass * size * size * size;
+  soft.bodies = {damped(mandible), damped(hyoid), engine::SprungBody{}};  // the larynx stands still so far
+  for (std::uint8_t anchor : package.tongue.anchor) {
+    switch (static_cast<Anchor>(anchor)) {
+      case Anchor::free: soft.node_anchor.push_back(-1); break;
+      case Anchor::mandible: soft.node_anchor.push_back(0); break;
+      case Anchor::hyoid: soft.node_anchor.push_back(1); break;
+      case Anchor::larynx: soft.node_anchor.push_back(2); break;
+      default: throw std::runtime_error("patient '" + package.name + "': tongue.vtu has an unknown anchor");
+    }
+  }
+  return soft;
+}
+
+}  // namespace
+
+engine::SceneDescription scene_from_package(const PatientPackage& package, const curricula::Scenario& scenario) {
+  engine::SceneDescription scene;
+  scene.soft = soft_body(package, scenario);
+  const pipeline::Surface& face = surface(package, "face");
+  scene.rigid.surface = mesh_of(face);
+  for (std::size_t t = 0; t < face.triangles.size(); ++t)
+    scene.rigid.triangle_structure.push_back(structure_of(t < face.tissue.size() ? face.tissue[t] : 0));
+  scene.tool.surface = engine::blade_surface(engine::miller_blade(scenario.blade));
+  scene.sight.eye = landmark(package, "operator_eye");
+  for (const auto& p : surface(package, "glottis").points) scene.sight.glottis_outline.push_back(metres(p));
+  scene.sight.occluders = {scene.rigid.surface};
+  return scene;
+}
+
+}  // namespace vallecula::gui
