@@ -1,0 +1,111 @@
+#include "gui/views/operator_view.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vtkCamera.h>
+#include <vtkLight.h>
+#include <vtkMath.h>
+#include <vtkNew.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+
+#include "gui/views/tissue_shading.h"
+
+namespace vallecula::gui {
+namespace {
+
+vtkSmartPointer<vtkActor> tissue_actor(vtkPolyData* surface, double glow) {
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(surface);
+  mapper->SetScalarModeToUsePointData();
+  mapper->SetColorModeToDirectScalars();
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  actor->GetProperty()->BackfaceCullingOn();  // closed surfaces: half the drawing is never seen
+  shade_as_tissue(actor, mapper, glow);
+  return actor;
+}
+
+engine::Vec3 vec(const pipeline::Point& p) { return {p[0], p[1], p[2]}; }
+
+constexpr double kZoomSeconds = 0.8;
+constexpr double kLampStrength = 0.75;
+
+}  // namespace
+
+OperatorView::OperatorView(QWidget* parent) : GlView(parent) {
+  renderer()->SetBackground(0.10, 0.16, 0.18);
+  renderer()->SetBackground2(0.30, 0.42, 0.44);
+  renderer()->GradientBackgroundOn();
+  renderer()->SetAutomaticLightCreation(false);
+  vtkNew<vtkLight> light;  // for the steel; tissue has its own lamps in its shader
+  light->SetLightTypeToHeadlight();
+  renderer()->AddLight(light);
+}
+
+void OperatorView::show_patient(std::shared_ptr<PatientLook> look, const engine::TriangleMesh& tool) {
+  renderer()->RemoveAllViewProps();
+  look_ = std::move(look);
+  tool_ = std::make_unique<ToolLook>(tool);
+  ghost_ = std::make_unique<GhostLook>(tool);
+  tissues_ = {tissue_actor(look_->face, 0.0), tissue_actor(look_->soft->surface(), 0.0)};
+  if (look_->trachea->GetNumberOfPoints() > 0)
+    tissues_.push_back(tissue_actor(look_->trachea, 0.45));  // a sign, not a tissue: to be found where little light falls
+  for (const auto& actor : tissues_) renderer()->AddActor(actor);
+  for (const auto& actor : tool_->actors()) renderer()->AddActor(actor);
+  for (const auto& actor : ghost_->actors()) renderer()->AddActor(actor);
+  closeness_ = 0.0;
+  blade_in_ = ghost_shown_ = false;
+  since_aimed_.restart();
+  aim();
+}
+
+void OperatorView::update_from(const engine::Snapshot& snapshot) {
+  if (!look_ || snapshot.step < 0) return;
+  look_->soft->update(snapshot.soft_points);
+  tool_->place(snapshot.proxy_pose);
+  ghost_shown_ = ghost_->place(snapshot.device_pose, snapshot.proxy_pose);
+  // In or out: how far the tip is past the gums on the way to the glottis, with some play so that the view does not flutter.
+  const engine::Vec3 mouth = vec(look_->framing.mouth), way = vec(look_->framing.glottis) - mouth;
+  const double depth = (1000.0 * snapshot.proxy_pose.position - mouth).dot(way) / way.squaredNorm();
+  if (depth > 0.12) blade_in_ = true;
+  if (depth < -0.10) blade_in_ = false;
+  aim();
+}
+
+void OperatorView::aim() {
+  if (!look_) return;
+  const Framing& framing = look_->framing;
+  const bool close = zoom_ == Zoom::mouth || (zoom_ == Zoom::automatic && blade_in_);
+  const double elapsed = 1e-3 * static_cast<double>(since_aimed_.restart());
+  closeness_ += std::clamp((close ? 1.0 : 0.0) - closeness_, -elapsed / kZoomSeconds, elapsed / kZoomSeconds);
+  const double eased = closeness_ * closeness_ * (3.0 - 2.0 * closeness_);
+
+  const engine::Vec3 eye = vec(framing.eye);
+  const engine::Vec3 at = vec(framing.mouth) + eased * (vec(framing.inside) - vec(framing.mouth));
+  const engine::Vec3 forward = (at - eye).normalized();
+  engine::Vec3 up = -engine::Vec3::UnitY();  // anterior is up
+  up = (up - up.dot(forward) * forward).normalized();
+  const double across = framing.face_mm * std::pow(framing.mouth_mm / framing.face_mm, eased);
+  auto* camera = renderer()->GetActiveCamera();
+  camera->SetPosition(eye.x(), eye.y(), eye.z());
+  camera->SetFocalPoint(at.x(), at.y(), at.z());
+  camera->SetViewUp(up.x(), up.y(), up.z());
+  camera->SetViewAngle(vtkMath::DegreesFromRadians(2.0 * std::atan(0.5 * across / (at - eye).norm())));
+  renderer()->ResetCameraClippingRange();
+  for (const auto& actor : tissues_) set_lamp(actor, camera, tool_->bulb_mm(), tool_->beam(), kLampStrength);
+}
+
+engine::Vec3 OperatorView::screen_up() const {
+  if (!look_) return -engine::Vec3::UnitY();
+  const engine::Vec3 forward = (vec(look_->framing.mouth) - vec(look_->framing.eye)).normalized();
+  const engine::Vec3 up = -engine::Vec3::UnitY();
+  return (up - up.dot(forward) * forward).normalized();
+}
+
+engine::Vec3 OperatorView::screen_right() const {
+  if (!look_) return -engine::Vec3::UnitX();
+  return (vec(look_->framing.mouth) - vec(look_->framing.eye)).normalized().cross(screen_up());
+}
+
+}  // namespace vallecula::gui

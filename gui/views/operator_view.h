@@ -1,0 +1,47 @@
+// What the operator sees, standing behind the head: right on the screen is the patient's right, top is anterior.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include <vtkActor.h>
+
+#include "engine/snapshot.h"
+#include "gui/views/gl_view.h"
+#include "gui/views/patient_look.h"
+#include "gui/views/tool_look.h"
+
+namespace vallecula::gui {
+
+class OperatorView : public GlView {
+  Q_OBJECT
+ public:
+  enum class Zoom { automatic, face, mouth };
+
+  explicit OperatorView(QWidget* parent = nullptr);
+  /// Takes a patient and a tool in place of what was shown.
+  void show_patient(std::shared_ptr<PatientLook> look, const engine::TriangleMesh& tool);
+  /// Moves tongue, blade and ghost to the snapshot's step; draw() then shows it.
+  void update_from(const engine::Snapshot& snapshot);
+  void set_zoom(Zoom zoom) { zoom_ = zoom; }
+  Zoom zoom() const { return zoom_; }
+  bool ghost_shown() const { return ghost_shown_; }
+  /// 0: the face, 1: the mouth fills the view.
+  double closeness() const { return closeness_; }
+  /// The view's axes in patient LPS: what a hand moving right or up on the screen means in the patient.
+  engine::Vec3 screen_right() const;
+  engine::Vec3 screen_up() const;
+
+ private:
+  void aim();
+  std::shared_ptr<PatientLook> look_;
+  std::unique_ptr<ToolLook> tool_;
+  std::unique_ptr<GhostLook> ghost_;
+  std::vector<vtkSmartPointer<vtkActor>> tissues_;
+  Zoom zoom_ = Zoom::automatic;
+  double closeness_ = 0.0;
+  bool ghost_shown_ = false, blade_in_ = false;
+  QElapsedTimer since_aimed_;
+};
+
+}  // namespace vallecula::gui

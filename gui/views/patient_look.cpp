@@ -1,0 +1,289 @@
+#include "gui/views/patient_look.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <vtkCellArray.h>
+#include <vtkClipPolyData.h>
+#include <vtkFloatArray.h>
+#include <vtkNew.h>
+#include <vtkPlane.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyDataConnectivityFilter.h>
+#include <vtkPolyDataNormals.h>
+#include <vtkUnsignedCharArray.h>
+
+#include "gui/views/openness.h"
+#include "gui/views/tissue_colours.h"
+#include "gui/views/tissue_shading.h"
+
+namespace vallecula::gui {
+namespace {
+
+using pipeline::Point;
+using pipeline::Surface;
+using pipeline::Tissue;
+
+Point minus(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+Point mix(const Point& a, const Point& b, double t) {
+  return {a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1]), a[2] + t * (b[2] - a[2])};
+}
+double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+double length(const Point& a) { return std::sqrt(dot(a, a)); }
+double smooth_step(double from, double to, double x) {
+  const double t = std::clamp((x - from) / (to - from), 0.0, 1.0);
+  return t * t * (3.0 - 2.0 * t);
+}
+
+const Point& landmark(const pipeline::PatientPackage& package, const char* name) {
+  const auto found = package.landmarks.find(name);
+  if (found == package.landmarks.end())
+    throw std::runtime_error("patient package " + package.name + " has no landmark '" + name + "': import it again");
+  return found->second;
+}
+
+const Surface* surface(const pipeline::PatientPackage& package, const char* name) {
+  const auto found = package.surfaces.find(name);
+  return found == package.surfaces.end() || found->second.triangles.empty() ? nullptr : &found->second;
+}
+
+double distance_to_outline(const Point& p, const std::vector<Point>& outline) {
+  double nearest = 1e30;
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const Point& a = outline[i];
+    const Point ab = minus(outline[(i + 1) % outline.size()], a), ap = minus(p, a);
+    const double t = std::clamp(dot(ap, ab) / std::max(dot(ab, ab), 1e-9), 0.0, 1.0);
+    nearest = std::min(nearest, length(minus(ap, {t * ab[0], t * ab[1], t * ab[2]})));
+  }
+  return nearest;
+}
+
+std::vector<std::vector<int>> neighbours_of(const Surface& face) {
+  std::vector<std::vector<int>> neighbours(face.points.size());
+  for (const auto& t : face.triangles)
+    for (int c = 0; c < 3; ++c) neighbours[t[c]].push_back(t[(c + 1) % 3]);
+  return neighbours;  // on a closed surface every edge is walked once each way: each neighbour once
+}
+
+// Triangle classes become colours of points, then run into each other over a few millimetres as lip does into skin.
+std::vector<Colour> blended_colours(const Surface& face, const std::vector<std::vector<int>>& neighbours) {
+  std::vector<Colour> colours(face.points.size(), Colour{0, 0, 0});
+  std::vector<double> count(face.points.size(), 0.0);
+  for (std::size_t i = 0; i < face.triangles.size(); ++i) {
+    const Colour colour = tissue_colour(i < face.tissue.size() ? static_cast<Tissue>(face.tissue[i]) : Tissue::skin);
+    for (int corner : face.triangles[i]) {
+      for (int c = 0; c < 3; ++c) colours[corner][c] += colour[c];
+      count[corner] += 1.0;
+    }
+  }
+  for (std::size_t i = 0; i < colours.size(); ++i)
+    for (double& c : colours[i]) c /= std::max(count[i], 1.0);
+  for (int pass = 0; pass < 8; ++pass) {
+    auto next = colours;
+    for (std::size_t i = 0; i < colours.size(); ++i) {
+      if (neighbours[i].empty()) continue;
+      Colour sum{0, 0, 0};
+      for (int n : neighbours[i])
+        for (int c = 0; c < 3; ++c) sum[c] += colours[n][c];
+      for (int c = 0; c < 3; ++c) next[i][c] = 0.5 * colours[i][c] + 0.5 * sum[c] / static_cast<double>(neighbours[i].size());
+    }
+    colours.swap(next);
+  }
+  return colours;
+}
+
+// Per point: how much it is skin (dry, matt) rather than wet lining; smooth like the colours.
+std::vector<double> wetness_of(const Surface& face, const std::vector<std::vector<int>>& neighbours) {
+  std::vector<double> wet(face.points.size(), 0.0);
+  for (std::size_t i = 0; i < face.triangles.size() && i < face.tissue.size(); ++i)
+    if (static_cast<Tissue>(face.tissue[i]) != Tissue::skin)
+      for (int corner : face.triangles[i]) wet[corner] = 1.0;
+  for (int pass = 0; pass < 4; ++pass) {
+    auto next = wet;
+    for (std::size_t i = 0; i < wet.size(); ++i) {
+      double sum = wet[i];
+      for (int n : neighbours[i]) sum += wet[n];
+      next[i] = sum / (1.0 + static_cast<double>(neighbours[i].size()));
+    }
+    wet.swap(next);
+  }
+  return wet;
+}
+
+vtkSmartPointer<vtkFloatArray> wetness_array(const std::vector<double>& wet) {
+  auto array = vtkSmartPointer<vtkFloatArray>::New();
+  array->SetName(kWetness);
+  for (double w : wet) array->InsertNextValue(static_cast<float>(w));
+  return array;
+}
+
+Framing framing_of(const pipeline::PatientPackage& package) {
+  Framing framing;
+  framing.eye = landmark(package, "operator_eye");
+  framing.glottis = landmark(package, "glottis_centre");
+  const Point upper = landmark(package, "upper_gum_midline"), lower = landmark(package, "lower_gum_midline");
+  framing.mouth = mix(upper, lower, 0.5);
+  framing.midline_x_mm = (upper[0] + lower[0] + framing.glottis[0]) / 3.0;
+  // The lips say how big the mouth is; without them (a closed mouth, no lip found) the way to the glottis does.
+  double width = 0.55 * length(minus(framing.glottis, upper));
+  if (const Surface* face = surface(package, "face")) {
+    double low = 1e30, high = -1e30;
+    for (std::size_t i = 0; i < face->triangles.size() && i < face->tissue.size(); ++i)
+      if (static_cast<Tissue>(face->tissue[i]) == Tissue::lip)
+        for (int corner : face->triangles[i]) {
+          low = std::min(low, face->points[corner][0]);
+          high = std::max(high, face->points[corner][0]);
+        }
+    if (high > low) width = std::clamp(high - low, 0.7 * width, 1.6 * width);
+  }
+  framing.face_mm = 2.9 * width;
+  framing.mouth_mm = 1.45 * width;
+  framing.inside = mix(framing.mouth, framing.glottis, 0.45);
+  return framing;
+}
+
+vtkSmartPointer<vtkPolyData> make_face(const pipeline::PatientPackage& package, const Openness& openness) {
+  const Surface& face = *surface(package, "face");
+  const auto neighbours = neighbours_of(face);
+  const auto colours = blended_colours(face, neighbours);
+  const auto wet = wetness_of(face, neighbours);
+  const Point glottis = landmark(package, "glottis_centre");
+  const Surface* opening = surface(package, "glottis");
+
+  vtkNew<vtkPolyDataNormals> with_normals;
+  with_normals->SetInputData(to_poly_data(face));
+  with_normals->SplittingOff();
+  with_normals->ConsistencyOff();
+  with_normals->Update();
+  auto result = vtkSmartPointer<vtkPolyData>::New();
+  result->ShallowCopy(with_normals->GetOutput());
+  auto* normals = vtkFloatArray::SafeDownCast(result->GetPointData()->GetNormals());
+
+  auto rgb = vtkSmartPointer<vtkUnsignedCharArray>::New();
+  rgb->SetName("Colours");
+  rgb->SetNumberOfComponents(3);
+  rgb->SetNumberOfTuples(static_cast<vtkIdType>(face.points.size()));
+  for (std::size_t i = 0; i < face.points.size(); ++i) {
+    const auto id = static_cast<vtkIdType>(i);
+    const Point& p = face.points[i];
+    float n[3];
+    normals->GetTypedTuple(id, n);
+    Colour colour = mottled(colours[i], p, 0.07 + 0.07 * wet[i]);
+    const Point from_glottis = minus(p, glottis);
+    if (opening != nullptr && length(from_glottis) < 14.0) {
+      const double cord = 1.0 - smooth_step(0.7, 2.2, distance_to_outline(p, opening->points));
+      for (int c = 0; c < 3; ++c) colour[c] += cord * (kCordColour[c] - colour[c]);
+    }
+    const double open = openness.at(p, {n[0], n[1], n[2]});
+    const double light = 0.22 + 0.78 * std::min(1.0, 1.25 * open);
+    for (int c = 0; c < 3; ++c)  // light that has gone through blood comes out of a crease red, not grey
+      rgb->SetComponent(id, c, 255.0 * colour[c] * (c == 0 ? std::pow(light, 0.6) : light));
+    const auto slope = grain_slope(p, 1.3 + 0.9 * wet[i]);
+    const double tilt = 0.05 + 0.07 * wet[i], along = slope[0] * n[0] + slope[1] * n[1] + slope[2] * n[2];
+    double size = 0.0;
+    for (int c = 0; c < 3; ++c) {
+      n[c] -= static_cast<float>(tilt * (slope[c] - along * n[c]));
+      size += n[c] * n[c];
+    }
+    for (float& c : n) c /= static_cast<float>(std::sqrt(std::max(size, 1e-12)));
+    normals->SetTypedTuple(id, n);
+  }
+  result->GetPointData()->SetScalars(rgb);
+  result->GetPointData()->AddArray(wetness_array(wet));
+  return result;
+}
+
+vtkSmartPointer<vtkPolyData> make_trachea(const pipeline::PatientPackage& package) {
+  auto result = vtkSmartPointer<vtkPolyData>::New();
+  const Surface* airway = surface(package, "airway");
+  if (airway == nullptr) return result;
+  const Point glottis = landmark(package, "glottis_centre"), cranial = landmark(package, "glottis_normal"),
+              carina = landmark(package, "carina");
+  vtkNew<vtkPlane> below;
+  below->SetOrigin(glottis[0] - 0.4 * cranial[0], glottis[1] - 0.4 * cranial[1], glottis[2] - 0.4 * cranial[2]);
+  below->SetNormal(cranial[0], cranial[1], cranial[2]);
+  vtkNew<vtkClipPolyData> clip;
+  clip->SetInputData(to_poly_data(*airway));
+  clip->SetClipFunction(below);
+  clip->InsideOutOn();
+  vtkNew<vtkPolyDataConnectivityFilter> part;  // the plane also cuts the food way's pouches: those are not trachea
+  part->SetInputConnection(clip->GetOutputPort());
+  part->SetExtractionModeToClosestPointRegion();
+  part->SetClosestPoint(carina.data());
+  vtkNew<vtkPolyDataNormals> normals;
+  normals->SetInputConnection(part->GetOutputPort());
+  normals->SplittingOff();
+  normals->ConsistencyOff();
+  normals->Update();
+  result->DeepCopy(normals->GetOutput());
+  if (result->GetNumberOfPoints() == 0) return result;
+
+  auto rgb = vtkSmartPointer<vtkUnsignedCharArray>::New();
+  rgb->SetName("Colours");
+  rgb->SetNumberOfComponents(3);
+  rgb->SetNumberOfTuples(result->GetNumberOfPoints());
+  auto* direction = result->GetPointData()->GetNormals();
+  const double depth_of_carina = std::max(1.0, -dot(minus(carina, glottis), cranial));
+  for (vtkIdType i = 0; i < result->GetNumberOfPoints(); ++i) {
+    double p[3], n[3];
+    result->GetPoint(i, p);
+    direction->GetTuple(i, n);
+    // A hair inside the wall it coincides with, and facing the light that comes in from above.
+    result->GetPoints()->SetPoint(i, p[0] - 0.15 * n[0], p[1] - 0.15 * n[1], p[2] - 0.15 * n[2]);
+    direction->SetTuple3(i, -n[0], -n[1], -n[2]);
+    const double depth = -dot(minus({p[0], p[1], p[2]}, glottis), cranial) / depth_of_carina;
+    const double ring = 0.06 * std::sin(2.0 * 3.14159265 * depth * 14.0);  // about as many rings as a trachea has
+    for (int c = 0; c < 3; ++c)
+      rgb->SetComponent(i, c, 255.0 * std::clamp(kAirwayBlue[c] * (1.0 - 0.55 * std::clamp(depth, 0.0, 1.0) + ring), 0.0, 1.0));
+  }
+  result->GetPointData()->SetScalars(rgb);
+  result->GetPointData()->AddArray(wetness_array(std::vector<double>(result->GetNumberOfPoints(), 0.5)));
+  return result;
+}
+
+}  // namespace
+
+vtkSmartPointer<vtkPolyData> to_poly_data(const Surface& surface) {
+  auto result = vtkSmartPointer<vtkPolyData>::New();
+  auto points = vtkSmartPointer<vtkPoints>::New();
+  points->SetDataTypeToFloat();
+  points->SetNumberOfPoints(static_cast<vtkIdType>(surface.points.size()));
+  for (std::size_t i = 0; i < surface.points.size(); ++i) points->SetPoint(static_cast<vtkIdType>(i), surface.points[i].data());
+  auto cells = vtkSmartPointer<vtkCellArray>::New();
+  for (const auto& t : surface.triangles) {
+    const vtkIdType ids[3] = {t[0], t[1], t[2]};
+    cells->InsertNextCell(3, ids);
+  }
+  result->SetPoints(points);
+  result->SetPolys(cells);
+  return result;
+}
+
+std::shared_ptr<PatientLook> make_patient_look(pipeline::PatientPackage package,
+                                               const std::function<void(const std::string&, double)>& progress) {
+  const auto report = [&](const std::string& stage, double fraction) {
+    if (progress) progress(stage, fraction);
+  };
+  if (surface(package, "face") == nullptr)
+    throw std::runtime_error("patient package " + package.name + " has no face surface to draw: import it again");
+  if (package.tongue.tets.empty())
+    throw std::runtime_error("patient package " + package.name + " has no tongue mesh to draw: import it again");
+  report("surfaces", 0.0);
+  auto look = std::make_shared<PatientLook>();
+  look->framing = framing_of(package);
+  look->soft = std::make_unique<SoftSurface>(package.tongue, package.tongue.tets.size() > 12000 ? 1 : 2);
+  report("light and shade", 0.3);
+  const auto face = to_poly_data(*surface(package, "face"));
+  const auto soft = look->soft->boundary();
+  const Openness openness({face, soft}, 0.33 * look->framing.face_mm);
+  look->face = make_face(package, openness);
+  look->soft->shade(openness);
+  report("airway", 0.9);
+  look->trachea = make_trachea(package);
+  look->package = std::move(package);
+  report("ready", 1.0);
+  return look;
+}
+
+}  // namespace vallecula::gui

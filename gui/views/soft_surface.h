@@ -1,0 +1,45 @@
+// The skin of the soft tissue as the operator sees it: the boundary of the tetrahedra, made finer and round for the eye.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+
+#include "gui/views/openness.h"
+#include "pipeline/package/patient_package.h"
+
+namespace vallecula::gui {
+
+class SoftSurface {
+ public:
+  /// `levels`: how often every triangle is split in four (curved by Phong tessellation: the mesh's own nodes stay where
+  /// the engine put them).
+  SoftSurface(const pipeline::TetMesh& mesh, int levels);
+  /// Shades the colours by the light that reaches the tongue at rest.
+  void shade(const Openness& openness);
+  /// New node positions: x y z (m) per node of the tet mesh, in the package's order. Anything else is ignored.
+  void update(const std::vector<float>& soft_points_m);
+  /// Points (mm), normals and colours; the same object for life, changed in place by update().
+  vtkPolyData* surface() const { return surface_; }
+  /// The tetrahedra's own boundary at rest, closed (mm).
+  vtkSmartPointer<vtkPolyData> boundary() const;
+
+ private:
+  struct Level {
+    std::vector<std::array<int, 2>> edges;      ///< a new point in the middle of each; numbered after the coarser points
+    std::vector<std::array<int, 3>> triangles;  ///< of the finer mesh
+  };
+  void compute_normals(const std::vector<std::array<int, 3>>& triangles, std::size_t points);
+  void refine_and_publish();
+
+  std::size_t nodes_ = 0;                       ///< of the tet mesh
+  std::vector<int> node_of_;                    ///< tet-mesh node of each boundary point
+  std::vector<std::array<int, 3>> triangles_;   ///< boundary, outward
+  std::vector<Level> levels_;
+  std::vector<std::array<float, 3>> points_, normals_, bumps_;
+  vtkSmartPointer<vtkPolyData> surface_;
+};
+
+}  // namespace vallecula::gui

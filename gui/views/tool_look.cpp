@@ -1,0 +1,216 @@
+#include "gui/views/tool_look.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vtkAppendPolyData.h>
+#include <vtkCellArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkPolyDataNormals.h>
+#include <vtkProperty.h>
+#include <vtkShaderProperty.h>
+#include <vtkSphereSource.h>
+
+namespace vallecula::gui {
+namespace {
+
+struct Extent {
+  engine::Vec3 low = engine::Vec3::Constant(1e30), high = engine::Vec3::Constant(-1e30);
+};
+
+Extent extent_mm(const engine::TriangleMesh& tool) {
+  Extent extent;
+  for (const auto& p : tool.points) {
+    extent.low = extent.low.cwiseMin(1000.0 * p);
+    extent.high = extent.high.cwiseMax(1000.0 * p);
+  }
+  return extent;
+}
+
+/// Where the blade ends and the handle stands: middle of the blade's last millimetres.
+engine::Vec3 heel_mm(const engine::TriangleMesh& tool) {
+  const Extent all = extent_mm(tool);
+  const double from = all.high.x() - 0.10 * (all.high.x() - all.low.x());
+  Extent heel;
+  for (const auto& p : tool.points)
+    if (1000.0 * p.x() >= from) {
+      heel.low = heel.low.cwiseMin(1000.0 * p);
+      heel.high = heel.high.cwiseMax(1000.0 * p);
+    }
+  return {all.high.x(), 0.5 * (heel.low.y() + heel.high.y()), 0.5 * (heel.low.z() + heel.high.z())};
+}
+
+/// A body of revolution about +z through `at`: radius and height pairs from below to above.
+vtkSmartPointer<vtkPolyData> turned(const engine::Vec3& at, const std::vector<std::array<double, 2>>& profile) {
+  constexpr int kAround = 40;
+  auto points = vtkSmartPointer<vtkPoints>::New();
+  auto cells = vtkSmartPointer<vtkCellArray>::New();
+  for (const auto& [radius, height] : profile)
+    for (int i = 0; i < kAround; ++i) {
+      const double angle = 2.0 * 3.14159265358979 * i / kAround;
+      points->InsertNextPoint(at.x() + radius * std::cos(angle), at.y() + radius * std::sin(angle), at.z() + height);
+    }
+  for (std::size_t ring = 0; ring + 1 < profile.size(); ++ring)
+    for (int i = 0; i < kAround; ++i) {
+      const vtkIdType a = static_cast<vtkIdType>(ring) * kAround + i, b = static_cast<vtkIdType>(ring) * kAround + (i + 1) % kAround;
+      const vtkIdType quad[4] = {a, b, b + kAround, a + kAround};
+      cells->InsertNextCell(4, quad);
+    }
+  auto result = vtkSmartPointer<vtkPolyData>::New();
+  result->SetPoints(points);
+  result->SetPolys(cells);
+  return result;
+}
+
+vtkSmartPointer<vtkPolyData> with_normals(vtkPolyData* input, double edge_degrees) {
+  vtkNew<vtkPolyDataNormals> normals;
+  normals->SetInputData(input);
+  normals->SetFeatureAngle(edge_degrees);
+  normals->SplittingOn();
+  normals->Update();
+  return normals->GetOutput();
+}
+
+/// Steel shows the room: a bright lamp above, the dark beyond, warm skin below. A few lines instead of an environment map.
+void make_metallic(vtkActor* actor, double strength) {
+  actor->GetShaderProperty()->AddFragmentShaderReplacement(
+      "//VTK::Light::Impl", true,
+      "//VTK::Light::Impl\n"
+      "  vec3 toEye = normalize(-vertexVC.xyz);\n"
+      "  vec3 mirror = reflect(-toEye, normalVCVSOutput);\n"
+      "  vec3 room = mix(vec3(0.10, 0.09, 0.10), vec3(0.93, 0.96, 1.0), smoothstep(-0.15, 0.85, mirror.y));\n"
+      "  room = mix(room, vec3(0.52, 0.30, 0.26), smoothstep(0.15, -0.75, mirror.z));\n"
+      "  room += vec3(0.55) * smoothstep(0.80, 0.97, dot(mirror, normalize(vec3(-0.35, 0.55, 0.75))));\n"
+      "  fragOutput0.rgb = mix(fragOutput0.rgb, room, " + std::to_string(strength) + ");\n",
+      false);
+}
+
+vtkSmartPointer<vtkActor> actor_of(vtkPolyData* surface) {
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(surface);
+  mapper->ScalarVisibilityOff();
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  return actor;
+}
+
+constexpr double kGhostApartM = 0.0005, kGhostTurnedRad = 3.0 * 3.14159265358979 / 180.0;
+
+}  // namespace
+
+vtkSmartPointer<vtkMatrix4x4> tool_matrix(const engine::Pose& pose) {
+  auto matrix = vtkSmartPointer<vtkMatrix4x4>::New();
+  const engine::Mat3 rotation = pose.rotation.toRotationMatrix();
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column) matrix->SetElement(row, column, rotation(row, column));
+    matrix->SetElement(row, 3, 1000.0 * pose.position[row]);
+  }
+  return matrix;
+}
+
+vtkSmartPointer<vtkPolyData> blade_surface(const engine::TriangleMesh& tool) {
+  auto points = vtkSmartPointer<vtkPoints>::New();
+  for (const auto& p : tool.points) points->InsertNextPoint(1000.0 * p.x(), 1000.0 * p.y(), 1000.0 * p.z());
+  auto cells = vtkSmartPointer<vtkCellArray>::New();
+  for (const auto& t : tool.triangles) {
+    const vtkIdType ids[3] = {t[0], t[1], t[2]};
+    cells->InsertNextCell(3, ids);
+  }
+  vtkNew<vtkPolyData> mesh;
+  mesh->SetPoints(points);
+  mesh->SetPolys(cells);
+  return with_normals(mesh, 35.0);
+}
+
+vtkSmartPointer<vtkPolyData> handle_surface(const engine::TriangleMesh& tool) {
+  const Extent extent = extent_mm(tool);
+  const double blade = extent.high.x() - extent.low.x();
+  const double radius = std::clamp(0.14 * blade, 8.0, 13.0), long_mm = std::clamp(1.25 * blade, 85.0, 125.0);
+  engine::Vec3 foot = heel_mm(tool);
+  foot.x() -= 0.35 * radius;
+  std::vector<std::array<double, 2>> profile{{0.0, -3.0},           {0.42 * radius, -3.0},  {0.46 * radius, -2.2},
+                                             {0.46 * radius, 9.0},  {0.60 * radius, 10.5},  {0.92 * radius, 11.5},
+                                             {radius, 13.0},        {radius, 20.0},         {0.95 * radius, 21.0}};
+  const double grip_from = 22.0, grip_to = long_mm - 9.0;
+  for (double height = grip_from; height < grip_to; height += 3.2) {  // the rings the hand holds on to
+    profile.push_back({0.95 * radius, height});
+    profile.push_back({1.0 * radius, height + 0.7});
+    profile.push_back({1.0 * radius, height + 1.9});
+    profile.push_back({0.95 * radius, height + 2.6});
+  }
+  profile.insert(profile.end(), {{radius, grip_to + 1.0}, {radius, long_mm - 2.0}, {0.85 * radius, long_mm}, {0.0, long_mm}});
+  return with_normals(turned(foot, profile), 40.0);
+}
+
+ToolLook::ToolLook(const engine::TriangleMesh& tool) {
+  const auto blade = actor_of(blade_surface(tool));
+  blade->GetProperty()->SetColor(0.72, 0.74, 0.77);
+  blade->GetProperty()->SetAmbient(0.12);
+  blade->GetProperty()->SetDiffuse(0.6);
+  blade->GetProperty()->SetSpecular(0.9);
+  blade->GetProperty()->SetSpecularPower(48.0);
+  make_metallic(blade, 0.55);
+  const auto handle = actor_of(handle_surface(tool));
+  handle->GetProperty()->SetColor(0.55, 0.57, 0.61);
+  handle->GetProperty()->SetAmbient(0.12);
+  handle->GetProperty()->SetDiffuse(0.6);
+  handle->GetProperty()->SetSpecular(0.6);
+  handle->GetProperty()->SetSpecularPower(30.0);
+  make_metallic(handle, 0.45);
+
+  const Extent extent = extent_mm(tool);
+  const double blade_mm = extent.high.x() - extent.low.x();
+  bulb_ = {std::min(0.22 * blade_mm, 16.0), 0.5 * extent.high.y(), 0.0};
+  // On the operator's side of the blade, where it does not stand in the tongue.
+  double floor = 0.0;
+  for (const auto& p : tool.points)
+    if (std::abs(1000.0 * p.x() - bulb_.x()) < 0.08 * blade_mm) floor = std::min(floor, 1000.0 * p.z());
+  bulb_.z() = floor - 0.6;
+  vtkNew<vtkSphereSource> ball;
+  ball->SetRadius(1.1);
+  ball->SetCenter(bulb_.data());
+  ball->SetThetaResolution(16);
+  ball->SetPhiResolution(12);
+  ball->Update();
+  const auto bulb = actor_of(ball->GetOutput());
+  bulb->GetProperty()->SetColor(1.0, 0.97, 0.86);
+  bulb->GetProperty()->LightingOff();
+  actors_ = {blade, handle, bulb};
+}
+
+void ToolLook::place(const engine::Pose& pose) {
+  const auto matrix = tool_matrix(pose);
+  for (const auto& actor : actors_) actor->SetUserMatrix(matrix);
+  bulb_at_ = 1000.0 * pose.position + pose.rotation * (bulb_ - engine::Vec3(0, 0, 1.5));
+  beam_ = pose.rotation * engine::Vec3(-1.0, 0.0, -0.05).normalized();
+}
+
+GhostLook::GhostLook(const engine::TriangleMesh& tool) {
+  vtkNew<vtkAppendPolyData> whole;
+  whole->AddInputData(blade_surface(tool));
+  whole->AddInputData(handle_surface(tool));
+  whole->Update();
+  const auto ghost = actor_of(whole->GetOutput());
+  ghost->GetProperty()->SetColor(0.62, 0.62, 0.64);
+  ghost->GetProperty()->SetOpacity(0.38);
+  ghost->GetProperty()->SetAmbient(0.5);
+  ghost->GetProperty()->SetDiffuse(0.5);
+  ghost->VisibilityOff();
+  actors_ = {ghost};
+}
+
+bool GhostLook::place(const engine::Pose& device, const engine::Pose& proxy) {
+  const bool apart = (device.position - proxy.position).norm() > kGhostApartM ||
+                     device.rotation.angularDistance(proxy.rotation) > kGhostTurnedRad;
+  const auto matrix = tool_matrix(device);
+  for (const auto& actor : actors_) {
+    actor->SetVisibility(apart);
+    actor->SetUserMatrix(matrix);
+  }
+  return apart;
+}
+
+}  // namespace vallecula::gui
