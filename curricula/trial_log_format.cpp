@@ -201,6 +201,7 @@ std::string header_to_json(const LogHeader& header) {
   o["scenario_yaml"] = text(header.scenario_yaml);
   o["scenario_sha256"] = text(header.scenario_sha256);
   o["device_kind"] = text(header.device_kind);
+  if (!(header.servo_period_s > 0.0)) throw TrialLogError("'servo_period_s' must be positive");
   o["servo_period_s"] = finite_or_throw(header.servo_period_s, "servo_period_s");
   o["device_limit_n"] = finite_or_throw(header.device_limit_n, "device_limit_n");
   o["realtime"] = header.realtime;
@@ -236,6 +237,7 @@ LogHeader header_from_json(const std::string& json) {
   header.scenario_sha256 = get_text(o, "scenario_sha256");
   header.device_kind = get_text(o, "device_kind");
   header.servo_period_s = get_number(o, "servo_period_s");
+  if (!(header.servo_period_s > 0.0)) throw TrialLogError("its servo_period_s is not positive");
   header.device_limit_n = get_number(o, "device_limit_n");
   header.realtime = get_bool(o, "realtime");
   const QJsonObject settings = field(o, "settings", QJsonValue::Object).toObject();

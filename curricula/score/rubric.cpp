@@ -1,0 +1,118 @@
+#include "curricula/score/rubric.h"
+
+#include <QString>
+
+#include "curricula/score/mouth.h"
+
+namespace vallecula::curricula {
+namespace {
+
+std::string fixed(double value, int decimals) { return QString::number(value, 'f', decimals).toStdString(); }
+std::string second(double time_s) { return fixed(time_s, 2) + " s"; }
+std::string limit_text(double value) { return QString::number(value, 'g', 6).toStdString(); }
+
+/// Two decimals, or four where two would make an excess look like equality.
+std::string figure(const Criterion& c) {
+  const std::string text = fixed(c.value, 2);
+  return text == fixed(c.limit, 2) && c.value != c.limit ? fixed(c.value, 4) : text;
+}
+
+/// Figures that must not exceed their limit. `what` is the sentence's subject, `when` says at which second.
+Criterion at_most(const char* name, const char* unit, double value, double limit, double at_s, const std::string& what,
+                  const std::string& when) {
+  Criterion c{name, unit, value, limit, at_s, value <= limit, {}};
+  c.sentence = what + " " + figure(c) + " " + unit + when + (c.met ? ", within the " : ", more than the ") +
+               limit_text(limit) + " " + unit + " allowed";
+  return c;
+}
+
+Criterion fact(const char* name, bool met, double at_s, const std::string& sentence) {
+  return {name, "", met ? 1.0 : 0.0, 1.0, at_s, met, sentence};
+}
+
+Criterion completeness(const TrialLog& log, const Score& score) {
+  const double end_s = log.ticks.empty() ? 0.0 : log.ticks.back().time_s;
+  const std::string why = log.footer.ended.empty() ? "" : " (" + log.footer.ended + ")";
+  return fact("trial_complete", score.complete, end_s,
+              score.complete ? "The trial was recorded to its end at " + second(end_s)
+                             : "The trial was interrupted" + why + ": its log ends at " + second(end_s));
+}
+
+Criterion attempt_begun(const TrialLog& log, const Score& score) {
+  if (score.attempt_begun) {
+    return fact("attempt_begun", true, score.attempt_start_s,
+                "The blade entered the mouth at " + second(score.attempt_start_s));
+  }
+  return fact("attempt_begun", false, -1.0,
+              mouth_from_landmarks(log.header.landmarks_m)
+                  ? "The attempt never began: the blade's tip did not enter the mouth"
+                  : "The attempt cannot be timed: the log lacks usable landmarks of the gums and the vallecula");
+}
+
+Criterion glottis_seen(const Scenario& scenario, const Score& score) {
+  Criterion c{"glottis_visible_max_percent",
+              "%",
+              score.glottis_visible_max_percent,
+              scenario.pass.glottis_visible_percent,
+              score.time_of_glottis_max_s,
+              false,
+              {}};
+  c.met = c.value >= c.limit;
+  if (c.at_s < 0.0) {
+    c.sentence = "The glottis was never in sight; " + limit_text(c.limit) + " % of it must be seen";
+  } else {
+    c.sentence = "Glottis seen to " + figure(c) + " % at " + second(c.at_s) +
+                 (c.met ? ", at least the " : ", less than the ") + limit_text(c.limit) + " % asked for";
+  }
+  return c;
+}
+
+Criterion attempt_time(const Scenario& scenario, const Score& score) {
+  std::string when =
+      " (" + second(score.attempt_start_s) + " to " + second(score.attempt_start_s + score.attempt_time_s);
+  if (score.mouth_entries > 1) when += ", the blade went in " + std::to_string(score.mouth_entries) + " times";
+  if (!score.blade_out) when += ", the blade was still in the mouth";
+  return at_most("attempt_time_s", "s", score.attempt_time_s, scenario.pass.attempt_time_s, score.attempt_start_s,
+                 "The attempt took", when + ")");
+}
+
+Criterion peak(const char* name, const char* what, double value, double limit, double at_s) {
+  const bool touched = value > 0.0;
+  return at_most(name, "N", value, limit, touched ? at_s : -1.0, what, touched ? " at " + second(at_s) : "");
+}
+
+}  // namespace
+
+void judge(const TrialLog& log, const Scenario& scenario, const Moments& moments, Score& score) {
+  const PassLimits& pass = scenario.pass;
+  const auto since = [](double at_s) { return at_s < 0.0 ? std::string() : " (first at " + second(at_s) + ")"; };
+  score.criteria = {completeness(log, score), attempt_begun(log, score), glottis_seen(scenario, score)};
+  if (score.attempt_begun) score.criteria.push_back(attempt_time(scenario, score));
+  score.criteria.push_back(peak("peak_tongue_force_n", "Peak force on the tongue", score.peak_tongue_force_n,
+                                pass.peak_tongue_force_n, score.time_of_peak_tongue_force_s));
+  score.criteria.push_back(peak("peak_gum_force_n", "Peak force on the gums", score.peak_gum_force_n,
+                                pass.peak_gum_force_n, score.time_of_peak_gum_force_s));
+  score.criteria.push_back(
+      at_most("time_over_target_s", "s", score.time_over_target_s, pass.time_over_target_s, moments.over_target_s,
+              "Force on the tongue above its target of " + limit_text(scenario.targets.tongue_force_n) + " N for",
+              since(moments.over_target_s)));
+  score.criteria.push_back(
+      at_most("time_over_force_limit_s", "s", score.time_over_force_limit_s, pass.time_over_device_limit_s,
+              moments.over_device_limit_s,
+              "Device at its force limit of " + limit_text(log.header.device_limit_n) + " N, or lost, for",
+              since(moments.over_device_limit_s)));
+  if (moments.not_finite_s >= 0.0) {
+    score.criteria.push_back(fact(
+        "forces_finite", false, moments.not_finite_s,
+        "A recorded force is not a number at " + second(moments.not_finite_s) + ": please report this trial's log"));
+  }
+
+  score.passed = true;
+  for (const Criterion& c : score.criteria) score.passed = score.passed && c.met;
+  score.reasons.clear();
+  for (const Criterion& c : score.criteria) {
+    if (c.met == score.passed) score.reasons.push_back(c.sentence);
+  }
+}
+
+}  // namespace vallecula::curricula

@@ -1,0 +1,18 @@
+// From figures to passed or not, with a sentence for each line of the rubric (private to the library).
+#pragma once
+
+#include "curricula/score/score.h"
+
+namespace vallecula::curricula {
+
+/// First moments of events, trial time; -1: never.
+struct Moments {
+  double over_target_s = -1.0;
+  double over_device_limit_s = -1.0;
+  double not_finite_s = -1.0;  ///< a recorded force was not a number
+};
+
+/// Fills criteria, passed and reasons from the figures already in `score`.
+void judge(const TrialLog& log, const Scenario& scenario, const Moments& moments, Score& score);
+
+}  // namespace vallecula::curricula

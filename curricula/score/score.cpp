@@ -1,0 +1,104 @@
+// The figures of a trial, measured on its log.
+#include "curricula/score/score.h"
+
+#include <cmath>
+
+#include "curricula/score/mouth.h"
+#include "curricula/score/rubric.h"
+
+namespace vallecula::curricula {
+namespace {
+
+/// Out of the mouth for less than this is jitter about its plane, not a second entry.
+constexpr double kOutForAnEntryS = 1.0;
+
+double magnitude(const std::array<double, 3>& v) { return std::hypot(v[0], v[1], v[2]); }
+
+void measure_attempt(const TrialLog& log, Score& score) {
+  const auto mouth = mouth_from_landmarks(log.header.landmarks_m);
+  if (!mouth) return;
+  double last_inside_s = 0.0;
+  for (const LogTick& tick : log.ticks) {
+    if (tick.step_used < 0 || !mouth->holds(tick.proxy_pose.position_m)) continue;  // no step yet: no proxy yet
+    if (!score.attempt_begun) {
+      score.attempt_begun = true;
+      score.attempt_start_s = tick.time_s;
+      score.mouth_entries = 1;
+    } else if (tick.time_s - last_inside_s > kOutForAnEntryS) {
+      ++score.mouth_entries;
+    }
+    last_inside_s = tick.time_s;
+  }
+  if (!score.attempt_begun) return;
+  score.attempt_time_s = last_inside_s + log.header.servo_period_s - score.attempt_start_s;
+  score.blade_out = last_inside_s < log.ticks.back().time_s;
+}
+
+void measure_sight(const TrialLog& log, const Scenario& scenario, Score& score) {
+  for (const LogTick& tick : log.ticks) {
+    if (!tick.has_sight || !std::isfinite(tick.glottis_visible)) continue;
+    const double percent = 100.0 * tick.glottis_visible;
+    if (percent > score.glottis_visible_max_percent) {
+      score.glottis_visible_max_percent = percent;
+      score.time_of_glottis_max_s = tick.time_s;
+    }
+    const bool in_attempt = score.attempt_begun && tick.time_s >= score.attempt_start_s;
+    if (in_attempt && percent >= scenario.sight_percent && score.time_to_trachea_visible_s < 0.0) {
+      score.time_to_trachea_visible_s = tick.time_s - score.attempt_start_s;
+    }
+  }
+}
+
+/// Returns what the rubric needs beyond the score's own fields.
+Moments measure_forces(const TrialLog& log, const Scenario& scenario, Score& score) {
+  Moments moments;
+  for (const LogTick& tick : log.ticks) {
+    for (int structure = 0; structure < kStructures; ++structure) {
+      const double force_n = magnitude(tick.loads[static_cast<std::size_t>(structure)].force_n);
+      if (!std::isfinite(force_n)) {
+        if (moments.not_finite_s < 0.0) moments.not_finite_s = tick.time_s;
+        continue;
+      }
+      if (force_n > score.peak_force_n[static_cast<std::size_t>(structure)]) {
+        score.peak_force_n[static_cast<std::size_t>(structure)] = force_n;
+        score.time_of_peak_s[static_cast<std::size_t>(structure)] = tick.time_s;
+      }
+      if (structure == kTongue && force_n > scenario.targets.tongue_force_n) {
+        score.time_over_target_s += log.header.servo_period_s;
+        if (moments.over_target_s < 0.0) moments.over_target_s = tick.time_s;
+      }
+    }
+    const double displayed_n = magnitude(tick.displayed_force_n);
+    if (std::isfinite(displayed_n)) {
+      score.peak_displayed_force_n = std::fmax(score.peak_displayed_force_n, displayed_n);
+    } else if (moments.not_finite_s < 0.0) {
+      moments.not_finite_s = tick.time_s;
+    }
+    if (tick.state != LoggedState::tracking) {
+      score.time_over_force_limit_s += log.header.servo_period_s;
+      if (moments.over_device_limit_s < 0.0) moments.over_device_limit_s = tick.time_s;
+    }
+  }
+  score.peak_tongue_force_n = score.peak_force_n[kTongue];
+  score.time_of_peak_tongue_force_s = score.time_of_peak_s[kTongue];
+  score.peak_gum_force_n = score.peak_force_n[kGum];
+  score.time_of_peak_gum_force_s = score.time_of_peak_s[kGum];
+  return moments;
+}
+
+}  // namespace
+
+Score score_trial(const TrialLog& log, const Scenario& scenario) {
+  Score score;
+  score.ticks = static_cast<long long>(log.ticks.size());
+  score.loop_rate_hz = log.footer.loop_rate_hz;
+  score.deadline_misses = log.footer.deadline_misses;
+  score.complete = log.footer.complete;
+  measure_attempt(log, score);
+  measure_sight(log, scenario, score);
+  const Moments moments = measure_forces(log, scenario, score);
+  judge(log, scenario, moments, score);
+  return score;
+}
+
+}  // namespace vallecula::curricula

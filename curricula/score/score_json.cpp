@@ -1,0 +1,75 @@
+// score.json: the score for programs and for people with an editor.
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <cmath>
+
+#include "curricula/score/score.h"
+
+namespace vallecula::curricula {
+namespace {
+
+QString text(const std::string& s) { return QString::fromStdString(s); }
+
+QJsonValue number_or_null(double value, bool exists = true) {
+  return exists && std::isfinite(value) ? QJsonValue(value) : QJsonValue(QJsonValue::Null);
+}
+
+}  // namespace
+
+std::string score_to_json(const Score& score, const TrialLog& log, const Scenario& scenario) {
+  QJsonObject o;
+  o["peak_tongue_force_n"] = number_or_null(score.peak_tongue_force_n);
+  o["time_to_trachea_visible_s"] =
+      number_or_null(score.time_to_trachea_visible_s, score.time_to_trachea_visible_s >= 0.0);
+  o["glottis_visible_max_percent"] = number_or_null(score.glottis_visible_max_percent);
+  o["peak_gum_force_n"] = number_or_null(score.peak_gum_force_n);
+  o["attempt_time_s"] = number_or_null(score.attempt_time_s);
+  o["time_over_force_limit_s"] = number_or_null(score.time_over_force_limit_s);
+  o["time_over_target_s"] = number_or_null(score.time_over_target_s);
+  o["loop_rate_hz"] = number_or_null(score.loop_rate_hz, score.loop_rate_hz > 0.0);
+  o["deadline_misses"] = static_cast<qint64>(score.deadline_misses);
+  o["ticks"] = static_cast<qint64>(score.ticks);
+  o["passed"] = score.passed;
+  QJsonArray reasons;
+  for (const std::string& reason : score.reasons) reasons.append(text(reason));
+  o["reasons"] = reasons;
+
+  o["time_of_peak_tongue_force_s"] = number_or_null(score.time_of_peak_tongue_force_s, score.peak_tongue_force_n > 0.0);
+  o["time_of_peak_gum_force_s"] = number_or_null(score.time_of_peak_gum_force_s, score.peak_gum_force_n > 0.0);
+  o["peak_epiglottis_force_n"] = number_or_null(score.peak_force_n[kEpiglottis]);
+  o["peak_palate_force_n"] = number_or_null(score.peak_force_n[kPalate]);
+  o["peak_teeth_force_n"] = number_or_null(score.peak_force_n[kTeeth]);
+  o["peak_larynx_force_n"] = number_or_null(score.peak_force_n[kLarynx]);
+  o["peak_displayed_force_n"] = number_or_null(score.peak_displayed_force_n);
+  o["attempt_begun"] = score.attempt_begun;
+  o["attempt_start_s"] = number_or_null(score.attempt_start_s, score.attempt_begun);
+  o["blade_out"] = score.blade_out;
+  o["mouth_entries"] = score.mouth_entries;
+  o["trial_complete"] = score.complete;
+  o["ended"] = text(log.footer.ended);
+  o["overruns"] = static_cast<qint64>(log.footer.overruns);
+  o["scenario_id"] = text(scenario.id);
+  o["scenario_title"] = text(scenario.title);
+  o["package_name"] = text(log.header.package_name);
+  o["device_kind"] = text(log.header.device_kind);
+  o["device_limit_n"] = number_or_null(log.header.device_limit_n);
+  o["realtime"] = log.header.realtime;
+  o["software_version"] = text(log.header.software_version);
+  QJsonArray criteria;
+  for (const Criterion& c : score.criteria) {
+    QJsonObject line;
+    line["name"] = text(c.name);
+    line["unit"] = text(c.unit);
+    line["value"] = number_or_null(c.value);
+    line["limit"] = number_or_null(c.limit);
+    line["at_s"] = number_or_null(c.at_s, c.at_s >= 0.0);
+    line["met"] = c.met;
+    line["sentence"] = text(c.sentence);
+    criteria.append(line);
+  }
+  o["criteria"] = criteria;
+  return QJsonDocument(o).toJson(QJsonDocument::Indented).trimmed().toStdString();
+}
+
+}  // namespace vallecula::curricula
