@@ -10,9 +10,14 @@ ProgramArguments& program_arguments() {
 }
 
 HeadlessApplication::HeadlessApplication() {
-  qputenv("QT_QPA_PLATFORM", "offscreen");
-  ProgramArguments& arguments = program_arguments();
-  application_ = std::make_unique<QGuiApplication>(arguments.argc, arguments.argv);
+  // By argument, not by environment: a program this one starts may have a display.
+  static char program[] = "vallecula", option[] = "-platform", platform[] = "offscreen";
+  static char* arguments[] = {program, option, platform, nullptr};
+  static int count = 0;  // Qt keeps a reference, and takes out what it understood
+  count = 3;
+  arguments[1] = option;
+  arguments[2] = platform;
+  application_ = std::make_unique<QGuiApplication>(count, arguments);
 }
 
 }  // namespace vallecula::gui

@@ -24,10 +24,10 @@ std::string number(double value, int digits) {
 
 /// A figure beside what it was judged by.
 struct Row {
-  std::string name, value, limit, verdict;  ///< verdict: "ok", "over", "" where nothing was demanded
+  std::string name, value, limit, verdict;  ///< verdict: "met", "missed", "" where nothing was demanded
 };
 
-std::string verdict(bool ok) { return ok ? "within" : "missed"; }
+std::string verdict(bool ok) { return ok ? "met" : "missed"; }
 
 std::vector<Row> rows_of(const curricula::Score& score, const curricula::TrialLog& log,
                          const curricula::Scenario& scenario) {
@@ -73,7 +73,7 @@ h1 { font-size: 1.6rem; margin-bottom: 0; } h2 { font-size: 1.15rem; margin-top:
 .summary { border-left: .5rem solid; padding: .6rem 1rem; font-size: 1.1rem; background: #f6f4ec; }
 .passed { border-color: #009E73; } .failed { border-color: #D55E00; }
 table { border-collapse: collapse; width: 100%; } th, td { text-align: left; padding: .35rem .6rem; border-bottom: 1px solid #ddd; }
-td.figure { font-weight: bold; } td.within { color: #00795a; } td.missed { color: #b34f00; font-weight: bold; }
+td.figure { font-weight: bold; } td.met { color: #00795a; } td.missed { color: #b34f00; font-weight: bold; }
 img { max-width: 100%; height: auto; } .shots { display: flex; flex-wrap: wrap; gap: 1rem; } .shots figure { margin: 0; flex: 1 1 26rem; }
 figcaption, .foot { color: #555; font-size: .85rem; }
 )";

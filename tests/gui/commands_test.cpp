@@ -1,0 +1,135 @@
+// The command line itself: what it lists, and what it answers to wrong usage and to bad input.
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "tests/gui/block_patient.h"
+#include "tests/gui/program.h"
+
+namespace vallecula::gui::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// One line on stderr, the message, and nothing on stdout.
+void expect_refused(const Outcome& outcome, int exit_code, const std::string& naming) {
+  EXPECT_EQ(outcome.exit_code, exit_code) << outcome.err;
+  ASSERT_EQ(outcome.messages().size(), 1u) << outcome.err;
+  EXPECT_EQ(outcome.err, outcome.messages()[0] + "\n") << "nothing but the message";
+  EXPECT_NE(outcome.err.find(naming), std::string::npos) << "names " << naming << ": " << outcome.err;
+  EXPECT_EQ(outcome.out, "");
+}
+
+TEST(CommandLine, HelpListsTheCommandsOwedNowAndEachHasItsOwn) {
+  const Sandbox box;
+  const Outcome help = box.run({"--help"});
+  EXPECT_EQ(help.exit_code, 0);
+  EXPECT_EQ(help.err, "");
+  for (const std::string command : {"demo", "manikin", "import", "trial", "replay", "score", "curriculum"}) {
+    EXPECT_NE(help.out.find("\n  " + command + " "), std::string::npos) << command << "\n" << help.out;
+    EXPECT_EQ(box.run({command, "--help"}).exit_code, 0) << command;
+  }
+  for (const std::string later : {"records", "devices", "lab"}) {
+    EXPECT_EQ(help.out.find("\n  " + later + " "), std::string::npos) << later << " does not work yet";
+  }
+}
+
+TEST(CommandLine, VersionIsTheProjects) {
+  const Sandbox box;
+  const Outcome version = box.run({"--version"});
+  EXPECT_EQ(version.exit_code, 0);
+  EXPECT_EQ(version.out.rfind("vallecula ", 0), 0u) << version.out;
+}
+
+TEST(CommandLine, WrongUsageIsTwo) {
+  const Sandbox box;
+  expect_refused(box.run({"intubate"}), 2, "unknown command 'intubate'");
+  expect_refused(box.run({"--colour"}), 2, "--colour");
+  expect_refused(box.run({"score"}), 2, "TRIAL");
+  expect_refused(box.run({"score", "a", "--colour"}), 2, "--colour");
+  expect_refused(box.run({"score", "a", "b"}), 2, "'b'");
+  expect_refused(box.run({"curriculum"}), 2, "subcommand");
+  expect_refused(box.run({"curriculum", "eat", "a"}), 2, "eat");
+  expect_refused(box.run({"import", "series"}), 2, "--out");
+  expect_refused(box.run({"import", "series", "--out", "a.patient", "--seed", "tongue=1,2"}), 2, "tongue=1,2");
+  const std::vector<std::string> trial = {"trial", "--patient", "p", "--scenario", "s", "--out", "o", "--device"};
+  const auto with = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> all = trial;
+    all.insert(all.end(), more.begin(), more.end());
+    return box.run(all);
+  };
+  expect_refused(with({"joystick"}), 2, "joystick");
+  expect_refused(with({"scripted:acrobat"}), 2, "scripted:acrobat");
+  expect_refused(with({"scripted"}), 2, "scripted");
+  expect_refused(with({"mouse", "--headless"}), 2, "mouse");
+  expect_refused(with({"mouse", "--asap"}), 2, "--asap");
+}
+
+TEST(CommandLine, WhatIsMissingIsNamed) {
+  const Sandbox box;
+  const std::string nothing = (box / "nothing").string();
+  expect_refused(box.run({"score", nothing}), 1, nothing);
+  expect_refused(box.run({"replay", nothing, "--verify"}), 1, nothing);
+  expect_refused(box.run({"curriculum", "check", nothing}), 1, nothing);
+  const fs::path curriculum = write_curriculum(box.folder());
+  expect_refused(box.run({"trial", "--patient", nothing, "--scenario", curriculum.string() + ":plain", "--device",
+                          "scripted:press", "--headless", "--out", (box / "out").string()}),
+                 1, nothing);
+  EXPECT_FALSE(fs::exists(box / "out"));
+}
+
+TEST(CurriculumCommand, AcceptsTheShippedOneAndNamesTheLineOfAnError) {
+  const Sandbox box;
+  for (const auto& entry : fs::directory_iterator(fs::path(VALLECULA_SOURCE_DIR) / "curricula" / "courses")) {
+    if (entry.path().extension() != ".yaml") continue;
+    const Outcome outcome = box.run({"curriculum", "check", entry.path().string()});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  }
+  const fs::path file = write_curriculum(box.folder());
+  const Outcome good = box.run({"curriculum", "check", file.string()});
+  EXPECT_EQ(good.exit_code, 0) << good.err;
+  EXPECT_NE(good.out.find("plain"), std::string::npos);
+  std::string text = text_of(file);
+  text.replace(text.find("max_attempt_s: 20"), 17, "max_attempt_s: ten");
+  write_text(file, text);
+  const Outcome bad = box.run({"curriculum", "check", file.string()});
+  expect_refused(bad, 1, "max_attempt_s");
+  EXPECT_NE(bad.err.find("ten"), std::string::npos) << bad.err;
+  EXPECT_NE(bad.err.find("plain.yaml:12"), std::string::npos) << "the line: " << bad.err;
+}
+
+/// Import may show progress on stderr before it fails.
+void expect_import_refused(const Sandbox& box, const fs::path& series, const std::string& naming) {
+  const Outcome outcome = box.run({"import", series.string(), "--out", (box / "p.patient").string()});
+  EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
+  ASSERT_EQ(outcome.messages().size(), 1u) << outcome.err;
+  EXPECT_NE(outcome.messages()[0].find(naming), std::string::npos) << outcome.err;
+  EXPECT_FALSE(fs::exists(box / "p.patient"));
+}
+
+TEST(ImportCommand, WhatIsNoSeriesIsRefusedAndNothingIsLeft) {
+  const Sandbox box;
+  fs::create_directory(box / "empty");
+  fs::create_directory(box / "letters");
+  write_text(box / "letters" / "a.dcm", "not DICOM at all");
+  const std::size_t before = box.names("").size();
+  expect_import_refused(box, box / "nowhere", "nowhere");
+  expect_import_refused(box, box / "empty", "empty");
+  expect_import_refused(box, box / "letters", "letters");
+  EXPECT_EQ(box.names("").size(), before);
+}
+
+TEST(ManikinCommand, WhereNothingCanBeWrittenItSaysSo) {
+  const Sandbox box;
+  write_text(box / "file", "in the way");
+  const Outcome outcome = box.run({"manikin", "--out", (box / "file" / "series").string()});
+  EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
+  ASSERT_EQ(outcome.messages().size(), 1u) << outcome.err;
+  EXPECT_NE(outcome.err.find("file/series"), std::string::npos) << outcome.err;
+  EXPECT_EQ(text_of(box / "file"), "in the way");
+  EXPECT_EQ(box.run({"manikin", "--out", (box / "heavy").string(), "--weight", "70"}).exit_code, 2);
+  EXPECT_FALSE(fs::exists(box / "heavy"));
+}
+
+}  // namespace
+}  // namespace vallecula::gui::test

@@ -1,0 +1,126 @@
+// The chart shows every peak where it belongs; the report holds everything and needs nothing else.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "gui/commands/headless_application.h"
+#include "gui/report/force_chart.h"
+#include "gui/report/report.h"
+#include "tests/gui/block_patient.h"
+#include "tests/gui/program.h"
+
+namespace vallecula::gui::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kTicks = 30000;
+
+curricula::Scenario plain_scenario() {
+  curricula::Scenario scenario;
+  scenario.id = "plain";
+  scenario.title = "A <b>bold</b> & plain case";
+  scenario.debriefing = "Lift, \"do not\" lever.";
+  scenario.pass = {6.8, 3.0, 50.0, 30.0, 3.0, 0.2};
+  return scenario;
+}
+
+/// Half a minute in which the tongue gives `tongue_n` for `ticks` ticks from 10 s on.
+curricula::TrialLog spike_log(double tongue_n, std::size_t ticks) {
+  curricula::TrialLog log;
+  log.header.package_name = "block";
+  log.header.device_kind = "scripted";
+  log.header.device_limit_n = 7.9;
+  log.footer.complete = true;
+  log.footer.ended = "finished";
+  log.ticks.resize(kTicks);
+  for (std::size_t i = 0; i < kTicks; ++i) {
+    log.ticks[i].tick = static_cast<std::int64_t>(i);
+    log.ticks[i].time_s = 0.001 * static_cast<double>(i);
+    if (i >= 10000 && i < 10000 + ticks) log.ticks[i].loads[curricula::kTongue].force_n = {0.0, 0.0, tongue_n};
+  }
+  return log;
+}
+
+/// Rows of the picture that hold the tongue's blue (0072B2, drawn over white), topmost first.
+std::pair<int, int> blue_rows(const QImage& image, int from_row) {
+  int top = -1, bottom = -1;
+  for (int y = from_row; y < image.height(); ++y) {
+    for (int x = 0; x < image.width(); ++x) {
+      const QColor colour = image.pixelColor(x, y);
+      if (std::abs(colour.red()) > 25 || std::abs(colour.green() - 0x72) > 25 || std::abs(colour.blue() - 0xB2) > 25) continue;
+      if (top < 0) top = y;
+      bottom = y;
+      break;
+    }
+  }
+  return {top, bottom};
+}
+
+TEST(ForceChart, OneTickOfForceIsNotLostAndItsHeightIsItsForce) {
+  const HeadlessApplication application;
+  const curricula::Scenario scenario = plain_scenario();
+  const curricula::Score no_marks;  // no peaks, no sight: only the line itself is blue
+  const int below_legend = 90;
+  std::vector<double> heights;
+  for (const double force_n : {2.0, 4.0, 6.0}) {
+    const QImage image = draw_force_chart(spike_log(force_n, 1), scenario, no_marks, 1600, 900);
+    ASSERT_EQ(image.size(), QSize(1600, 900));
+    const auto [top, bottom] = blue_rows(image, below_legend);
+    ASSERT_GE(top, 0);
+    heights.push_back(bottom - top);
+  }
+  // The axis is the same (the device limit is the highest), so equal steps of force are equal steps of height; the line
+  // is three pixels thick and its tip is rounded by smoothing.
+  EXPECT_GT(heights[0], 50.0);
+  EXPECT_NEAR(heights[1] - heights[0], heights[2] - heights[1], 6.0);
+  EXPECT_NEAR(heights[2] - heights[0], 2.0 * heights[0], 12.0);
+}
+
+TEST(ForceChart, DrawsAnEmptyAndATinyTrial) {
+  const HeadlessApplication application;
+  curricula::TrialLog log;
+  EXPECT_FALSE(draw_force_chart(log, plain_scenario(), {}, 640, 400).isNull());
+  log.ticks.resize(1);
+  EXPECT_FALSE(draw_force_chart(log, plain_scenario(), {}, 640, 400).isNull());
+}
+
+TEST(Report, HoldsReasonsFiguresChartAndPicturesAndNothingFromOutside) {
+  const HeadlessApplication application;
+  const Sandbox box;
+  const curricula::Scenario scenario = plain_scenario();
+  const curricula::TrialLog log = spike_log(7.25, 500);
+  curricula::Score score;
+  score.peak_tongue_force_n = 7.25;
+  score.time_of_peak_tongue_force_s = 10.0;
+  score.attempt_time_s = 12.0;
+  score.reasons = {"tongue force 7.25 N over 6.80 N at 10.0 s", "glottis <never> seen"};
+  write_force_chart(box / "force.png", log, scenario, score);
+  write_report(box.folder(), log, scenario, score);
+  std::string page = text_of(box / "report.html");
+  EXPECT_NE(page.find("Not passed"), std::string::npos);
+  EXPECT_NE(page.find("tongue force 7.25 N over 6.80 N at 10.0 s"), std::string::npos);
+  EXPECT_NE(page.find("glottis &lt;never&gt; seen"), std::string::npos);
+  EXPECT_EQ(page.find("<b>bold"), std::string::npos) << "text is escaped";
+  EXPECT_NE(page.find("training tool, not a medical device"), std::string::npos);
+  EXPECT_EQ(page.find("http"), std::string::npos) << "self-contained";
+  EXPECT_EQ(page.find("operator-"), std::string::npos);
+
+  const std::string marker = "data:image/png;base64,";
+  const std::size_t begin = page.find(marker) + marker.size();
+  const QByteArray chart = QByteArray::fromBase64(QByteArray::fromStdString(page.substr(begin, page.find('"', begin) - begin)));
+  EXPECT_EQ(chart.toStdString(), text_of(box / "force.png"));
+
+  write_text(box / "operator-1-sight.png", "picture");
+  write_text(box / "sagittal-1-sight.png", "picture");
+  write_text(box / "else.png", "picture");
+  write_report(box.folder(), log, scenario, score);
+  page = text_of(box / "report.html");
+  EXPECT_NE(page.find("src=\"operator-1-sight.png\""), std::string::npos);
+  EXPECT_NE(page.find("src=\"sagittal-1-sight.png\""), std::string::npos);
+  EXPECT_EQ(page.find("else.png"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace vallecula::gui::test

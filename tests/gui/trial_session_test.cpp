@@ -1,0 +1,114 @@
+// The life of a trial inside one process: reset, abandon, finish.
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <thread>
+
+#include "curricula/trial_log.h"
+#include "gui/commands/headless_application.h"
+#include "gui/session/trial_session.h"
+#include "tests/gui/block_patient.h"
+#include "tests/gui/program.h"
+
+namespace vallecula::gui::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Session : public ::testing::Test {
+ protected:
+  Session() { ::setenv("VALLECULA_HOME", box_.home().c_str(), 1); }
+
+  TrialSetup setup(bool realtime) {
+    TrialSetup setup;
+    setup.patient = patient_;
+    setup.curriculum = curriculum_;
+    setup.scenario = "plain";
+    setup.device = "scripted:" + press_.string();
+    setup.out = box_ / "out";
+    setup.realtime = realtime;
+    return setup;
+  }
+  static void wait(const TrialSession& session) {
+    for (int i = 0; i < 6000 && !session.finished(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    ASSERT_TRUE(session.finished());
+  }
+
+  HeadlessApplication application_;
+  Sandbox box_;
+  fs::path patient_ = write_block_patient(box_.folder());
+  fs::path press_ = write_press(box_.folder());
+  fs::path curriculum_ = write_curriculum(box_.folder());
+};
+
+class SessionRealTime : public Session {};
+
+TEST_F(Session, NeverStartedLeavesNothing) {
+  { const TrialSession session(setup(false)); }
+  EXPECT_FALSE(fs::exists(box_ / "out"));
+}
+
+TEST_F(Session, LoadsThePatientInMetres) {
+  TrialSession session(setup(false));
+  EXPECT_EQ(session.package().name, "block");
+  EXPECT_EQ(session.scenario().id, "plain");
+  ASSERT_EQ(session.scene().soft.nodes.size(), session.package().tongue.points.size());
+  EXPECT_DOUBLE_EQ(session.scene().soft.nodes[0].x(), -0.010);
+  EXPECT_EQ(session.device().info().kind, "scripted");
+}
+
+TEST_F(Session, StartTwiceAndFinishUnstartedAreRefused) {
+  TrialSession session(setup(false));
+  EXPECT_THROW(session.finish("ended"), std::logic_error);
+  session.start();
+  EXPECT_THROW(session.start(), std::logic_error);
+  wait(session);
+  session.finish("ended");
+  EXPECT_THROW(session.finish("ended"), std::logic_error);
+}
+
+TEST_F(SessionRealTime, ResetBeginsAnewWithTissueAtRestAndAFreshLog) {
+  TrialSession session(setup(true));
+  session.start();
+  for (int i = 0; i < 3000 && session.latest().time_s < 0.6; ++i) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  ASSERT_GE(session.latest().time_s, 0.6) << "in the press";
+  session.reset();
+  EXPECT_LT(session.latest().time_s, 0.3);
+  wait(session);
+  session.finish("ended");
+  const curricula::TrialLog log = curricula::read_trial_log(box_ / "out");
+  EXPECT_TRUE(log.footer.complete);
+  ASSERT_GE(log.ticks.size(), 1200u);
+  EXPECT_LT(log.ticks.size(), 1500u) << "the ticks before the reset are not in it";
+  EXPECT_EQ(log.ticks.front().tick, 0);
+  EXPECT_EQ(log.ticks.front().loads[curricula::kTongue].contacts, 0);
+}
+
+TEST_F(SessionRealTime, AbandonedItKeepsAnIncompleteLogAndNoScore) {
+  {
+    TrialSession session(setup(true));
+    session.start();
+    for (int i = 0; i < 3000 && session.latest().ticks < 300; ++i) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  const curricula::TrialLog log = curricula::read_trial_log(box_ / "out");
+  EXPECT_FALSE(log.footer.complete);
+  EXPECT_GE(log.ticks.size(), 200u);
+  EXPECT_FALSE(fs::exists(box_ / "out" / "score.json"));
+}
+
+TEST_F(SessionRealTime, EndedByThePersonSaysSo) {
+  TrialSession session(setup(true));
+  session.start();
+  for (int i = 0; i < 3000 && session.latest().ticks < 100; ++i) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  const TrialOutcome outcome = session.finish("ended by the trainee");
+  const curricula::TrialLog log = curricula::read_trial_log(outcome.log);
+  EXPECT_TRUE(log.footer.complete);
+  EXPECT_EQ(log.footer.ended, "ended by the trainee");
+  for (const fs::path& file : {outcome.log, outcome.score_json, outcome.report, outcome.force_plot}) {
+    EXPECT_TRUE(fs::exists(file)) << file;
+  }
+}
+
+}  // namespace
+}  // namespace vallecula::gui::test
