@@ -52,6 +52,7 @@ void measure_sight(const TrialLog& log, const Scenario& scenario, Score& score) 
 /// Returns what the rubric needs beyond the score's own fields.
 Moments measure_forces(const TrialLog& log, const Scenario& scenario, Score& score) {
   Moments moments;
+  long long over_target = 0, over_device_limit = 0;  // counted in ticks: sums of 0.001 would drift past a limit
   for (const LogTick& tick : log.ticks) {
     for (int structure = 0; structure < kStructures; ++structure) {
       const double force_n = magnitude(tick.loads[static_cast<std::size_t>(structure)].force_n);
@@ -64,7 +65,7 @@ Moments measure_forces(const TrialLog& log, const Scenario& scenario, Score& sco
         score.time_of_peak_s[static_cast<std::size_t>(structure)] = tick.time_s;
       }
       if (structure == kTongue && force_n > scenario.targets.tongue_force_n) {
-        score.time_over_target_s += log.header.servo_period_s;
+        ++over_target;
         if (moments.over_target_s < 0.0) moments.over_target_s = tick.time_s;
       }
     }
@@ -75,10 +76,12 @@ Moments measure_forces(const TrialLog& log, const Scenario& scenario, Score& sco
       moments.not_finite_s = tick.time_s;
     }
     if (tick.state != LoggedState::tracking) {
-      score.time_over_force_limit_s += log.header.servo_period_s;
+      ++over_device_limit;
       if (moments.over_device_limit_s < 0.0) moments.over_device_limit_s = tick.time_s;
     }
   }
+  score.time_over_target_s = static_cast<double>(over_target) * log.header.servo_period_s;
+  score.time_over_force_limit_s = static_cast<double>(over_device_limit) * log.header.servo_period_s;
   score.peak_tongue_force_n = score.peak_force_n[kTongue];
   score.time_of_peak_tongue_force_s = score.time_of_peak_s[kTongue];
   score.peak_gum_force_n = score.peak_force_n[kGum];

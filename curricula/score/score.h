@@ -50,7 +50,7 @@ struct Score {
   std::vector<Criterion> criteria;           ///< the whole rubric, met or not
 };
 
-/// Definitions (sources in CLINICAL terms; times are trial time, ticks count servo_period_s each):
+/// Definitions (times are trial time; a tick counts for servo_period_s):
 /// - the attempt runs from the first tick with the proxy's tip in the mouth (score/mouth.h) to the last one: blade into the
 ///   mouth to blade out (NEAR4NEOS). Short ways out do not stop the clock. Simplification: one trial holds one attempt, since
 ///   nothing between attempts (ventilation) exists yet; mouth_entries tells when there were more.
