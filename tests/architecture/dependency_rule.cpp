@@ -30,7 +30,7 @@ const char kStandardHeaders[] =
     "string|time)\\.h";
 // Threads, clocks, memory locks and the processor's own instructions.
 const char kMachineHeaders[] =
-    "pthread\\.h|sched\\.h|unistd\\.h|sys/(mman|prctl|resource|syscall|time|types)\\.h|linux/sched(/types)?\\.h|"
+    "pthread\\.h|semaphore\\.h|sched\\.h|unistd\\.h|sys/(mman|prctl|resource|syscall|time|types)\\.h|linux/sched(/types)?\\.h|"
     "(imm|xmm|emm|pmm|smm)intrin\\.h|cpuid\\.h|cxxabi\\.h|malloc\\.h";
 const char kFileHeaders[] =
     "fstream|filesystem|fcntl\\.h|dirent\\.h|ftw\\.h|glob\\.h|poll\\.h|spawn\\.h|pwd\\.h|libgen\\.h|"
