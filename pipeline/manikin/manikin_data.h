@@ -1,0 +1,19 @@
+// What a Manikin holds: its shapes at term scale and how they are scaled.
+#pragma once
+
+#include "pipeline/manikin/body.h"
+#include "pipeline/manikin/manikin.h"
+
+namespace vallecula::pipeline {
+
+struct Manikin::Data {
+  Data(double weight_kg, std::uint64_t seed);
+  /// From patient millimetres to the shapes' term scale.
+  manikin::Vec inside(const Point& p) const { return {p[0] / scale, p[1] / scale, p[2] / scale}; }
+
+  double scale = 1.0;
+  manikin::Body body;
+  manikin::Vec eye;  ///< the operator's, at term scale
+};
+
+}  // namespace vallecula::pipeline
