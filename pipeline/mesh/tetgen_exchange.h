@@ -10,23 +10,17 @@
 
 namespace vallecula::pipeline {
 
-/// A piecewise linear complex: points, triangles (an inner wall between two regions is allowed), a seed in each region.
+/// A closed surface and the points wanted inside it.
 struct TetgenInput {
-  struct Region {
-    std::array<double, 3> seed{};
-    double attribute = 0.0;
-    double max_volume = 0.0;  ///< cubed length unit; 0 or less: no bound
-  };
   std::string switches;
   std::vector<std::array<double, 3>> points;
   std::vector<std::array<int, 3>> triangles;
-  std::vector<Region> regions;
+  std::vector<std::array<double, 3>> inner_points;
 };
 
 struct TetgenOutput {
   std::vector<std::array<double, 3>> points;
   std::vector<std::array<int, 4>> tets;
-  std::vector<double> attributes;  ///< of its region, per tetrahedron
 };
 
 /// Exit codes of the helper; a signal instead of a code means that TetGen itself died.
@@ -63,7 +57,7 @@ inline bool write(const TetgenInput& input, const std::string& file) {
   put(out, std::vector<char>(input.switches.begin(), input.switches.end()));
   put(out, input.points);
   put(out, input.triangles);
-  put(out, input.regions);
+  put(out, input.inner_points);
   out.close();
   return static_cast<bool>(out);
 }
@@ -71,7 +65,7 @@ inline bool write(const TetgenInput& input, const std::string& file) {
 inline bool read(const std::string& file, TetgenInput& input) {
   std::ifstream in(file, std::ios::binary);
   std::vector<char> switches;
-  if (!take(in, switches) || !take(in, input.points) || !take(in, input.triangles) || !take(in, input.regions))
+  if (!take(in, switches) || !take(in, input.points) || !take(in, input.triangles) || !take(in, input.inner_points))
     return false;
   input.switches.assign(switches.begin(), switches.end());
   return true;
@@ -81,14 +75,13 @@ inline bool write(const TetgenOutput& output, const std::string& file) {
   std::ofstream out(file, std::ios::binary);
   put(out, output.points);
   put(out, output.tets);
-  put(out, output.attributes);
   out.close();
   return static_cast<bool>(out);
 }
 
 inline bool read(const std::string& file, TetgenOutput& output) {
   std::ifstream in(file, std::ios::binary);
-  return take(in, output.points) && take(in, output.tets) && take(in, output.attributes);
+  return take(in, output.points) && take(in, output.tets);
 }
 
 }  // namespace exchange

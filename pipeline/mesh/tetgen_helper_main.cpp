@@ -28,15 +28,13 @@ void fill(tetgenio& io, const TetgenInput& input) {
     facet.polygonlist->numberofvertices = 3;
     facet.polygonlist->vertexlist = new int[3]{input.triangles[i][0], input.triangles[i][1], input.triangles[i][2]};
   }
-  if (input.regions.empty()) return;
-  io.numberofregions = static_cast<int>(input.regions.size());
-  io.regionlist = new REAL[input.regions.size() * 5];
-  for (std::size_t i = 0; i < input.regions.size(); ++i) {
-    const auto& region = input.regions[i];
-    for (int a = 0; a < 3; ++a) io.regionlist[5 * i + a] = region.seed[a];
-    io.regionlist[5 * i + 3] = region.attribute;
-    io.regionlist[5 * i + 4] = region.max_volume;
-  }
+}
+
+void fill_inner(tetgenio& io, const TetgenInput& input) {
+  io.firstnumber = 0;
+  io.numberofpoints = static_cast<int>(input.inner_points.size());
+  io.pointlist = new REAL[input.inner_points.size() * 3];
+  for (std::size_t i = 0; i < input.inner_points.size() * 3; ++i) io.pointlist[i] = input.inner_points[i / 3][i % 3];
 }
 
 int run(const TetgenInput& input, const char* output_file) {
@@ -56,10 +54,12 @@ int run(const TetgenInput& input, const char* output_file) {
     if (found.numberoftrifaces > 0) return kHelperIntersects;
   }
   tetgenio in;
+  tetgenio inner;
   tetgenio out;
   fill(in, input);
+  fill_inner(inner, input);
   std::string switches = input.switches;
-  tetrahedralize(switches.data(), &in, &out);
+  tetrahedralize(switches.data(), &in, &out, input.inner_points.empty() ? nullptr : &inner);
   if (out.numberoftetrahedra <= 0 || out.numberofcorners != 4) return kHelperEmpty;
 
   TetgenOutput result;
@@ -68,12 +68,8 @@ int run(const TetgenInput& input, const char* output_file) {
     result.points[i] = {out.pointlist[3 * i], out.pointlist[3 * i + 1], out.pointlist[3 * i + 2]};
   }
   result.tets.resize(static_cast<std::size_t>(out.numberoftetrahedra));
-  result.attributes.resize(result.tets.size());
   for (std::size_t i = 0; i < result.tets.size(); ++i) {
     for (int k = 0; k < 4; ++k) result.tets[i][k] = out.tetrahedronlist[4 * i + k];
-    if (out.numberoftetrahedronattributes > 0) {
-      result.attributes[i] = out.tetrahedronattributelist[i * out.numberoftetrahedronattributes];
-    }
   }
   return exchange::write(result, output_file) ? kHelperDone : kHelperFailed;
 }

@@ -1,0 +1,24 @@
+// Triangles of an even, chosen size on a given surface.
+#pragma once
+
+#include <functional>
+
+#include "pipeline/package/patient_package.h"
+
+namespace vallecula::pipeline {
+
+struct RemeshOptions {
+  std::function<double(const Point&)> edge_mm;  ///< wanted edge length at a place
+  int rounds = 6;
+};
+
+/// Splits, collapses and flips edges, relaxes points along the surface and puts them back onto `surface` (Botsch and
+/// Kobbelt 2004). A closed manifold stays one of the same topology; the volume is that of `surface` within the chord
+/// error of the edges.
+Surface remeshed(const Surface& surface, const RemeshOptions& options);
+
+/// Windowed sinc smoothing (Taubin 1996), which removes voxel steps without shrinking. `pass_band` 0.001 (strong) .. 2
+/// (none).
+Surface smoothed_surface(const Surface& surface, double pass_band, int iterations);
+
+}  // namespace vallecula::pipeline

@@ -1,0 +1,181 @@
+#include "pipeline/mesh/tetrahedralize.h"
+
+#include <fcntl.h>
+#include <signal.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <cstring>
+#include <thread>
+
+#include "pipeline/mesh/lattice.h"
+#include "pipeline/mesh/surface_check.h"
+#include "pipeline/mesh/tet_quality.h"
+#include "pipeline/mesh/tetgen_exchange.h"
+
+namespace vallecula::pipeline {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A private folder for the exchange, removed on every way out.
+class TemporaryFolder {
+ public:
+  TemporaryFolder() {
+    std::string name = (fs::temp_directory_path() / "vallecula-tetgen-XXXXXX").string();
+    if (::mkdtemp(name.data()) == nullptr) {
+      throw TetrahedralizeError("mesh generator: no temporary folder can be made in " +
+                                fs::temp_directory_path().string() + "; is it writable?");
+    }
+    path_ = name;
+  }
+  ~TemporaryFolder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  std::string file(const char* name) const { return (path_ / name).string(); }
+
+ private:
+  fs::path path_;
+};
+
+/// Runs the helper under its limits; returns the wait status.
+int run_helper(const fs::path& helper, const std::string& input, const std::string& output,
+               const TetrahedralizeOptions& options) {
+  const std::string program = helper.string();
+  char* const arguments[] = {const_cast<char*>(program.c_str()), const_cast<char*>(input.c_str()),
+                             const_cast<char*>(output.c_str()), nullptr};
+  const rlimit cpu{static_cast<rlim_t>(options.time_limit_s), static_cast<rlim_t>(options.time_limit_s + 1)};
+  const rlimit memory{options.memory_limit_bytes, options.memory_limit_bytes};
+  const rlimit no_core{0, 0};
+  const pid_t child = ::fork();
+  if (child < 0)
+    throw TetrahedralizeError(std::string("mesh generator: no new process (") + std::strerror(errno) + ")");
+  if (child == 0) {
+    // Between fork and exec only calls that are safe in a program with threads.
+    ::setrlimit(RLIMIT_CPU, &cpu);
+    ::setrlimit(RLIMIT_AS, &memory);
+    ::setrlimit(RLIMIT_CORE, &no_core);
+    const int nowhere = ::open("/dev/null", O_RDWR);
+    if (nowhere >= 0) {
+      ::dup2(nowhere, 0);
+      ::dup2(nowhere, 1);
+      ::dup2(nowhere, 2);
+    }
+    ::execv(program.c_str(), arguments);
+    ::_exit(127);
+  }
+  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(options.time_limit_s);
+  int status = 0;
+  for (;;) {
+    const pid_t done = ::waitpid(child, &status, WNOHANG);
+    if (done == child) return status;
+    if (done < 0 && errno != EINTR) throw TetrahedralizeError("mesh generator: the helper process was lost");
+    if (std::chrono::steady_clock::now() > end) {
+      ::kill(child, SIGKILL);
+      ::waitpid(child, &status, 0);
+      throw TetrahedralizeError("mesh generator: not done within " + std::to_string(options.time_limit_s) +
+                                " s and stopped");
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  }
+}
+
+void check_status(int status) {
+  if (WIFSIGNALED(status)) {
+    if (WTERMSIG(status) == SIGXCPU || WTERMSIG(status) == SIGKILL)
+      throw TetrahedralizeError("mesh generator: over its time limit and stopped");
+    throw TetrahedralizeError("mesh generator: ended by signal " + std::to_string(WTERMSIG(status)) +
+                              "; the surface is not fit for it");
+  }
+  switch (WEXITSTATUS(status)) {
+    case kHelperDone:
+      return;
+    case kHelperIntersects:
+      throw TetrahedralizeError("mesh generator: the surface crosses itself");
+    case kHelperEmpty:
+      throw TetrahedralizeError("mesh generator: no tetrahedra came out");
+    case 127:
+      throw TetrahedralizeError("mesh generator: vallecula-tetgen cannot be started; install the program again");
+    default:
+      throw TetrahedralizeError("mesh generator: failed with code " + std::to_string(WEXITSTATUS(status)));
+  }
+}
+
+void check_result(const TetMesh& mesh, const Surface& surface) {
+  if (mesh.tets.empty()) throw TetrahedralizeError("mesh generator: no tetrahedra came out");
+  const auto quality = quality_of(mesh);
+  if (!(quality.smallest_volume_mm3 > 0.0))
+    throw TetrahedralizeError("mesh generator: a tetrahedron is flat or inverted");
+  const double expected = facts_of(surface).volume_mm3;
+  if (std::abs(quality.volume_mm3 - expected) > 1e-6 * expected) {
+    throw TetrahedralizeError("mesh generator: the tetrahedra do not fill the surface");
+  }
+}
+
+}  // namespace
+
+fs::path find_tetgen_helper() {
+  constexpr const char* kName = "vallecula-tetgen";
+  std::vector<fs::path> places;
+  if (const char* folder = std::getenv("VALLECULA_HELPERS"); folder != nullptr && *folder != '\0')
+    places.emplace_back(folder);
+  std::error_code error;
+  const auto program = fs::read_symlink("/proc/self/exe", error);
+  if (!error) {
+    places.push_back(program.parent_path());
+    places.push_back(program.parent_path() / ".." / "lib" / "vallecula");
+  }
+  for (const auto& place : places) {
+    const auto helper = place / kName;
+    if (::access(helper.c_str(), X_OK) == 0) return helper;
+  }
+  throw TetrahedralizeError(
+      "mesh generator: the helper program vallecula-tetgen is not beside vallecula; build or install it, or set "
+      "VALLECULA_HELPERS to its folder");
+}
+
+TetMesh tetrahedralized(const Surface& surface, const TetrahedralizeOptions& options) {
+  try {
+    require_solid(surface, "the soft tissue");
+  } catch (const std::runtime_error& e) {
+    throw TetrahedralizeError(std::string("mesh generator: ") + e.what());
+  }
+  TetgenInput input;
+  input.points = surface.points;
+  input.triangles = surface.triangles;
+  if (options.edge_mm) input.inner_points = lattice_inside(surface, options.edge_mm);
+  // p: fill the surface, Y: keep the surface as it is, i: with these inner points, Q: silent
+  input.switches = input.inner_points.empty() ? "pYQ" : "pYiQ";
+
+  const TemporaryFolder folder;
+  if (!exchange::write(input, folder.file("in")))
+    throw TetrahedralizeError("mesh generator: its input cannot be written; is the disk full?");
+  check_status(run_helper(options.helper.empty() ? find_tetgen_helper() : options.helper, folder.file("in"),
+                          folder.file("out"), options));
+  TetgenOutput output;
+  if (!exchange::read(folder.file("out"), output))
+    throw TetrahedralizeError("mesh generator: its result cannot be read");
+
+  TetMesh mesh;
+  mesh.points = output.points;
+  mesh.tets = output.tets;
+  for (auto& t : mesh.tets) {
+    for (const int corner : t) {
+      if (corner < 0 || static_cast<std::size_t>(corner) >= mesh.points.size())
+        throw TetrahedralizeError("mesh generator: its result is damaged");
+    }
+    if (signed_volume(mesh, t) < 0.0) std::swap(t[2], t[3]);  // TetGen orients the other way round
+  }
+  mesh.tissue.assign(mesh.tets.size(), 0);
+  mesh.anchor.assign(mesh.points.size(), static_cast<std::uint8_t>(Anchor::free));
+  check_result(mesh, surface);
+  return mesh;
+}
+
+}  // namespace vallecula::pipeline
