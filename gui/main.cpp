@@ -1,12 +1,12 @@
 // Vallecula: the trainer's window without arguments, the same work headless with a subcommand.
+#include <spdlog/sinks/stdout_sinks.h>
+#include <spdlog/spdlog.h>
+
 #include <cstdio>
 #include <exception>
 #include <iostream>
 #include <new>
 #include <string>
-
-#include <spdlog/sinks/stdout_sinks.h>
-#include <spdlog/spdlog.h>
 
 #include "gui/commands/commands.h"
 #include "gui/session/device_choice.h"
@@ -32,8 +32,11 @@ int complain_of_usage(const CLI::App& app, const CLI::ParseError& error) {
   const std::vector<std::string> left = app.remaining(true);
   if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr && !left.empty()) {
     const bool option = left.front().rfind('-', 0) == 0;
-    message = std::string("unknown ") + (option ? "option" : command == "vallecula" ? "command" : "argument") + " '" +
-              left.front() + "'";
+    message = std::string("unknown ") +
+              (option                   ? "option"
+               : command == "vallecula" ? "command"
+                                        : "argument") +
+              " '" + left.front() + "'";
   }
   return complain(kWrongUsage, message + "; see `" + command + " --help`");
 }
@@ -47,12 +50,13 @@ int main(int argc, char** argv) {
   spdlog::set_pattern("%H:%M:%S %^%l%$ %v");
   spdlog::set_level(spdlog::level::warn);
 
-  CLI::App app("Vallecula: a force-true trainer for neonatal endotracheal intubation.\n"
-               "Without a command it opens the trainer. A training tool, not a medical device.",
-               "vallecula");
+  CLI::App app(
+      "Vallecula: a force-true trainer for neonatal endotracheal intubation.\n"
+      "Without a command it opens the trainer. A training tool, not a medical device.",
+      "vallecula");
   app.set_version_flag("--version", std::string("vallecula ") + VALLECULA_VERSION);
-  app.add_flag_function("--verbose", [](std::int64_t) { spdlog::set_level(spdlog::level::debug); },
-                        "Say on stderr what is being done");
+  app.add_flag_function(
+      "--verbose", [](std::int64_t) { spdlog::set_level(spdlog::level::debug); }, "Say on stderr what is being done");
   app.require_subcommand(0, 1);
   app.fallthrough();
   app.failure_message([](const CLI::App*, const CLI::Error&) { return std::string(); });

@@ -10,7 +10,8 @@ namespace vallecula::gui {
 void add_curriculum_command(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("curriculum", "Work with curriculum files");
   command->require_subcommand(1);
-  CLI::App* check = command->add_subcommand("check", "Validate a curriculum; errors name file, line, field and what was expected");
+  CLI::App* check =
+      command->add_subcommand("check", "Validate a curriculum; errors name file, line, field and what was expected");
   auto file = std::make_shared<std::string>();
   check->add_option("FILE", *file, "Curriculum (YAML)")->required();
   check->callback([file, &exit_code] {

@@ -1,9 +1,8 @@
 // What Qt needs where no window is opened: fonts for the chart, plugins for the database.
 #pragma once
 
-#include <memory>
-
 #include <QGuiApplication>
+#include <memory>
 
 namespace vallecula::gui {
 

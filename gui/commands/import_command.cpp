@@ -1,13 +1,11 @@
 // `vallecula import`: a CT series to a patient package, with progress by stage and a quality report.
-#include <cstdio>
 #include <iomanip>
 #include <iostream>
 #include <memory>
 #include <sstream>
 
-#include <unistd.h>
-
 #include "gui/commands/commands.h"
+#include "gui/commands/stage_lines.h"
 #include "pipeline/import.h"
 
 namespace vallecula::gui {
@@ -21,41 +19,20 @@ std::pair<std::string, pipeline::Point> parse_seed(const std::string& text) {
   std::istringstream numbers(equals == std::string::npos ? "" : text.substr(equals + 1));
   char comma1 = 0, comma2 = 0;
   numbers >> point[0] >> comma1 >> point[1] >> comma2 >> point[2];
-  if (equals == std::string::npos || equals == 0 || !numbers || comma1 != ',' || comma2 != ',' || numbers.peek() != EOF) {
+  if (equals == std::string::npos || equals == 0 || !numbers || comma1 != ',' || comma2 != ',' ||
+      numbers.peek() != EOF) {
     throw CLI::ValidationError("--seed", "'" + text + "' is not NAME=x,y,z (mm, LPS), for instance tongue=0,-40.5,12");
   }
   return {text.substr(0, equals), point};
 }
-
-/// One line a stage; on a terminal the line counts up while the stage runs.
-class StageLines {
- public:
-  StageLines() : terminal_(isatty(STDERR_FILENO) != 0) {}
-  void show(const std::string& stage, double fraction) {
-    if (stage != stage_) {
-      end_line();
-      stage_ = stage;
-      if (!terminal_) std::fprintf(stderr, "%3.0f %%  %s\n", 100.0 * fraction, stage.c_str());
-    }
-    if (terminal_) std::fprintf(stderr, "\r%3.0f %%  %s", 100.0 * fraction, stage.c_str());
-  }
-  void end_line() {
-    if (terminal_ && !stage_.empty()) std::fputc('\n', stderr);
-    stage_.clear();
-  }
-
- private:
-  bool terminal_;
-  std::string stage_;
-};
 
 void print_report(const pipeline::ImportReport& report) {
   std::cout << "package: " << report.package.string() << "\n";
   for (const pipeline::QualityItem& item : report.quality) {
     std::ostringstream value;
     value << std::setprecision(5) << item.value << " " << item.unit;
-    std::cout << "  " << (item.ok ? "ok   " : "LOOK ") << std::left << std::setw(38) << item.name << std::setw(18) << value.str()
-              << item.note << "\n";
+    std::cout << "  " << (item.ok ? "ok   " : "LOOK ") << std::left << std::setw(38) << item.name << std::setw(18)
+              << value.str() << item.note << "\n";
   }
 }
 
@@ -70,22 +47,18 @@ void add_import_command(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<Options>();
   command->add_option("SERIES", options->series, "Folder with one CT series (DICOM)")->required();
   command->add_option("--out", options->out, "The package to write: NAME.patient")->required();
-  command->add_option("--seed", options->seeds, "A point inside a structure that is not found by itself: NAME=x,y,z (mm, LPS)");
+  command->add_option("--seed", options->seeds,
+                      "A point inside a structure that is not found by itself: NAME=x,y,z (mm, LPS)");
   command->callback([options, &exit_code] {
     pipeline::ImportOptions import;
     import.series = options->series;
     import.out = options->out;
     for (const std::string& seed : options->seeds) import.seeds.insert(parse_seed(seed));
     StageLines lines;
-    try {
-      const pipeline::ImportReport report =
-          pipeline::import_series(import, [&lines](const std::string& stage, double fraction) { lines.show(stage, fraction); });
-      lines.end_line();
-      print_report(report);
-    } catch (...) {
-      lines.end_line();
-      throw;
-    }
+    const pipeline::ImportReport report = pipeline::import_series(
+        import, [&lines](const std::string& stage, double fraction) { lines.show(stage, fraction); });
+    lines.end_line();
+    print_report(report);
     exit_code = 0;
   });
 }

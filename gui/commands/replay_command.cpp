@@ -1,11 +1,11 @@
 // `vallecula replay`: what a trial log holds, or (--verify) the whole trial computed anew and compared to the last bit.
+#include <spdlog/spdlog.h>
+#include <unistd.h>
+
 #include <cstdio>
 #include <iostream>
 #include <memory>
 #include <stdexcept>
-
-#include <spdlog/spdlog.h>
-#include <unistd.h>
 
 #include "curricula/score/score.h"
 #include "gui/commands/commands.h"
@@ -20,8 +20,9 @@ int print_summary(const curricula::TrialLog& log, const std::string& name) {
   const curricula::LogHeader& header = log.header;
   const curricula::Scenario scenario = curricula::parse_scenario(header.scenario_yaml, name);
   const double seconds = static_cast<double>(log.ticks.size()) * header.servo_period_s;
-  std::cout << "trial of scenario " << header.scenario_id << " on " << header.package_name << ", device " << header.device_kind
-            << ", " << log.ticks.size() << " ticks (" << seconds << " s" << (header.realtime ? "" : ", not in real time") << "), "
+  std::cout << "trial of scenario " << header.scenario_id << " on " << header.package_name << ", device "
+            << header.device_kind << ", " << log.ticks.size() << " ticks (" << seconds << " s"
+            << (header.realtime ? "" : ", not in real time") << "), "
             << (log.footer.complete ? log.footer.ended : "cut off") << "\n"
             << "recorded by vallecula " << header.software_version << ", build " << header.build_hash.substr(0, 12)
             << ", kernels " << header.instruction_set << "\n";
@@ -40,8 +41,9 @@ int verify(const curricula::TrialLog& log, const std::string& name, const std::s
   if (show_progress) std::fputs("\r                    \r", stderr);
   if (!result.difference.field.empty()) {
     char text[512];
-    std::snprintf(text, sizeof text, "%s: differs first at tick %lld (%.3f s) in %s: recorded %.17g, recomputed %.17g%s",
-                  name.c_str(), static_cast<long long>(result.tick), result.time_s, result.difference.field.c_str(),
+    std::snprintf(text, sizeof text,
+                  "%s: differs first at tick %lld (%.3f s) in %s: recorded %.17g, recomputed %.17g%s", name.c_str(),
+                  static_cast<long long>(result.tick), result.time_s, result.difference.field.c_str(),
                   result.difference.recorded, result.difference.recomputed,
                   scene.notices.empty() ? "; the log was changed, or the engine is not deterministic"
                                         : "; replay it with the build that recorded it");

@@ -19,13 +19,15 @@ void print_score(std::ostream& out, const curricula::Score& score, const curricu
   if (score.time_to_trachea_visible_s >= 0.0) {
     line("time to glottis in sight", score.time_to_trachea_visible_s, 2, "s");
   } else {
-    out << "  " << std::left << std::setw(34) << "time to glottis in sight" << std::right << std::setw(9) << "never" << "\n";
+    out << "  " << std::left << std::setw(34) << "time to glottis in sight" << std::right << std::setw(9) << "never"
+        << "\n";
   }
   line("attempt time", score.attempt_time_s, 2, "s");
   line("time over the training target", score.time_over_target_s, 2, "s");
   line("time over the device limit", score.time_over_force_limit_s, 2, "s");
-  line("servo loop", score.loop_rate_hz, 1, "Hz");
-  line("deadline misses", static_cast<double>(score.deadline_misses), 0, "of " + std::to_string(score.ticks) + " ticks");
+  if (score.loop_rate_hz > 0.0) line("servo loop", score.loop_rate_hz, 1, "Hz");
+  line("deadline misses", static_cast<double>(score.deadline_misses), 0,
+       "of " + std::to_string(score.ticks) + " ticks");
   for (const std::string& reason : score.reasons) out << "  - " << reason << "\n";
 }
 

@@ -1,4 +1,6 @@
 // `vallecula trial`: one trial, in a window or headless.
+#include <spdlog/spdlog.h>
+
 #include <atomic>
 #include <chrono>
 #include <csignal>
@@ -6,8 +8,6 @@
 #include <memory>
 #include <stdexcept>
 #include <thread>
-
-#include <spdlog/spdlog.h>
 
 #include "gui/commands/commands.h"
 #include "gui/commands/headless_application.h"
@@ -34,7 +34,8 @@ struct TrialOptions {
 void name_scenario(const TrialOptions& options, TrialSetup& setup) {
   const std::size_t colon = options.scenario.rfind(':');
   if (colon != std::string::npos) {
-    if (!options.curriculum.empty()) throw CLI::ValidationError("--scenario", "names a file, and so does --curriculum; give one of them");
+    if (!options.curriculum.empty())
+      throw CLI::ValidationError("--scenario", "names a file, and so does --curriculum; give one of them");
     setup.curriculum = options.scenario.substr(0, colon);
     setup.scenario = options.scenario.substr(colon + 1);
     return;
@@ -51,7 +52,8 @@ int run_headless(const TrialSetup& setup, bool json) {
   spdlog::info("scene built; {} with {} begins", session.scenario().id, setup.device);
   session.start();
   while (!session.finished() && !interrupted) std::this_thread::sleep_for(std::chrono::milliseconds(10));
-  if (interrupted) throw std::runtime_error("the trial was interrupted; what was recorded until then is in " + setup.out.string());
+  if (interrupted)
+    throw std::runtime_error("the trial was interrupted; what was recorded until then is in " + setup.out.string());
   const TrialOutcome outcome = session.finish("ended");
   if (json) {
     std::cout << read_file(outcome.score_json);
@@ -68,10 +70,13 @@ void add_trial_command(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("trial", "Do one trial, in the window or headless, and score it");
   auto options = std::make_shared<TrialOptions>();
   command->add_option("--patient", options->patient, "Patient package (NAME.patient)")->required();
-  command->add_option("--scenario", options->scenario, "Scenario: its id in the curriculum, or FILE.yaml:ID")->required();
+  command->add_option("--scenario", options->scenario, "Scenario: its id in the curriculum, or FILE.yaml:ID")
+      ->required();
   command->add_option("--curriculum", options->curriculum, "Curriculum file (the shipped one if left out)");
-  command->add_option("--device", options->device,
-                      "mouse, scripted:expert, scripted:novice, scripted:press or scripted:FILE.csv (t,x,y,z[,qw,qx,qy,qz])")
+  command
+      ->add_option(
+          "--device", options->device,
+          "mouse, scripted:expert, scripted:novice, scripted:press or scripted:FILE.csv (t,x,y,z[,qw,qx,qy,qz])")
       ->required();
   command->add_flag("--headless", options->headless, "No window");
   command->add_flag("--asap", options->as_fast_as_possible, "Headless only: as fast as it goes instead of 1 kHz");

@@ -1,14 +1,13 @@
 #include "gui/report/force_chart.h"
 
-#include <algorithm>
-#include <cmath>
-#include <stdexcept>
-#include <vector>
-
 #include <QBuffer>
 #include <QGuiApplication>
 #include <QPainter>
 #include <QPainterPath>
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <vector>
 
 #include "gui/session/files.h"
 
@@ -16,12 +15,12 @@ namespace vallecula::gui {
 
 namespace {
 
-const QColor kTongue(0x00, 0x72, 0xB2);   // blue
-const QColor kGum(0xD5, 0x5E, 0x00);      // vermillion
+const QColor kTongue(0x00, 0x72, 0xB2);  // blue
+const QColor kGum(0xD5, 0x5E, 0x00);     // vermillion
 const QColor kDisplayed(0x55, 0x55, 0x55);
-const QColor kTarget(0x00, 0x9E, 0x73);   // bluish green
-const QColor kLimit(0xCC, 0x79, 0xA7);    // reddish purple
-const QColor kSight(0x56, 0xB4, 0xE9);    // sky blue
+const QColor kTarget(0x00, 0x9E, 0x73);  // bluish green
+const QColor kLimit(0xCC, 0x79, 0xA7);   // reddish purple
+const QColor kSight(0x56, 0xB4, 0xE9);   // sky blue
 const QColor kInk(0x22, 0x22, 0x22);
 const QColor kGrid(0xE3, 0xE3, 0xE3);
 
@@ -243,14 +242,15 @@ QImage draw_force_chart(const curricula::TrialLog& log, const curricula::Scenari
   const double limit_n = log.header.device_limit_n, target_n = scenario.targets.tongue_force_n;
   force.level(limit_n, kLimit, Qt::DashLine, QStringLiteral("device limit %1 N").arg(number(limit_n, 1)),
               limit_n >= target_n);
-  force.level(target_n, kTarget, Qt::DashDotLine, QStringLiteral("training target, tongue %1 N").arg(number(target_n, 1)),
-              target_n > limit_n);
+  force.level(target_n, kTarget, Qt::DashDotLine,
+              QStringLiteral("training target, tongue %1 N").arg(number(target_n, 1)), target_n > limit_n);
   view.line(sight, QPen(kSight.darker(130), em * 0.16));
   view.level(scenario.sight_percent, kSight, Qt::DashLine,
              QStringLiteral("counts as in sight from %1 %").arg(number(scenario.sight_percent, 0)), true);
   if (score.time_to_trachea_visible_s >= 0.0) {
     const double at_s = score.attempt_start_s + score.time_to_trachea_visible_s;
-    force.moment(at_s, kSight, QStringLiteral("first sight, %1 s into the attempt").arg(number(score.time_to_trachea_visible_s, 1)));
+    force.moment(at_s, kSight,
+                 QStringLiteral("first sight, %1 s into the attempt").arg(number(score.time_to_trachea_visible_s, 1)));
     view.moment(at_s, kSight, QString());
   }
   if (score.peak_gum_force_n > 0.0) {

@@ -1,9 +1,8 @@
 // Force over time, for the result page and the report.
 #pragma once
 
-#include <filesystem>
-
 #include <QImage>
+#include <filesystem>
 
 #include "curricula/score/score.h"
 
@@ -11,8 +10,8 @@ namespace vallecula::gui {
 
 /// Tongue and gum force as the tissue has them, the force the device was told, and what they are judged by: device
 /// limit, the scenario's target, peak, first sight; below it the fraction of the glottis in sight. Drawn with QPainter
-/// in any pixel size from about 640 x 400 up, without a display. Needs a QGuiApplication (fonts). Colours: Okabe and Ito
-/// (2008), told apart by colour-blind eyes and, where lines meet, by their dashes too.
+/// in any pixel size from about 640 x 400 up, without a display. Needs a QGuiApplication (fonts). Colours: Okabe and
+/// Ito (2008), told apart by colour-blind eyes and, where lines meet, by their dashes too.
 QImage draw_force_chart(const curricula::TrialLog& log, const curricula::Scenario& scenario,
                         const curricula::Score& score, int width = 1600, int height = 900);
 

@@ -1,9 +1,8 @@
 #include "gui/report/report.h"
 
-#include <cstdio>
-
 #include <QByteArray>
 #include <QString>
+#include <cstdio>
 
 #include "gui/session/files.h"
 #include "gui/session/results_folder.h"
@@ -27,33 +26,45 @@ struct Row {
   std::string name, value, limit, verdict;  ///< verdict: "met", "missed", "" where nothing was demanded
 };
 
-std::string verdict(bool ok) { return ok ? "met" : "missed"; }
+/// `criterion`: the rubric's name of this figure, which says whether it was met; none: nothing is demanded of it.
+Row row(const curricula::Score& score, const std::string& name, const std::string& value, const std::string& criterion,
+        const std::string& demand) {
+  for (const curricula::Criterion& line : score.criteria) {
+    if (line.name != criterion) continue;
+    return {name, value, demand + " " + number(line.limit, line.unit == "%" ? 0 : 2) + " " + line.unit,
+            line.met ? "met" : "missed"};
+  }
+  return {name, value, "", ""};
+}
+
+std::string force(double peak_n, double at_s) {
+  return number(peak_n, 2) + " N" + (peak_n > 0.0 ? ", at " + number(at_s, 1) + " s" : "");
+}
 
 std::vector<Row> rows_of(const curricula::Score& score, const curricula::TrialLog& log,
                          const curricula::Scenario& scenario) {
-  const curricula::PassLimits& pass = scenario.pass;
   const bool seen = score.time_to_trachea_visible_s >= 0.0;
+  const auto other = [&](const std::string& name, int structure) {
+    return Row{name, force(score.peak_force_n[structure], score.time_of_peak_s[structure]), "", ""};
+  };
   return {
-      {"Peak force on the tongue", number(score.peak_tongue_force_n, 2) + " N, at " +
-                                       number(score.time_of_peak_tongue_force_s, 1) + " s",
-       "at most " + number(pass.peak_tongue_force_n, 2) + " N", verdict(score.peak_tongue_force_n <= pass.peak_tongue_force_n)},
-      {"Peak force on the gum",
-       number(score.peak_gum_force_n, 2) + " N" +
-           (score.peak_gum_force_n > 0.0 ? ", at " + number(score.time_of_peak_gum_force_s, 1) + " s" : ""),
-       "at most " + number(pass.peak_gum_force_n, 2) + " N", verdict(score.peak_gum_force_n <= pass.peak_gum_force_n)},
-      {"Glottis seen, at best", number(score.glottis_visible_max_percent, 0) + " %",
-       "at least " + number(pass.glottis_visible_percent, 0) + " %",
-       verdict(score.glottis_visible_max_percent >= pass.glottis_visible_percent)},
-      {"Time to glottis in sight", seen ? number(score.time_to_trachea_visible_s, 1) + " s" : "never",
-       "in sight from " + number(scenario.sight_percent, 0) + " %", ""},
-      {"Attempt time (blade in to blade out)", number(score.attempt_time_s, 1) + " s",
-       "at most " + number(pass.attempt_time_s, 0) + " s", verdict(score.attempt_time_s <= pass.attempt_time_s)},
-      {"Time over the training target (tongue, " + number(scenario.targets.tongue_force_n, 1) + " N)",
-       number(score.time_over_target_s, 2) + " s", "at most " + number(pass.time_over_target_s, 2) + " s",
-       verdict(score.time_over_target_s <= pass.time_over_target_s)},
-      {"Time over the device limit (" + number(log.header.device_limit_n, 1) + " N)",
-       number(score.time_over_force_limit_s, 2) + " s", "at most " + number(pass.time_over_device_limit_s, 2) + " s",
-       verdict(score.time_over_force_limit_s <= pass.time_over_device_limit_s)},
+      row(score, "Glottis seen, at best", number(score.glottis_visible_max_percent, 0) + " %",
+          "glottis_visible_max_percent", "at least"),
+      {"Time to glottis in sight (" + number(scenario.sight_percent, 0) + " %)",
+       seen ? number(score.time_to_trachea_visible_s, 1) + " s" : "never", "", ""},
+      row(score, "Attempt time, blade in to blade out",
+          score.attempt_begun ? number(score.attempt_time_s, 1) + " s" : "no attempt", "attempt_time_s", "at most"),
+      row(score, "Peak force on the tongue", force(score.peak_tongue_force_n, score.time_of_peak_tongue_force_s),
+          "peak_tongue_force_n", "at most"),
+      row(score, "Peak force on the gums", force(score.peak_gum_force_n, score.time_of_peak_gum_force_s),
+          "peak_gum_force_n", "at most"),
+      other("Peak force on the epiglottis", curricula::kEpiglottis),
+      other("Peak force on the palate", curricula::kPalate),
+      other("Peak force on the larynx", curricula::kLarynx),
+      row(score, "Time over the training target (tongue, " + number(scenario.targets.tongue_force_n, 1) + " N)",
+          number(score.time_over_target_s, 2) + " s", "time_over_target_s", "at most"),
+      row(score, "Time over the device limit (" + number(log.header.device_limit_n, 1) + " N)",
+          number(score.time_over_force_limit_s, 2) + " s", "time_over_force_limit_s", "at most"),
   };
 }
 
@@ -87,30 +98,38 @@ std::string summary_sentence(const curricula::Score& score, const curricula::Sce
                      number(score.glottis_visible_max_percent, 0) + " % at best)"
                : "the glottis never came into sight (" + number(score.glottis_visible_max_percent, 0) + " % at best)") +
          ", with at most " + number(score.peak_tongue_force_n, 1) + " N on the tongue and " +
-         number(score.peak_gum_force_n, 1) + " N on the gum, in an attempt of " + number(score.attempt_time_s, 1) + " s.";
+         number(score.peak_gum_force_n, 1) + " N on the gums" +
+         (score.attempt_begun ? ", in an attempt of " + number(score.attempt_time_s, 1) + " s."
+                              : "; the blade never entered the mouth.");
 }
 
 void write_report(const fs::path& folder, const curricula::TrialLog& log, const curricula::Scenario& scenario,
                   const curricula::Score& score) {
   const std::string chart = read_file(folder / "force.png");
-  const std::string chart_base64 = QByteArray::fromRawData(chart.data(), static_cast<int>(chart.size())).toBase64().toStdString();
+  const std::string chart_base64 =
+      QByteArray::fromRawData(chart.data(), static_cast<int>(chart.size())).toBase64().toStdString();
 
-  std::string html = "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>Vallecula: " +
-                     escaped(scenario.title) + "</title>\n<meta name=\"viewport\" content=\"width=device-width\">\n<style>" +
-                     kStyle + "</style></head><body>\n<h1>" + escaped(scenario.title) + "</h1>\n<p class=\"sub\">Patient " +
-                     escaped(log.header.package_name) + ", scenario " + escaped(scenario.id) + "</p>\n";
+  std::string html =
+      "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>Vallecula: " + escaped(scenario.title) +
+      "</title>\n<meta name=\"viewport\" content=\"width=device-width\">\n<style>" + kStyle +
+      "</style></head><body>\n<h1>" + escaped(scenario.title) + "</h1>\n<p class=\"sub\">Patient " +
+      escaped(log.header.package_name) + ", scenario " + escaped(scenario.id) + "</p>\n";
   html += std::string("<p class=\"summary ") + (score.passed ? "passed" : "failed") + "\">" +
           escaped(summary_sentence(score, scenario)) + "</p>\n";
   if (!score.reasons.empty()) {
-    html += score.passed ? "<h2>Remarks</h2>\n<ul>\n" : "<h2>Why it was not passed</h2>\n<ul>\n";
+    html += score.passed ? "<h2>Why it was passed</h2>\n<ul>\n" : "<h2>Why it was not passed</h2>\n<ul>\n";
     for (const std::string& reason : score.reasons) html += "<li>" + escaped(reason) + "</li>\n";
     html += "</ul>\n";
   }
   html += "<h2>Figures</h2>\n" + table(rows_of(score, log, scenario));
-  html += "<h2>Force over time</h2>\n<img alt=\"Force on tongue and gum over time, with limit, target, peak and first "
-          "sight marked\" src=\"data:image/png;base64," + chart_base64 + "\">\n";
-  html += "<p class=\"foot\">The shaded span is the attempt, blade into the mouth to blade out. Tongue and gum: force of the "
-          "tissue on the blade (model force). The dotted line is what the device was told to show.</p>\n";
+  html +=
+      "<h2>Force over time</h2>\n<img alt=\"Force on tongue and gum over time, with limit, target, peak and first "
+      "sight marked\" src=\"data:image/png;base64," +
+      chart_base64 + "\">\n";
+  html +=
+      "<p class=\"foot\">The shaded span is the attempt, blade into the mouth to blade out. Tongue and gum: force of "
+      "the "
+      "tissue on the blade (model force). The dotted line is what the device was told to show.</p>\n";
   if (!scenario.debriefing.empty()) html += "<h2>Debriefing</h2>\n<p>" + escaped(scenario.debriefing) + "</p>\n";
   const std::vector<fs::path> shots = screenshots_in(folder);
   if (!shots.empty()) {
@@ -127,16 +146,17 @@ void write_report(const fs::path& folder, const curricula::TrialLog& log, const 
   };
   line("Device", log.header.device_kind + ", limit " + number(log.header.device_limit_n, 1) + " N");
   line("Servo loop", log.header.realtime ? number(score.loop_rate_hz, 1) + " Hz over " + std::to_string(score.ticks) +
-                                               " ticks, " + std::to_string(score.deadline_misses) + " deadline misses, " +
-                                               std::to_string(log.footer.overruns) + " overruns"
+                                               " ticks, " + std::to_string(score.deadline_misses) +
+                                               " deadline misses, " + std::to_string(log.footer.overruns) + " overruns"
                                          : std::to_string(score.ticks) + " ticks of 1 ms, not in real time");
   line("How it ended", log.footer.ended);
   line("Vallecula", log.header.software_version + ", build " + log.header.build_hash.substr(0, 12) + ", kernels " +
                         log.header.instruction_set);
   line("Patient package", log.header.package_name + ", sha256 " + log.header.package_sha256.substr(0, 12));
   line("Scenario", scenario.id + ", sha256 " + log.header.scenario_sha256.substr(0, 12));
-  html += "</table>\n<p class=\"foot\">Vallecula is a training tool, not a medical device. Limits and targets are training "
-          "targets, not injury thresholds.</p>\n</body></html>\n";
+  html +=
+      "</table>\n<p class=\"foot\">Vallecula is a training tool, not a medical device. Limits and targets are training "
+      "targets, not injury thresholds.</p>\n</body></html>\n";
   write_file_whole(folder / "report.html", html);
 }
 

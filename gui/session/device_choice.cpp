@@ -29,7 +29,8 @@ bool is_scripted_hand(const std::string& argument) {
 
 bool is_csv(const std::string& argument) {
   const std::string ending = ".csv";
-  return argument.size() > ending.size() && argument.compare(argument.size() - ending.size(), ending.size(), ending) == 0;
+  return argument.size() > ending.size() &&
+         argument.compare(argument.size() - ending.size(), ending.size(), ending) == 0;
 }
 
 }  // namespace

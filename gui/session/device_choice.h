@@ -21,7 +21,8 @@ class UnknownDevice : public std::runtime_error {
 void check_device_name(const std::string& name);
 
 /// `name` is KIND[:ARG]: "mouse", "scripted:expert", "scripted:novice", "scripted:press", "scripted:FILE.csv"
-/// (t,x,y,z[,qw,qx,qy,qz], s and m, patient axes). Throws UnknownDevice, or std::runtime_error naming the file at fault.
+/// (t,x,y,z[,qw,qx,qy,qz], s and m, patient axes). Throws UnknownDevice, or std::runtime_error naming the file at
+/// fault.
 std::unique_ptr<device::HapticDevice> make_device(const std::string& name, const pipeline::PatientPackage& package,
                                                   const curricula::Scenario& scenario);
 

@@ -3,14 +3,13 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <QCryptographicHash>
+#include <QFile>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
-
-#include <QCryptographicHash>
-#include <QFile>
 
 namespace vallecula::gui {
 
@@ -49,7 +48,8 @@ void write_file_whole(const fs::path& path, const std::string& bytes) {
 
 std::string read_file(const fs::path& path) {
   std::ifstream stream(path, std::ios::binary);
-  if (!stream || fs::is_directory(path)) throw std::runtime_error(path.string() + ": cannot be read; check the name and the permissions");
+  if (!stream || fs::is_directory(path))
+    throw std::runtime_error(path.string() + ": cannot be read; check the name and the permissions");
   std::string bytes{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
   if (stream.bad()) throw std::runtime_error(path.string() + ": reading failed half-way; check the disk");
   return bytes;

@@ -126,7 +126,7 @@ std::map<std::string, double> settings_of(const engine::SceneDescription& descri
 
 Difference first_difference(const LogTick& recorded, const LogTick& recomputed) {
   static constexpr std::array<const char*, curricula::kStructures> kNames = {"tongue", "epiglottis", "gum",
-                                                                            "palate", "teeth",      "larynx"};
+                                                                             "palate", "teeth",      "larynx"};
   Comparison compare;
   const auto count = [](auto value) { return static_cast<double>(value); };
   compare.field("tick", count(recorded.tick), count(recomputed.tick));

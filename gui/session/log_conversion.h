@@ -13,12 +13,13 @@ namespace vallecula::gui {
 curricula::LogTick to_log(const engine::TickRecord& record);
 engine::TickRecord from_log(const curricula::LogTick& tick);
 
-/// The engine settings a trial ran with, by name with unit; what the package or the scenario determines is not repeated.
+/// The engine settings a trial ran with, by name with unit; what the package or the scenario determines is not
+/// repeated.
 std::map<std::string, double> settings_of(const engine::SceneDescription& description);
 
 /// A quantity that is not the same to the last bit.
 struct Difference {
-  std::string field;   ///< for instance "proxy_pose.position_m[2]"; empty: all fields are the same
+  std::string field;  ///< for instance "proxy_pose.position_m[2]"; empty: all fields are the same
   double recorded = 0.0, recomputed = 0.0;
 };
 Difference first_difference(const curricula::LogTick& recorded, const curricula::LogTick& recomputed);

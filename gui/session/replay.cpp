@@ -19,12 +19,13 @@ fs::path find_package(const curricula::LogHeader& header, const fs::path& log_fi
   if (!patient.empty()) return patient;
   const fs::path logged = header.package_path;
   const fs::path folder = fs::is_directory(log_file) ? log_file : log_file.parent_path();
-  for (const fs::path& candidate : {logged, folder / logged, folder / logged.filename(),
-                                    folder.parent_path() / logged.filename()}) {
+  for (const fs::path& candidate :
+       {logged, folder / logged, folder / logged.filename(), folder.parent_path() / logged.filename()}) {
     if (fs::exists(candidate / "patient.yaml")) return candidate;
   }
-  throw std::runtime_error(logged.string() + ": the patient package this trial was done on is not there; name where it is now "
-                                             "with --patient");
+  throw std::runtime_error(logged.string() +
+                           ": the patient package this trial was done on is not there; name where it is now "
+                           "with --patient");
 }
 
 }  // namespace
@@ -33,12 +34,14 @@ RecordedScene recorded_scene(const curricula::TrialLog& log, const fs::path& log
   const curricula::LogHeader& header = log.header;
   const std::string name = log_file.string();
   if (sha256_of_bytes(header.scenario_yaml) != header.scenario_sha256) {
-    throw std::runtime_error(name + ": the scenario in this log is not the one its hash was made of; the log was changed");
+    throw std::runtime_error(name +
+                             ": the scenario in this log is not the one its hash was made of; the log was changed");
   }
   const fs::path package_path = find_package(header, log_file, patient);
   const std::string package_hash = sha256_of_file(package_path / "patient.yaml");
   if (package_hash != header.package_sha256) {
-    throw std::runtime_error(package_path.string() + ": is not the patient package of this trial (sha256 of patient.yaml " +
+    throw std::runtime_error(package_path.string() +
+                             ": is not the patient package of this trial (sha256 of patient.yaml " +
                              package_hash.substr(0, 12) + ", recorded " + header.package_sha256.substr(0, 12) +
                              "); name the right one with --patient");
   }
@@ -51,13 +54,15 @@ RecordedScene recorded_scene(const curricula::TrialLog& log, const fs::path& log
   for (const auto& [setting, value] : settings) {
     const auto recorded = header.settings.find(setting);
     if (recorded == header.settings.end() || recorded->second != value) {
-      throw std::runtime_error(name + ": was recorded with another setting of " + setting + " than this program's; replay it with "
-                                      "the build that wrote it (" + header.software_version + ")");
+      throw std::runtime_error(name + ": was recorded with another setting of " + setting +
+                               " than this program's; replay it with "
+                               "the build that wrote it (" +
+                               header.software_version + ")");
     }
   }
   if (header.build_hash != sha256_of_program()) {
-    scene.notices.push_back("recorded by another build (" + header.software_version + ", " + header.build_hash.substr(0, 12) +
-                            "); only the same build promises the same bits");
+    scene.notices.push_back("recorded by another build (" + header.software_version + ", " +
+                            header.build_hash.substr(0, 12) + "); only the same build promises the same bits");
   }
   if (header.instruction_set != engine::instruction_set()) {
     scene.notices.push_back("recorded with kernels for " + header.instruction_set + ", computed here with " +

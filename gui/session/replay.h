@@ -1,4 +1,5 @@
-// A recorded trial computed anew from the patient package and the scenario, to see whether every bit comes out the same.
+// A recorded trial computed anew from the patient package and the scenario, to see whether every bit comes out the
+// same.
 #pragma once
 
 #include <cstdint>
@@ -25,9 +26,9 @@ RecordedScene recorded_scene(const curricula::TrialLog& log, const std::filesyst
                              const std::filesystem::path& patient);
 
 struct Verification {
-  std::int64_t ticks = 0;      ///< compared, all of them identical unless `difference` says otherwise
-  Difference difference;       ///< empty field: bit-identical
-  std::int64_t tick = -1;      ///< where the first difference is
+  std::int64_t ticks = 0;  ///< compared, all of them identical unless `difference` says otherwise
+  Difference difference;   ///< empty field: bit-identical
+  std::int64_t tick = -1;  ///< where the first difference is
   double time_s = 0.0;
 };
 

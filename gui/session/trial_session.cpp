@@ -1,12 +1,11 @@
 #include "gui/session/trial_session.h"
 
+#include <QDateTime>
 #include <chrono>
 #include <exception>
 #include <stdexcept>
 #include <system_error>
 #include <thread>
-
-#include <QDateTime>
 
 #include "curricula/records/records.h"
 #include "curricula/trial_log.h"

@@ -16,12 +16,13 @@
 namespace vallecula::gui {
 
 struct TrialSetup {
-  std::filesystem::path patient;       ///< NAME.patient
-  std::filesystem::path curriculum;    ///< YAML
-  std::string scenario;                ///< id in it
-  std::string device;                  ///< KIND[:ARG]: "mouse", "scripted:expert", "scripted:novice", "scripted:press", "scripted:FILE.csv"
-  std::filesystem::path out;           ///< folder for trial.vtrial, score.json, report.html, force.png
-  bool realtime = true;                ///< false: as fast as it goes, servo and simulation in lockstep on one thread
+  std::filesystem::path patient;     ///< NAME.patient
+  std::filesystem::path curriculum;  ///< YAML
+  std::string scenario;              ///< id in it
+  std::string
+      device;  ///< KIND[:ARG]: "mouse", "scripted:expert", "scripted:novice", "scripted:press", "scripted:FILE.csv"
+  std::filesystem::path out;  ///< folder for trial.vtrial, score.json, report.html, force.png
+  bool realtime = true;       ///< false: as fast as it goes, servo and simulation in lockstep on one thread
 };
 
 struct TrialOutcome {
@@ -40,15 +41,15 @@ class TrialSession {
 
   const pipeline::PatientPackage& package() const;
   const curricula::Scenario& scenario() const;
-  const engine::SceneDescription& scene() const;   ///< m, LPS: tool mesh, soft mesh, surfaces as the engine has them
-  device::HapticDevice& device();                  ///< a mouse device is fed through this (dynamic_cast to device::MouseDevice)
+  const engine::SceneDescription& scene() const;  ///< m, LPS: tool mesh, soft mesh, surfaces as the engine has them
+  device::HapticDevice& device();  ///< a mouse device is fed through this (dynamic_cast to device::MouseDevice)
 
   void start();
-  bool finished() const;                           ///< the script or the scenario's time is over
-  void reset();                                    ///< tissue to rest, attempt starts anew (a fresh log)
+  bool finished() const;  ///< the script or the scenario's time is over
+  void reset();           ///< tissue to rest, attempt starts anew (a fresh log)
   /// Newest whole snapshot; wait-free; to be called by one thread only (the window's).
   const engine::Snapshot& latest();
-  TrialOutcome finish(const std::string& how);     ///< stops, closes the log, scores, writes the results, adds the record
+  TrialOutcome finish(const std::string& how);  ///< stops, closes the log, scores, writes the results, adds the record
 
  private:
   struct Impl;

@@ -18,7 +18,8 @@ namespace {
 void add_box(Surface& surface, const Point& low, const Point& high, Tissue tissue) {
   const int first = static_cast<int>(surface.points.size());
   for (int corner = 0; corner < 8; ++corner) {
-    surface.points.push_back({corner & 1 ? high[0] : low[0], corner & 2 ? high[1] : low[1], corner & 4 ? high[2] : low[2]});
+    surface.points.push_back(
+        {corner & 1 ? high[0] : low[0], corner & 2 ? high[1] : low[1], corner & 4 ? high[2] : low[2]});
   }
   constexpr int kFaces[12][3] = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
                                  {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
@@ -126,7 +127,8 @@ fs::path write_press(const fs::path& folder) {
   // Half a turn about (1, -1, 0): the blade's length points to -y, its tongue-side face down.
   const std::string down = ",0,0.70710678118654752,-0.70710678118654752,0\n";
   std::string csv = "t,x,y,z,qw,qx,qy,qz\n";
-  for (const char* row : {"0,0,0.005,0.006", "0.2,0,0.005,0.002", "0.6,0,0.005,-0.0025", "0.9,0,0.005,-0.0025", "1.2,0,0.005,0.006"}) {
+  for (const char* row :
+       {"0,0,0.005,0.006", "0.2,0,0.005,0.002", "0.6,0,0.005,-0.0025", "0.9,0,0.005,-0.0025", "1.2,0,0.005,0.006"}) {
     csv += row + down;
   }
   write_text(folder / "press.csv", csv);

@@ -10,7 +10,7 @@
 namespace vallecula::gui::test {
 
 struct Outcome {
-  int exit_code = -1;      ///< -1: killed by a signal
+  int exit_code = -1;  ///< -1: killed by a signal
   std::string out, err;
   /// Lines of stderr that begin with "vallecula: ".
   std::vector<std::string> messages() const;

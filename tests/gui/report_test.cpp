@@ -1,4 +1,6 @@
 // The chart shows every peak where it belongs; the report holds everything and needs nothing else.
+#include "gui/report/report.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -6,7 +8,6 @@
 
 #include "gui/commands/headless_application.h"
 #include "gui/report/force_chart.h"
-#include "gui/report/report.h"
 #include "tests/gui/block_patient.h"
 #include "tests/gui/program.h"
 
@@ -49,7 +50,8 @@ std::pair<int, int> blue_rows(const QImage& image, int from_row) {
   for (int y = from_row; y < image.height(); ++y) {
     for (int x = 0; x < image.width(); ++x) {
       const QColor colour = image.pixelColor(x, y);
-      if (std::abs(colour.red()) > 25 || std::abs(colour.green() - 0x72) > 25 || std::abs(colour.blue() - 0xB2) > 25) continue;
+      if (std::abs(colour.red()) > 25 || std::abs(colour.green() - 0x72) > 25 || std::abs(colour.blue() - 0xB2) > 25)
+        continue;
       if (top < 0) top = y;
       bottom = y;
       break;
@@ -96,6 +98,8 @@ TEST(Report, HoldsReasonsFiguresChartAndPicturesAndNothingFromOutside) {
   score.time_of_peak_tongue_force_s = 10.0;
   score.attempt_time_s = 12.0;
   score.reasons = {"tongue force 7.25 N over 6.80 N at 10.0 s", "glottis <never> seen"};
+  score.criteria = {{"peak_tongue_force_n", "N", 7.25, 6.8, 10.0, false, ""},
+                    {"peak_gum_force_n", "N", 0.0, 3.0, -1.0, true, ""}};
   write_force_chart(box / "force.png", log, scenario, score);
   write_report(box.folder(), log, scenario, score);
   std::string page = text_of(box / "report.html");
@@ -103,13 +107,16 @@ TEST(Report, HoldsReasonsFiguresChartAndPicturesAndNothingFromOutside) {
   EXPECT_NE(page.find("tongue force 7.25 N over 6.80 N at 10.0 s"), std::string::npos);
   EXPECT_NE(page.find("glottis &lt;never&gt; seen"), std::string::npos);
   EXPECT_EQ(page.find("<b>bold"), std::string::npos) << "text is escaped";
+  EXPECT_NE(page.find("7.25 N, at 10.0 s</td><td>at most 6.80 N</td><td class=\"missed\">"), std::string::npos);
+  EXPECT_NE(page.find("0.00 N</td><td>at most 3.00 N</td><td class=\"met\">"), std::string::npos);
   EXPECT_NE(page.find("training tool, not a medical device"), std::string::npos);
   EXPECT_EQ(page.find("http"), std::string::npos) << "self-contained";
   EXPECT_EQ(page.find("operator-"), std::string::npos);
 
   const std::string marker = "data:image/png;base64,";
   const std::size_t begin = page.find(marker) + marker.size();
-  const QByteArray chart = QByteArray::fromBase64(QByteArray::fromStdString(page.substr(begin, page.find('"', begin) - begin)));
+  const QByteArray chart =
+      QByteArray::fromBase64(QByteArray::fromStdString(page.substr(begin, page.find('"', begin) - begin)));
   EXPECT_EQ(chart.toStdString(), text_of(box / "force.png"));
 
   write_text(box / "operator-1-sight.png", "picture");

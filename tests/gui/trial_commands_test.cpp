@@ -2,11 +2,10 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 
+#include <QCoreApplication>
 #include <chrono>
 #include <cmath>
 #include <thread>
-
-#include <QCoreApplication>
 
 #include "curricula/records/records.h"
 #include "curricula/trial_log.h"
@@ -21,10 +20,16 @@ namespace fs = std::filesystem;
 class TrialCommands : public ::testing::Test {
  protected:
   std::vector<std::string> trial_arguments(const std::string& out, bool realtime = false) {
-    std::vector<std::string> arguments = {"trial",      "--patient",  patient_.string(),
-                                          "--scenario", curriculum_.string() + ":plain",
-                                          "--device",   "scripted:" + press_.string(),
-                                          "--headless", "--out",      (box_ / out).string()};
+    std::vector<std::string> arguments = {"trial",
+                                          "--patient",
+                                          patient_.string(),
+                                          "--scenario",
+                                          curriculum_.string() + ":plain",
+                                          "--device",
+                                          "scripted:" + press_.string(),
+                                          "--headless",
+                                          "--out",
+                                          (box_ / out).string()};
     if (!realtime) arguments.push_back("--asap");
     return arguments;
   }
@@ -180,7 +185,8 @@ TEST_F(TrialCommands, ReplayAndTrialRefuseAPackageWithAChangedByte) {
     std::string changed = whole;
     changed[changed.size() / 2] ^= 0x01;
     write_text(path, changed);
-    for (const auto& arguments : {trial_arguments("never"), std::vector<std::string>{"replay", (box_ / "out").string(), "--verify"}}) {
+    for (const auto& arguments :
+         {trial_arguments("never"), std::vector<std::string>{"replay", (box_ / "out").string(), "--verify"}}) {
       const Outcome outcome = box_.run(arguments);
       EXPECT_EQ(outcome.exit_code, 1) << file;
       ASSERT_EQ(outcome.messages().size(), 1u) << outcome.err;
@@ -198,7 +204,8 @@ TEST_F(TrialCommands, AMovedPackageIsFoundByTheOption) {
   const Outcome lost = box_.run({"replay", (box_ / "out").string(), "--verify"});
   EXPECT_EQ(lost.exit_code, 1);
   EXPECT_NE(lost.err.find("--patient"), std::string::npos) << lost.err;
-  const Outcome found = box_.run({"replay", (box_ / "out").string(), "--verify", "--patient", (box_ / "elsewhere.patient").string()});
+  const Outcome found =
+      box_.run({"replay", (box_ / "out").string(), "--verify", "--patient", (box_ / "elsewhere.patient").string()});
   EXPECT_EQ(found.exit_code, 0) << found.err;
 }
 

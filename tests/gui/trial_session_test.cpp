@@ -1,4 +1,6 @@
 // The life of a trial inside one process: reset, abandon, finish.
+#include "gui/session/trial_session.h"
+
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -7,7 +9,6 @@
 
 #include "curricula/trial_log.h"
 #include "gui/commands/headless_application.h"
-#include "gui/session/trial_session.h"
 #include "tests/gui/block_patient.h"
 #include "tests/gui/program.h"
 
@@ -71,7 +72,8 @@ TEST_F(Session, StartTwiceAndFinishUnstartedAreRefused) {
 TEST_F(SessionRealTime, ResetBeginsAnewWithTissueAtRestAndAFreshLog) {
   TrialSession session(setup(true));
   session.start();
-  for (int i = 0; i < 3000 && session.latest().time_s < 0.6; ++i) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  for (int i = 0; i < 3000 && session.latest().time_s < 0.6; ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
   ASSERT_GE(session.latest().time_s, 0.6) << "in the press";
   session.reset();
   EXPECT_LT(session.latest().time_s, 0.3);
@@ -89,7 +91,8 @@ TEST_F(SessionRealTime, AbandonedItKeepsAnIncompleteLogAndNoScore) {
   {
     TrialSession session(setup(true));
     session.start();
-    for (int i = 0; i < 3000 && session.latest().ticks < 300; ++i) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    for (int i = 0; i < 3000 && session.latest().ticks < 300; ++i)
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }
   const curricula::TrialLog log = curricula::read_trial_log(box_ / "out");
   EXPECT_FALSE(log.footer.complete);
@@ -100,7 +103,8 @@ TEST_F(SessionRealTime, AbandonedItKeepsAnIncompleteLogAndNoScore) {
 TEST_F(SessionRealTime, EndedByThePersonSaysSo) {
   TrialSession session(setup(true));
   session.start();
-  for (int i = 0; i < 3000 && session.latest().ticks < 100; ++i) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  for (int i = 0; i < 3000 && session.latest().ticks < 100; ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
   const TrialOutcome outcome = session.finish("ended by the trainee");
   const curricula::TrialLog log = curricula::read_trial_log(outcome.log);
   EXPECT_TRUE(log.footer.complete);

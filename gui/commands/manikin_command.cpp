@@ -1,0 +1,43 @@
+// `vallecula manikin`: the built-in patient as a CT series with its true labels.
+#include <cstdio>
+#include <iostream>
+#include <memory>
+
+#include "gui/commands/commands.h"
+#include "gui/commands/stage_lines.h"
+#include "pipeline/manikin/manikin.h"
+
+namespace vallecula::gui {
+
+void add_manikin_command(CLI::App& app, int& exit_code) {
+  CLI::App* command =
+      app.add_subcommand("manikin", "Write the built-in infant as a CT series (DICOM) with its true labels");
+  struct Options {
+    pipeline::ManikinOptions manikin;
+    std::string out;
+  };
+  auto options = std::make_shared<Options>();
+  command->add_option("--out", options->out, "Folder to write: *.dcm and truth.nrrd; new or empty")->required();
+  command->add_option("--weight", options->manikin.weight_kg, "Weight, kg")
+      ->check(CLI::Range(pipeline::kLightest, pipeline::kHeaviest))
+      ->capture_default_str();
+  command->add_option("--seed", options->manikin.seed, "Which infant of that weight; 0 is the unvaried design")
+      ->capture_default_str();
+  command->add_option("--noise", options->manikin.noise_hu, "Noise of the scanner, standard deviation, HU")
+      ->check(CLI::Range(0.0, 200.0))
+      ->capture_default_str();
+  command->add_option("--spacing", options->manikin.in_plane_mm, "Voxels in plane, mm (left out: 0.5, below 2 kg 0.4)")
+      ->check(CLI::Range(0.4, 0.6));
+  command->add_option("--slice", options->manikin.slice_mm, "Slice distance, mm (left out: 0.8, below 2 kg 0.6)")
+      ->check(CLI::Range(0.6, 1.0));
+  command->callback([options, &exit_code] {
+    StageLines lines;
+    pipeline::write_manikin(options->manikin, options->out,
+                            [&lines](const std::string& stage, double fraction) { lines.show(stage, fraction); });
+    lines.end_line();
+    std::cout << "series: " << options->out << "\n";
+    exit_code = 0;
+  });
+}
+
+}  // namespace vallecula::gui
