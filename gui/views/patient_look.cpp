@@ -6,6 +6,7 @@
 #include <vtkCellArray.h>
 #include <vtkClipPolyData.h>
 #include <vtkFloatArray.h>
+#include <vtkIdList.h>
 #include <vtkNew.h>
 #include <vtkPlane.h>
 #include <vtkPointData.h>
@@ -24,6 +25,8 @@ namespace {
 using pipeline::Point;
 using pipeline::Surface;
 using pipeline::Tissue;
+
+constexpr double kWidestView = 3.0;  // half as wide again as the widest window needs, as a share of the framed face
 
 Point minus(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 Point mix(const Point& a, const Point& b, double t) {
@@ -138,12 +141,31 @@ Framing framing_of(const pipeline::PatientPackage& package) {
     if (high > low) width = std::clamp(high - low, 0.7 * width, 1.6 * width);
   }
   framing.face_mm = 2.9 * width;
-  framing.mouth_mm = 1.45 * width;
-  framing.inside = mix(framing.mouth, framing.glottis, 0.45);
+  framing.mouth_mm = 1.1 * width;
+  framing.inside = mix(framing.mouth, framing.glottis, 0.6);
   return framing;
 }
 
-vtkSmartPointer<vtkPolyData> make_face(const pipeline::PatientPackage& package, const Openness& openness) {
+// The operator's eye does not move: triangles that face away from it or lie far outside its view are never drawn.
+void keep_what_the_eye_can_see(vtkPolyData* face, const Framing& framing) {
+  const Point axis = minus(framing.mouth, framing.eye);
+  const double widest = std::cos(std::atan(kWidestView * 0.5 * framing.face_mm / length(axis)));
+  auto kept = vtkSmartPointer<vtkCellArray>::New();
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType i = 0; i < face->GetNumberOfCells(); ++i) {
+    face->GetCellPoints(i, ids);
+    Point a, b, c;
+    face->GetPoint(ids->GetId(0), a.data());
+    face->GetPoint(ids->GetId(1), b.data());
+    face->GetPoint(ids->GetId(2), c.data());
+    const Point ab = minus(b, a), ac = minus(c, a), look = minus(a, framing.eye);
+    const Point normal{ab[1] * ac[2] - ab[2] * ac[1], ab[2] * ac[0] - ab[0] * ac[2], ab[0] * ac[1] - ab[1] * ac[0]};
+    if (dot(normal, look) < 0.0 && dot(look, axis) > widest * length(look) * length(axis)) kept->InsertNextCell(ids);
+  }
+  face->SetPolys(kept);
+}
+
+vtkSmartPointer<vtkPolyData> make_face(const pipeline::PatientPackage& package, const Framing& framing, const Openness& openness) {
   const Surface& face = *surface(package, "face");
   const auto neighbours = neighbours_of(face);
   const auto colours = blended_colours(face, neighbours);
@@ -180,7 +202,7 @@ vtkSmartPointer<vtkPolyData> make_face(const pipeline::PatientPackage& package, 
     for (int c = 0; c < 3; ++c)  // light that has gone through blood comes out of a crease red, not grey
       rgb->SetComponent(id, c, 255.0 * colour[c] * (c == 0 ? std::pow(light, 0.6) : light));
     const auto slope = grain_slope(p, 1.3 + 0.9 * wet[i]);
-    const double tilt = 0.05 + 0.07 * wet[i], along = slope[0] * n[0] + slope[1] * n[1] + slope[2] * n[2];
+    const double tilt = 0.015 + 0.08 * wet[i], along = slope[0] * n[0] + slope[1] * n[1] + slope[2] * n[2];
     double size = 0.0;
     for (int c = 0; c < 3; ++c) {
       n[c] -= static_cast<float>(tilt * (slope[c] - along * n[c]));
@@ -191,6 +213,7 @@ vtkSmartPointer<vtkPolyData> make_face(const pipeline::PatientPackage& package, 
   }
   result->GetPointData()->SetScalars(rgb);
   result->GetPointData()->AddArray(wetness_array(wet));
+  keep_what_the_eye_can_see(result, framing);
   return result;
 }
 
@@ -277,7 +300,7 @@ std::shared_ptr<PatientLook> make_patient_look(pipeline::PatientPackage package,
   const auto face = to_poly_data(*surface(package, "face"));
   const auto soft = look->soft->boundary();
   const Openness openness({face, soft}, 0.33 * look->framing.face_mm);
-  look->face = make_face(package, openness);
+  look->face = make_face(package, look->framing, openness);
   look->soft->shade(openness);
   report("airway", 0.9);
   look->trachea = make_trachea(package);

@@ -5,6 +5,7 @@
 #include <vtkCamera.h>
 #include <vtkCellArray.h>
 #include <vtkCellType.h>
+#include <vtkClipPolyData.h>
 #include <vtkContourTriangulator.h>
 #include <vtkCutter.h>
 #include <vtkFloatArray.h>
@@ -12,6 +13,7 @@
 #include <vtkNew.h>
 #include <vtkPlane.h>
 #include <vtkPoints.h>
+#include <vtkPolyDataConnectivityFilter.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 
@@ -99,18 +101,21 @@ void SagittalView::add_static_cuts() {
   // Where the tongue lay at rest there is air once it has been lifted away: its rest shape is drawn as air below it.
   add_flat(cut_of(look_->soft->boundary(), x).fill, kAir, 0.13, 0.19, 0.27);
   if (const auto airway = find("airway")) add_flat(cut_of(airway, x).fill, kAir + 0.2, 0.13, 0.19, 0.27);
-  if (look_->trachea->GetNumberOfPoints() > 0) {
-    // Open at the glottis: closed by the triangulator with a straight line, which is what the cut of the opening is.
-    if (const auto airway = find("airway")) {
-      const auto& normal = look_->package.landmarks.at("glottis_normal");
-      const auto& glottis = look_->package.landmarks.at("glottis_centre");
-      const auto fill = cut_of(airway, x).fill;
-      const auto below = add_flat(fill, kAir + 0.4, kAirwayBlue[0], kAirwayBlue[1], kAirwayBlue[2]);
-      vtkNew<vtkPlane> keep;
-      keep->SetOrigin(glottis.data());
-      keep->SetNormal(-normal[0], -normal[1], -normal[2]);
-      below->GetMapper()->AddClippingPlane(keep);
-    }
+  if (const auto airway = find("airway")) {
+    const auto& normal = look_->package.landmarks.at("glottis_normal");
+    vtkNew<vtkPlane> below;
+    below->SetOrigin(look_->package.landmarks.at("glottis_centre").data());
+    below->SetNormal(normal.data());
+    vtkNew<vtkClipPolyData> clip;
+    clip->SetInputData(cut_of(airway, x).fill);
+    clip->SetClipFunction(below);
+    clip->InsideOutOn();
+    vtkNew<vtkPolyDataConnectivityFilter> trachea;  // and not the food way's pouches beside it
+    trachea->SetInputConnection(clip->GetOutputPort());
+    trachea->SetExtractionModeToClosestPointRegion();
+    trachea->SetClosestPoint(look_->package.landmarks.at("carina").data());
+    trachea->Update();
+    add_flat(trachea->GetOutput(), kAir + 0.4, kAirwayBlue[0], kAirwayBlue[1], kAirwayBlue[2]);
   }
   for (const char* name : {"palate", "mandible", "hyoid", "spine", "skull"})
     if (const auto bone = find(name)) {
@@ -245,10 +250,10 @@ void SagittalView::frame() {
     high_z = std::max(high_z, found->second[2]);
   }
   const double depth = high_y - low_y, tall = high_z - low_z;
-  width_mm_ = 1.9 * depth;   // lips and nose in front, the back wall of the throat behind
+  width_mm_ = 2.2 * depth;   // lips and nose in front, the back wall of the throat behind
   height_mm_ = 2.1 * tall;   // the palate and nose above, the windpipe below
-  centre_y_ = 0.5 * (low_y + high_y) - 0.02 * depth;
-  centre_z_ = 0.5 * (low_z + high_z) + 0.05 * tall;
+  centre_y_ = 0.5 * (low_y + high_y) - 0.08 * depth;
+  centre_z_ = 0.5 * (low_z + high_z) - 0.05 * tall;
   auto* camera = renderer()->GetActiveCamera();
   camera->ParallelProjectionOn();
   const double x = look_->framing.midline_x_mm;
