@@ -1,0 +1,55 @@
+#include "device/factory.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <set>
+
+namespace vallecula::device {
+namespace {
+
+std::string error_of(const std::string& kind, const std::string& argument) {
+  try {
+    make_device(kind, argument);
+  } catch (const DeviceError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEST(Factory, MakesEveryKindItLists) {
+  const auto file = std::filesystem::path(::testing::TempDir()) / "vallecula-factory.csv";
+  std::ofstream(file) << "0,0,0,0\n1,0,0,0.01\n";
+  for (const DeviceKind& kind : device_kinds()) {
+    const auto device = make_device(kind.kind, kind.argument.empty() ? "" : file.string());
+    ASSERT_NE(device, nullptr);
+    EXPECT_EQ(device->info().kind, kind.kind);
+    EXPECT_FALSE(kind.description.empty());
+  }
+  std::filesystem::remove(file);
+}
+
+TEST(Factory, NamesTheKindsThereAre) {
+  const std::string error = error_of("spacemouse", "");
+  EXPECT_NE(error.find("'spacemouse'"), std::string::npos) << error;
+  for (const DeviceKind& kind : device_kinds()) EXPECT_NE(error.find(kind.kind), std::string::npos) << error;
+}
+
+TEST(Factory, SaysWhatIsWrongWithTheArgument) {
+  EXPECT_NE(error_of("mouse", "left").find("no argument"), std::string::npos);
+  EXPECT_NE(error_of("scripted", "").find("FILE.csv"), std::string::npos);
+  EXPECT_NE(error_of("scripted", "/nowhere.csv").find("/nowhere.csv"), std::string::npos);
+}
+
+TEST(Faults, EachHasItsOwnSentence) {
+  std::set<std::string> sentences;
+  const auto faults = {DeviceFault::none,      DeviceFault::force_exceeded, DeviceFault::communication_lost,
+                       DeviceFault::unplugged, DeviceFault::motor_warm,     DeviceFault::non_finite_command};
+  for (const DeviceFault fault : faults) sentences.insert(describe(fault));
+  EXPECT_EQ(sentences.size(), faults.size());
+}
+
+}  // namespace
+}  // namespace vallecula::device
