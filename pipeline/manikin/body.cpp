@@ -44,7 +44,7 @@ double hounsfield_of(Matter matter) {
 Body::Body(const Variation& variation)
     : variation_(variation),
       face_(face_shapes(variation)),
-      mouth_(mouth_shapes(variation, face_.aperture)),
+      mouth_(mouth_shapes(variation, face_)),
       larynx_(larynx_shapes(variation)),
       bones_(bone_shapes(variation, mouth_.nasal)),
       tongue_(tongue_shape(variation, 0.0)),
@@ -65,11 +65,16 @@ Body::Body(const Variation& variation)
     const double plane = p.z > 9.0 ? -1.0 : (p.y - upper.u) * out.u + (p.z - upper.v) * out.v;
     return std::max(d, -std::max(head(p), plane));
   };
-  Shape outside;  // the room: beyond the skin, whose lips are rounded off towards the mouth, and between the lids
+  // The room: beyond the skin, whose lips are rounded off towards the mouth, and between the lids.
+  Shape outside;
+  outside.steepest = kGentle;
   const auto aperture = face_.aperture;
   const auto lids = face_.eyelids;
-  outside.distance = [head, aperture, lids](const Vec& p) {
-    return -carve(carve(head(p), aperture(p), 2.2), lids(p), 0.6);
+  const auto upper_gum = mouth_.upper_gum;
+  const auto lower_gum = mouth_.lower_gum;
+  outside.distance = [head, aperture, lids, upper_gum, lower_gum](const Vec& p) {
+    const double opening = carve(aperture(p), std::min(upper_gum(p), lower_gum(p)), 1.0);
+    return -carve(carve(head(p), opening, 3.6), lids(p), 0.6);
   };
   Shape fat = tongue_;  // thin planes round the part of the tongue that is fastened to the floor of the mouth
   fat.low = fat.low - Vec{1.2, 1.2, 1.2};
@@ -102,10 +107,10 @@ Matter Body::at(const Vec& p, const Open& open) const {
 }
 
 bool Body::settle(const Vec& centre, double radius, Open& open, Matter& matter) const {
-  const double reach = kSteepest * radius;
   bool certain = true;
   for (int i = 0; i < kTests; ++i) {
     if (!open[i]) continue;
+    const double reach = tests_[i].shape.steepest * radius;
     const double d = tests_[i].shape(centre);
     if (d > reach) {
       open.reset(i);
@@ -120,7 +125,7 @@ bool Body::settle(const Vec& centre, double radius, Open& open, Matter& matter) 
   }
   if (!certain) return false;
   const double d = mouth_.oesophagus(centre);
-  if (std::abs(d) <= reach) return false;
+  if (std::abs(d) <= kSteepest * radius) return false;
   matter = d < 0.0 ? Matter::oesophagus : Matter::skin;
   return true;
 }

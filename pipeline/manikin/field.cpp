@@ -178,16 +178,44 @@ Sampled stroke(const std::vector<Flat>& through, const std::vector<double>& radi
 }
 
 Sampled widths(const std::vector<WidthPoint>& points, const Sampled& region) {
+  // Thin plate spline (Duchon): sum of c_i r_i^2 log r_i plus a plane, through every point.
+  const std::size_t n = points.size();
+  const std::size_t size = n + 3;
+  const auto kernel = [](const Flat& a, const Flat& b) {
+    const double r2 = (a.u - b.u) * (a.u - b.u) + (a.v - b.v) * (a.v - b.v);
+    return r2 > 0.0 ? 0.5 * r2 * std::log(r2) : 0.0;
+  };
+  std::vector<std::vector<double>> m(size, std::vector<double>(size + 1, 0.0));
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = 0; j < n; ++j) m[i][j] = kernel(points[i].at, points[j].at);
+    m[i][i] += 0.5;  // a little smoothing
+    const double plane[3] = {1.0, points[i].at.u, points[i].at.v};
+    for (std::size_t k = 0; k < 3; ++k) m[i][n + k] = m[n + k][i] = plane[k];
+    m[i][size] = points[i].width;
+  }
+  for (std::size_t c = 0; c < size; ++c) {  // Gauss and Jordan with row exchange; the systems have some twenty rows
+    std::size_t pivot = c;
+    for (std::size_t r = c + 1; r < size; ++r)
+      if (std::abs(m[r][c]) > std::abs(m[pivot][c])) pivot = r;
+    std::swap(m[c], m[pivot]);
+    for (std::size_t r = 0; r < size; ++r) {
+      if (r == c) continue;
+      const double f = m[r][c] / m[c][c];
+      for (std::size_t k = c; k <= size; ++k) m[r][k] -= f * m[c][k];
+    }
+  }
+  double least = points.front().width;
+  double most = least;
+  for (const auto& p : points) {
+    least = std::min(least, p.width);
+    most = std::max(most, p.width);
+  }
   return Sampled(region.low(), region.high(), 0.8, false, [&](const Flat& p) {
     double sum = 0.0;
-    double weight = 0.0;
-    for (const auto& w : points) {
-      const double d2 = (p.u - w.at.u) * (p.u - w.at.u) + (p.v - w.at.v) * (p.v - w.at.v) + 1.0;
-      const double k = 1.0 / (d2 * std::sqrt(d2));
-      sum += k * w.width;
-      weight += k;
-    }
-    return sum / weight;
+    for (std::size_t i = 0; i < n; ++i) sum += m[i][size] / m[i][i] * kernel(p, points[i].at);
+    const double plane[3] = {1.0, p.u, p.v};
+    for (std::size_t k = 0; k < 3; ++k) sum += m[n + k][size] / m[n + k][n + k] * plane[k];
+    return std::clamp(sum, 0.9 * least, 1.05 * most);
   });
 }
 
@@ -211,6 +239,9 @@ Tube::Tube(const std::vector<Vec>& through, const std::vector<double>& radius, b
 
 double Tube::operator()(const Vec& p) const {
   const Vec q{mirrored_ ? std::abs(p.x) : p.x, p.y, p.z};
+  const double far = norm({std::max({low_.x - q.x, q.x - high_.x, 0.0}), std::max({low_.y - q.y, q.y - high_.y, 0.0}),
+                           std::max({low_.z - q.z, q.z - high_.z, 0.0})});
+  if (far > 6.0) return far;  // beyond any blending: the distance to the box is enough
   double best = std::numeric_limits<double>::max();
   for (std::size_t i = 0; i + 1 < points_.size(); ++i) {
     const Vec e = points_[i + 1] - points_[i];

@@ -31,8 +31,9 @@ struct Flat {
   double v = 0.0;
 };
 
-/// Largest gradient of any shape below; the voxeliser's block test relies on it.
+/// Largest gradient of any shape below unless it names its own; the voxeliser's block test relies on it.
 constexpr double kSteepest = 1.7;
+constexpr double kGentle = 1.2;  ///< that of the large ones: skin and bones
 
 /// Polynomial smooth minimum: equal to min where |a - b| >= k, at most k/4 below it.
 inline double blend(double a, double b, double k) {
@@ -103,7 +104,7 @@ struct WidthPoint {
   Flat at;
   double width = 0.0;
 };
-/// Half width over the plane from scattered values (inverse distance weights), over the box of `region`.
+/// Half width over the plane, smooth through scattered values and within their range, over the box of `region`.
 Sampled widths(const std::vector<WidthPoint>& points, const Sampled& region);
 
 /// A tube about a curve through points with radii; symmetric in x when `mirrored`.
@@ -143,12 +144,14 @@ struct Shape {
   std::function<double(const Vec&)> distance;
   Vec low{-1e3, -1e3, -1e3};
   Vec high{1e3, 1e3, 1e3};
+  double steepest = kSteepest;
+  double near = 2.0;  ///< how far from the box the distance itself is still wanted, mm
   double operator()(const Vec& p) const {
     const double dx = std::max({low.x - p.x, p.x - high.x, 0.0});
     const double dy = std::max({low.y - p.y, p.y - high.y, 0.0});
     const double dz = std::max({low.z - p.z, p.z - high.z, 0.0});
     const double d = std::sqrt(dx * dx + dy * dy + dz * dz);
-    return d > 2.0 ? d : distance(p);
+    return d > near ? d : distance(p);
   }
 };
 

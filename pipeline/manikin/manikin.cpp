@@ -61,16 +61,15 @@ std::map<std::string, Point> Manikin::landmarks() const {
   const auto& v = body.variation();
   const double s = data_->scale;
   const auto place = [s](const Flat& p) { return Point{0.0, s * p.u, s * p.v}; };
-  // Vallecula: the deepest air in the middle between tongue and epiglottis.
-  Flat pit{29.0, -40.0};
+  // Vallecula: the deepest air in the middle that has tongue in front and epiglottis behind.
+  Flat pit{29.0, -40.5};
   for (double z = -37.0; z > -44.0; z -= 0.05) {
-    bool air = false;
-    for (double y = 27.0; y < 32.0 && !air; y += 0.05)
-      if (body.at({0.0, y, z}) == manikin::Matter::airway) {
-        pit = {y, z};
-        air = true;
-      }
-    if (!air) break;
+    double y = 24.0;
+    while (y < 33.0 && body.at({0.0, y, z}) != manikin::Matter::airway) y += 0.05;
+    double end = y;
+    while (end < 36.0 && body.at({0.0, end, z}) == manikin::Matter::airway) end += 0.05;
+    if (body.at({0.0, end, z}) != manikin::Matter::epiglottis) break;
+    pit = {0.5 * (y + end), z};
   }
   // Tip of the epiglottis: its farthest point from the base in the middle.
   Flat tip{};

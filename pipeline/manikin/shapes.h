@@ -35,7 +35,7 @@ struct MouthShapes {
   Shape soft_palate;
   Shape oesophagus;
 };
-MouthShapes mouth_shapes(const Variation& v, const Shape& aperture);
+MouthShapes mouth_shapes(const Variation& v, const FaceShapes& face);
 
 struct LarynxShapes {
   Shape lumen;       ///< vestibule, glottis, subglottis, trachea and the first part of the bronchi

@@ -58,6 +58,7 @@ Shape skull_shape(const Variation& v, const Shape& nasal) {
     d = blend(d, face, 3.0);
     return 0.9 * carve(d, nasal(p) - 0.8, 0.8);
   };
+  shape.steepest = kGentle;
   shape.low = {-50.0 * v.head_width, 0.0, -45.0};
   shape.high = {50.0 * v.head_width, 125.0, 85.0};
   return shape;
@@ -99,6 +100,7 @@ Shape mandible_shape(const Variation& v) {
                                              std::vector<double>{2.3, 2.3, 2.3, 2.3, 2.3, 2.2, 2.1, 1.9, 1.7, 1.8});
   const double condyle_x = with_gonia(v, kCondyleX, kCondyle.u);
   Shape shape;
+  shape.steepest = kGentle;
   shape.low = {-40.0, 0.0, -44.0};
   shape.high = {40.0, 53.0, 2.0};
   shape.distance = [plate, condyle_x](const Vec& p) {

@@ -14,13 +14,14 @@ Flat extended(double y, double z) {
 Shape aperture_shape(const Variation& v) {
   // Oval between the lips, 26 mm from lip to lip where the gums are 22 apart; its lower rim follows the jaw.
   const double bottom = with_jaw(v, {-1.5, -22.0}).v;
-  const double top = 3.9;
+  const double top = 3.5;
   const double middle = 0.5 * (top + bottom);
   const double half_z = 0.5 * (top - bottom);
   constexpr double kHalfX = 15.0;
   Shape shape;
   shape.low = {-kHalfX - 1.0, -26.0, bottom - 1.0};
-  shape.high = {kHalfX + 1.0, 9.0, top + 1.0};
+  shape.high = {kHalfX + 1.0, 3.0, top + 1.0};
+  shape.near = 6.0;  // the lips are rounded off over some millimetres
   shape.distance = [=](const Vec& p) {
     const double a = std::abs(p.x) / kHalfX;
     const double b = std::abs(p.z - middle) / half_z;
@@ -31,7 +32,7 @@ Shape aperture_shape(const Variation& v) {
     const double gb = std::pow(b, 1.3) / half_z;
     const double gradient = std::pow(std::max(q, 1e-9), 1.0 / 2.3 - 1.0) * std::hypot(ga, gb);
     const double d = (k - 1.0) / std::max(gradient, 0.06);
-    return meet(d, std::max(p.y - 7.0, -25.0 - p.y), 2.0);
+    return meet(d, std::max(p.y - 2.5, -25.0 - p.y), 2.0);
   };
   return shape;
 }
@@ -51,11 +52,11 @@ FaceShapes face_shapes(const Variation& v) {
   };
   auto profile = outline({{2.6, 38.0},  {1.0, 31.0},          {0.6, 25.0},          {-0.2, 19.0},        {-1.5, 13.4},
                           {-4.2, 10.2}, {-5.8, 7.2},          {-5.5, 4.0},          {-4.4, -4.0},        jaw({-3.4, -14.0}),
-                          jaw({-3.2, -21.0}), jaw({-4.8, -24.6}), jaw({-3.4, -28.2}), chin({-1.7, -30.6}), chin({-2.9, -34.2}),
+                          jaw({-3.2, -21.0}), jaw({-4.8, -24.6}), jaw({-3.4, -28.2}), chin({-2.2, -30.8}), chin({-2.9, -34.2}),
                           chin({-1.0, -37.6}), chin({3.0, -40.0}), jaw({10.0, -42.4}), {17.5, -46.0}, {32.0, -44.0},
                           {42.0, -20.0}, {42.0, 20.0}, {22.0, 42.0}, {8.0, 44.0}}, 6.0, 0.5);
   auto profile_width = widths({{{0.0, 34.0}, 24.0}, {{0.0, 24.0}, 21.0}, {{-3.0, 8.0}, 20.5}, {{-3.0, -8.0}, 20.5},
-                               {{-3.0, -24.0}, 18.5}, {{-1.0, -35.0}, 16.0}, {{8.0, -41.0}, 18.0}, {{20.0, -38.0}, 24.0},
+                               {{-3.0, -24.0}, 18.5}, {{-1.0, -35.0}, 14.5}, {{8.0, -41.0}, 18.0}, {{20.0, -38.0}, 24.0},
                                {{20.0, 0.0}, 28.0}, {{25.0, 30.0}, 28.0}},
                               profile);
   const auto nose = v.nose_size;
@@ -69,12 +70,13 @@ FaceShapes face_shapes(const Variation& v) {
       std::vector<double>{3.4 * nose, 3.3 * nose, 2.6 * nose}, true);
 
   // Lips: one swelling round the opening, thick in the middle, thin at the corners.
-  const Flat low = jaw({-1.9, -24.2});
-  const Flat low_side = jaw({0.4, -22.4});
+  const Flat low = jaw({-2.6, -24.2});
+  const Flat low_side = jaw({-0.4, -22.4});
   const auto lip = std::make_shared<Tube>(
-      std::vector<Vec>{{-6.0, -2.6, 6.6}, {0.0, -2.9, 6.5}, {5.0, -2.6, 6.6}, {10.5, 0.0, 3.2}, {14.8, 3.2, -3.0}, {16.3, 4.4, -9.2},
-                       {14.6, 3.6, -15.8}, {9.6, low_side.u, low_side.v}, {4.6, low.u, low.v + 0.2}, {0.0, low.u, low.v}, {-4.6, low.u, low.v + 0.2}},
-      std::vector<double>{3.0, 2.8, 3.0, 2.8, 2.3, 1.9, 2.2, 2.7, 2.9, 2.9, 2.9}, true);
+      std::vector<Vec>{{-5.0, -3.3, 6.2}, {0.0, -3.5, 6.0}, {5.0, -3.3, 6.2}, {10.5, -0.7, 3.0}, {14.9, 2.4, -3.0},
+                       {16.4, 3.6, -9.2}, {14.7, 2.8, -15.8}, {9.8, low_side.u, low_side.v}, {4.8, low.u, low.v + 0.2},
+                       {0.0, low.u, low.v}, {-4.8, low.u, low.v + 0.2}},
+      std::vector<double>{2.9, 2.6, 2.9, 2.7, 2.2, 1.8, 2.1, 2.7, 2.9, 2.8, 2.9}, true);
 
   const double hw = v.head_width;
   const double hl = v.head_length;
@@ -92,29 +94,29 @@ FaceShapes face_shapes(const Variation& v) {
     // Face: profile, cheeks, jaw, temples.
     double face = rounded(profile(q.y, q.z), q.x - profile_width(q.y, q.z), 15.0);
     face = blend(face, ellipsoid(q, {20.5, 20.0, -3.0}, {17.0 + cheek, 17.5 + 0.6 * cheek, 18.5}), 7.0);
-    face = blend(face, ellipsoid(q, {19.5 * jaw_wide, 30.0, -19.0}, {18.5, 21.0, 18.5}), 8.0);
-    face = blend(face, ellipsoid(q, {20.0, 36.0, 8.0}, {21.5 * hw, 28.0, 26.0}), 10.0);
+    face = blend(face, ellipsoid(q, {18.0 * jaw_wide, 30.0, -18.0}, {18.0, 20.5, 18.0}), 9.0);
+    face = blend(face, ellipsoid(q, {19.0, 36.0, 8.0}, {20.0 * hw, 28.0, 26.0}), 10.0);
     // Cranium with its frontal and parietal bosses.
     double skull = tilted_ellipsoid(q, {0.0, cranium.u, cranium.v}, {46.5 * hw, 58.0 * hl, 48.0}, kExtension);
     skull = blend(skull, tilted_ellipsoid(q, {11.0, brow.u + 17.0, brow.v - 4.0}, {22.0 * hw, 19.0, 23.0}, kExtension),
                   14.0);
     double d = blend(face, skull, 14.0);
     // Eye sockets, then lids over the eyeballs.
-    d = carve(d, ellipsoid(q, {17.5, -2.0, 25.0}, {11.0, 6.6, 6.8}), 6.0);
-    d = blend(d, ellipsoid(q, {18.5, 11.8, 24.6}, {10.6, 9.4, 8.2}), 2.2);
+    d = carve(d, ellipsoid(q, {16.5, -3.8, 25.0}, {11.0, 6.6, 6.8}), 7.0);
+    d = blend(d, ellipsoid(q, {18.0, 11.8, 24.6}, {10.4, 9.4, 8.0}), 4.0);
     d = blend(d, (*bridge)(q), 4.0);
     d = blend(d, (*wing)(q), 2.0);
     d = blend(d, (*columella)(q), 1.6);
-    d = blend(d, (*lip)(q), 2.4);
+    d = blend(d, (*lip)(q), 1.6);
     // Neck and the upper chest with the shoulders.
     const Vec n0{0.0, 56.0, -15.0};
     const Vec n1{0.0, 51.0, -80.0};
     const double t = std::clamp(dot(q - n0, n1 - n0) / dot(n1 - n0, n1 - n0), 0.0, 1.0);
     const Vec nq = q - (n0 + t * (n1 - n0));
-    const double neck = norm({nq.x * 1.0, nq.y * 0.93, nq.z}) - (28.5 + 2.0 * t);
+    const double neck = norm({nq.x * 0.88, nq.y * 0.93, nq.z}) - (28.5 + 2.0 * t);
     d = blend(d, neck, 9.0);
-    const double chest = ellipsoid(q, {0.0, 54.0, -128.0}, {78.0, 40.0, 48.0});
-    d = blend(d, chest, 12.0);
+    const double chest = ellipsoid(q, {0.0, 57.0, -106.0}, {76.0, 41.0, 46.0});
+    d = blend(d, chest, 22.0);
     // Ear.
     const double out = q.x - 43.0 * hw;
     if (std::abs(q.y - ear.u) < 26.0 && std::abs(q.z - ear.v) < 30.0 && out > -14.0) {
@@ -131,8 +133,8 @@ FaceShapes face_shapes(const Variation& v) {
   };
 
   const auto slit = std::make_shared<Tube>(
-      std::vector<Vec>{{10.4, 5.6, 24.2}, {14.0, 3.1, 22.4}, {18.5, 2.4, 21.6}, {23.0, 3.4, 22.2}, {27.0, 6.6, 24.0}},
-      std::vector<double>{0.3, 0.65, 0.7, 0.65, 0.3}, true);
+      std::vector<Vec>{{9.4, 5.6, 24.0}, {13.5, 3.1, 22.4}, {18.5, 2.4, 21.6}, {23.0, 3.4, 22.2}, {27.6, 6.8, 24.2}},
+      std::vector<double>{0.05, 0.5, 0.6, 0.5, 0.05}, true);
   shapes.eyelids.distance = [slit](const Vec& p) { return (*slit)(p); };
   shapes.eyelids.low = slit->low();
   shapes.eyelids.high = slit->high();

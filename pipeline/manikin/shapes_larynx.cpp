@@ -30,8 +30,8 @@ LarynxShapes larynx_shapes(const Variation& v) {
   const Flat c = carina(v);
 
   // Vestibule: from the cords up to the inlet between epiglottis, folds and arytenoids.
-  auto vestibule = outline({{30.0, -48.2}, {36.1, -46.7}, {37.0, -45.2}, {37.9, -43.0}, {36.5, -39.0}, {33.4, -38.0},
-                            {31.0, -41.0}, {29.4, -45.4}});
+  auto vestibule = outline({{29.2, -48.3}, {36.1, -46.7}, {37.0, -45.2}, {37.9, -43.0}, {36.5, -39.0}, {33.4, -38.0},
+                            {30.2, -41.0}, {28.8, -45.4}});
   auto vestibule_width = widths({{{30.2, -47.6}, 0.9}, {{36.0, -46.2}, 2.3}, {{33.5, -46.8}, 1.7}, {{30.0, -45.0}, 2.0},
                                  {{32.0, -43.0}, 3.0}, {{36.5, -44.0}, 2.6}, {{34.0, -40.0}, 3.6}, {{36.5, -41.0}, 3.4}},
                                 vestibule);

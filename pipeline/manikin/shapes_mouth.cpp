@@ -27,7 +27,7 @@ std::vector<Flat> upper_arch(const Variation&) {
 }
 
 std::vector<Flat> lower_arch(const Variation& v) {
-  std::vector<Flat> arch = {{0.0, 3.4}, {5.0, 4.6}, {9.2, 7.2}, {13.2, 11.6}, {16.2, 17.0}, {18.2, 22.5}, {19.6, 28.0}};
+  std::vector<Flat> arch = {{0.0, 3.4}, {5.4, 4.6}, {10.0, 7.2}, {14.2, 11.6}, {17.3, 17.0}, {19.2, 22.5}, {20.4, 28.0}};
   for (auto& p : arch) p.u = with_gonia(v, p.u, p.v);
   return arch;
 }
@@ -40,7 +40,7 @@ double lower_crest(const Variation& v, double y) {
   return front.v + (back.v - front.v) * std::max(y - front.u, 0.0) / (back.u - front.u);
 }
 
-MouthShapes mouth_shapes(const Variation& v, const Shape& aperture) {
+MouthShapes mouth_shapes(const Variation& v, const FaceShapes& face) {
   MouthShapes shapes;
   const auto jaw = [&](Flat p, double share = 1.0) { return with_jaw(v, p, share); };
 
@@ -51,8 +51,8 @@ MouthShapes mouth_shapes(const Variation& v, const Shape& aperture) {
                         jaw({17.5, -29.4}, 0.8), jaw({12.5, -28.0}), jaw({7.5, -26.8}), jaw({1.5, -27.2}),
                         jaw({0.0, -24.5}), jaw({-0.4, -18.0}, 0.6), {-0.6, -8.0}});
   auto mouth_width = widths({{{-0.5, -9.0}, 13.5}, {{3.0, -4.0}, 15.0},   {{3.0, -14.0}, 15.0},  {{8.0, -8.0}, 17.0},
-                             {{15.0, -8.0}, 18.3}, {{21.0, -10.0}, 17.8}, {{26.0, -14.0}, 15.5}, {{30.5, -17.0}, 11.0},
-                             {{9.0, -24.0}, 16.0}, {{15.0, -25.0}, 18.0}, {{22.0, -26.0}, 17.0}, {{27.0, -27.0}, 15.2},
+                             {{15.0, -8.0}, 18.8}, {{21.0, -10.0}, 18.6}, {{26.0, -14.0}, 15.5}, {{30.5, -17.0}, 11.0},
+                             {{9.0, -24.0}, 16.6}, {{15.0, -25.0}, 18.6}, {{22.0, -26.0}, 18.0}, {{27.0, -27.0}, 15.6},
                              {{30.5, -28.0}, 13.0}, {{29.0, -33.0}, 14.0}, {{29.5, -37.5}, 9.5}, {{29.5, -41.0}, 7.2},
                              {{15.0, 0.0}, 15.0},  {{24.0, -4.0}, 13.0}},
                             mouth);
@@ -104,14 +104,15 @@ MouthShapes mouth_shapes(const Variation& v, const Shape& aperture) {
   shapes.cavity.low = {-21.0, -30.0, -53.0};
   shapes.cavity.high = {21.0, 47.0, 25.0};
   shapes.cavity.distance = [mouth = std::move(mouth), mouth_width = std::move(mouth_width), throat = std::move(throat),
-                            throat_width = std::move(throat_width), aperture, upper_gum, lower_gum,
+                            throat_width = std::move(throat_width), face, upper_gum, lower_gum,
                             nasal](const Vec& p) {
     const double x = std::abs(p.x);
     double d = rounded(mouth(p.y, p.z), x - mouth_width(p.y, p.z), 4.0);
-    d = blend(d, aperture(p), 2.5);
+    if (d < 1.0 && p.y < 12.0) d = meet(d, face.head(p) + 3.2, 2.0);  // lips and cheeks are never thinner than this
+    d = blend(d, face.aperture(p), 2.5);
     d = carve(d, upper_gum(p), 1.2);
     d = carve(d, lower_gum(p), 1.0);
-    d = blend(d, rounded(throat(p.y, p.z), x - throat_width(p.y, p.z), 4.5), 2.0);
+    d = blend(d, rounded(throat(p.y, p.z), x - throat_width(p.y, p.z), 6.0), 2.0);
     return blend(d, nasal(p), 1.0);
   };
 

@@ -17,7 +17,7 @@ constexpr TonguePoint kTongue[] = {
     {{6.5, -19.4}, 0.00, 1.0, 0.0},  {{11.0, -17.0}, 0.35, 0.9, 0.7}, {{17.0, -18.0}, 0.75, 0.7, 1.0},
     {{22.5, -20.5}, 1.00, 0.5, 0.8}, {{26.0, -24.0}, 1.00, 0.3, 0.3}, {{28.5, -28.0}, 1.00, 0.1, 0.0},
     {{29.8, -32.0}, 0.95, 0.0, 0.0}, {{29.5, -36.5}, 0.75, 0.0, 0.0}, {{28.5, -41.3}, 0.40, 0.0, 0.0},
-    {{28.9, -43.6}, 0.30, 0.0, 0.0}, {{28.4, -46.2}, 0.25, 0.0, 0.0}, {{27.3, -47.6}, 0.20, 0.0, 0.0},
+    {{29.3, -43.6}, 0.30, 0.0, 0.0}, {{28.7, -46.2}, 0.25, 0.0, 0.0}, {{27.6, -48.0}, 0.20, 0.0, 0.0},
     {{25.6, -46.4}, 0.00, 0.0, 0.0}, {{24.2, -42.8}, 0.00, 0.0, 0.0}, {{22.4, -39.9}, 0.00, 0.1, 0.0},
     {{17.0, -38.0}, 0.00, 0.5, 0.0}, {{12.0, -33.2}, 0.00, 0.8, 0.0}, {{9.4, -27.6}, 0.00, 1.0, 0.0},
     {{7.7, -22.6}, 0.00, 1.0, 0.0}};
@@ -28,6 +28,16 @@ Flat moved(const Flat& p, double by) { return {p.u + by * kLiftDirection.u, p.v 
 constexpr Flat kEpiglottis[] = {{29.0, -46.0}, {30.6, -41.5}, {33.6, -38.0}, {36.5, -34.8}};
 constexpr double kEpiglottisHalfThickness = 0.95;
 constexpr double kDegree = 3.14159265358979323846 / 180.0;
+
+/// Where a point of the epiglottis at rest goes: grown and turned about its base, which follows a fifth of the lift.
+Flat on_epiglottis(const Variation& v, double lift, const Flat& p) {
+  const double turn = (v.epiglottis_turn + 6.0 * lift) * kDegree;  // forward is counter-clockwise in (y, z)
+  const Flat base = kEpiglottis[0];
+  const double u = (p.u - base.u) * v.epiglottis_length;
+  const double w = (p.v - base.v) * v.epiglottis_length;
+  return moved({base.u + std::cos(turn) * u - std::sin(turn) * w, base.v + std::sin(turn) * u + std::cos(turn) * w},
+               0.2 * lift);
+}
 
 }  // namespace
 
@@ -42,18 +52,18 @@ Shape tongue_shape(const Variation& v, double lift) {
   const auto add = [&](Flat at, double half, double share, double jaw) {
     width.push_back({moved(with_jaw(v, at, jaw), share * lift), half * v.tongue_width});
   };
-  add({6.5, -19.0}, 7.6, 0.0, 1.0);
-  add({9.5, -19.0}, 9.6, 0.2, 1.0);
-  add({13.0, -18.5}, 11.4, 0.5, 0.9);
-  add({17.0, -19.0}, 12.9, 0.75, 0.7);
-  add({22.5, -21.5}, 14.0, 1.0, 0.5);
+  add({6.5, -19.0}, 6.8, 0.0, 1.0);
+  add({9.5, -19.0}, 8.6, 0.2, 1.0);
+  add({13.0, -18.5}, 10.8, 0.5, 0.9);
+  add({17.0, -19.0}, 12.6, 0.75, 0.7);
+  add({22.5, -21.5}, 13.9, 1.0, 0.5);
   add({27.0, -26.0}, 13.4, 1.0, 0.2);
   add({29.5, -31.0}, 12.8, 1.0, 0.0);
   add({29.5, -35.5}, 10.0, 0.8, 0.0);
   add({28.5, -40.5}, 7.0, 0.4, 0.0);
   add({27.5, -46.5}, 4.0, 0.2, 0.0);
-  add({9.5, -26.0}, 7.2, 0.0, 1.0);
-  add({14.0, -28.0}, 10.4, 0.0, 0.8);
+  add({9.5, -26.0}, 6.2, 0.0, 1.0);
+  add({14.0, -28.0}, 10.0, 0.0, 0.8);
   add({21.0, -30.0}, 12.4, 0.5, 0.3);
   add({13.0, -33.0}, 6.8, 0.0, 0.8);
   add({18.0, -37.5}, 7.0, 0.0, 0.4);
@@ -62,14 +72,18 @@ Shape tongue_shape(const Variation& v, double lift) {
 
   auto profile = outline(points);
   auto half = widths(width, profile);
+  // Median glossoepiglottic fold: a low bridge over the middle of the vallecula, which makes two pits of it.
+  const Flat front = moved({27.6, -41.6}, 0.4 * lift);
+  const Flat behind = on_epiglottis(v, lift, {30.4, -40.7});
+  auto fold = stroke({front, {0.5 * (front.u + behind.u), 0.5 * (front.v + behind.v)}, behind}, {0.7, 0.6, 0.6});
   Shape shape;
   shape.low = {-16.0, profile.low().u + 5.0, profile.low().v + 5.0};
   shape.high = {16.0, profile.high().u - 5.0, profile.high().v - 5.0};
-  shape.distance = [profile = std::move(profile), half = std::move(half)](const Vec& p) {
+  shape.distance = [profile = std::move(profile), half = std::move(half), fold = std::move(fold)](const Vec& p) {
     const double x = std::abs(p.x);
     const double groove = 0.5 * std::exp(-(x - 5.5) * (x - 5.5) / 14.0) - 0.057;  // the midline stays on the profile
     const double d = profile(p.y, p.z) - groove;
-    return rounded(d, x - half(p.y, p.z), 5.0);
+    return blend(rounded(d, x - half(p.y, p.z), 5.0), rounded(fold(p.y, p.z), x - 0.6, 0.5), 1.0);
   };
   return shape;
 }
@@ -77,13 +91,7 @@ Shape tongue_shape(const Variation& v, double lift) {
 Shape epiglottis_shape(const Variation& v, double lift) {
   const double turn = (v.epiglottis_turn + 6.0 * lift) * kDegree;
   const Flat base = kEpiglottis[0];
-  const auto placed = [&](const Flat& p) {
-    const double u = (p.u - base.u) * v.epiglottis_length;
-    const double w = (p.v - base.v) * v.epiglottis_length;
-    // Forward is towards smaller y: counter-clockwise in (y, z).
-    return moved({base.u + std::cos(turn) * u - std::sin(turn) * w, base.v + std::sin(turn) * u + std::cos(turn) * w},
-                 0.2 * lift);
-  };
+  const auto placed = [&](const Flat& p) { return on_epiglottis(v, lift, p); };
   const auto turned = [&](const Flat& d) {
     return Flat{std::cos(turn) * d.u - std::sin(turn) * d.v, std::sin(turn) * d.u + std::cos(turn) * d.v};
   };

@@ -1,5 +1,4 @@
 // The property the manikin exists for: the glottis is hidden at rest and seen when the tongue base is lifted.
-#include <limits>
 #include <stdexcept>
 
 #include "pipeline/manikin/manikin_data.h"
@@ -12,6 +11,12 @@ using manikin::Vec;
 
 namespace {
 
+/// Whether it blocks the sight and stays where it is when the tongue is lifted.
+bool is_fixed(Matter matter) {
+  return matter != Matter::outside && matter != Matter::airway && matter != Matter::tongue &&
+         matter != Matter::epiglottis;
+}
+
 /// Tongue and epiglottis lifted, everything else at rest. Where tongue and epiglottis lay at rest there is nothing but
 /// what has moved there.
 class Posed {
@@ -23,13 +28,7 @@ class Posed {
 
   bool solid(const Vec& p) const {
     if (tongue_(p) < 0.0 || epiglottis_(p) < 0.0) return true;
-    switch (data_.body.at(p)) {
-      case Matter::outside:
-      case Matter::airway:
-      case Matter::tongue:
-      case Matter::epiglottis: return false;
-      default: return true;
-    }
+    return is_fixed(data_.body.at(p));
   }
 
   bool seen(const Vec& target) const {
@@ -86,62 +85,59 @@ double Manikin::glottis_seen_midline(double lift_mm) const {
 }
 
 double Manikin::sight_clearance(const std::string& part, double lift_mm) const {
+  // Measured in the mid-sagittal plane (the arytenoids: in theirs) across the line, as the design's table does: towards back and head (+1) for what
+  // bounds the sight from above, towards feet and ceiling (-1) for the lower gum.
+  struct Region {
+    const char* name;
+    double side;
+    Flat low;
+    Flat high;
+    double x = 0.0;
+  };
+  constexpr Region kRegions[] = {
+      {"upper_lip", 1.0, {-12.0, 2.0}, {-1.5, 10.0}},   {"upper_gum", 1.0, {-1.5, -1.0}, {2.4, 4.0}},
+      {"hard_palate", 1.0, {4.0, -8.0}, {27.0, 4.0}},   {"soft_palate", 1.0, {27.0, -27.0}, {40.0, -3.0}},
+      {"nose", 1.0, {-12.0, 12.0}, {4.0, 32.0}},        {"posterior_wall", 1.0, {40.2, -45.0}, {50.0, 0.0}},
+      {"arytenoids", 1.0, {36.0, -47.0}, {40.0, -42.0}, 1.75}, {"lower_gum", -1.0, {0.5, -26.0}, {6.5, -18.0}}};
   const auto& body = data_->body;
-  const auto& v = body.variation();
-  manikin::Shape shape;
-  if (part == "tongue") {
-    shape = tongue_shape(v, lift_mm / data_->scale);
-  } else if (part == "epiglottis") {
-    shape = epiglottis_shape(v, lift_mm / data_->scale);
-  } else if (part == "soft_palate") {
-    shape = body.mouth().soft_palate;
-  } else if (part == "arytenoids") {
-    shape = body.larynx().arytenoids;
-  } else if (part == "upper_gum") {
-    shape = body.mouth().upper_gum;
-  } else if (part == "lower_gum") {
-    shape = body.mouth().lower_gum;
-  } else {
-    // Parts of the face and of the cavity's wall: distance to anything solid along a stretch, found below.
-    const bool known = part == "upper_lip" || part == "nose" || part == "hard_palate" || part == "posterior_wall";
-    if (!known) throw std::runtime_error("manikin: no part is called " + part);
-    const auto& centre = manikin::kGlottisCentre;
-    double best = std::numeric_limits<double>::max();
-    const Vec way = data_->eye - Vec{0.0, centre.u, centre.v};
-    const double length = norm(way);
-    const Vec dir = (1.0 / length) * way;
-    const Vec side{0.0, dir.z, -dir.y};  // across the line, to the back and the head
-    const auto within = [&](const Vec& p) {
-      if (part == "upper_lip") return p.y < -1.0 && p.z < 10.0;
-      if (part == "nose") return p.y < 2.0 && p.z >= 12.0;
-      if (part == "hard_palate") return p.y > 3.0 && p.y < 27.0 && p.z > -8.0;
-      return p.y > 40.0 && p.z > -45.0;
-    };
-    for (double t = 0.0; t < length; t += 0.1) {
-      const Vec base = Vec{0.0, centre.u, centre.v} + t * dir;
-      if (base.y < -40.0) break;
-      for (double d = 0.0; d < best && d < 40.0; d += 0.05) {
-        const Vec p = base + d * side;
-        if (!within(p)) continue;
-        const Matter m = body.at(p);
-        if (m != Matter::airway && m != Matter::outside && m != Matter::tongue && m != Matter::epiglottis) {
-          best = d;
-          break;
-        }
-      }
-    }
-    return best * data_->scale;
-  }
-  double best = std::numeric_limits<double>::max();
   const Vec centre{0.0, manikin::kGlottisCentre.u, manikin::kGlottisCentre.v};
-  const Vec way = data_->eye - centre;
-  const double length = norm(way);
-  for (double t = 0.0; t < length; t += 0.05) {
-    const Vec p = centre + (t / length) * way;
-    if (p.y < -40.0) break;
-    best = std::min(best, shape(p));
+  const double length = norm(data_->eye - centre);
+  const Vec along = (1.0 / length) * (data_->eye - centre);
+  const Vec across{0.0, along.z, -along.y};
+  constexpr double kStep = 0.1;
+  constexpr double kFar = 30.0;
+  const auto on_line = [&](auto&& visit) {
+    for (double t = 0.0; t < length; t += kStep) {
+      const Vec p = centre + t * along;
+      if (p.y < -40.0) break;
+      visit(p);
+    }
+  };
+
+  if (part == "tongue" || part == "epiglottis") {
+    const double lift = lift_mm / data_->scale;
+    const auto shape =
+        part == "tongue" ? tongue_shape(body.variation(), lift) : epiglottis_shape(body.variation(), lift);
+    double reach = -kFar;
+    on_line([&](const Vec& p) {
+      for (double d = kFar; d > reach; d -= kStep)
+        if (shape(p + d * across) < 0.0) reach = d;
+    });
+    return -reach * data_->scale;
   }
-  return best * data_->scale;
+  for (const auto& region : kRegions) {
+    if (part != region.name) continue;
+    double clear = kFar;
+    on_line([&](const Vec& p) {
+      for (double d = 0.0; d < clear; d += kStep) {
+        const Vec q = p + (region.side * d) * across;
+        if (q.y < region.low.u || q.y > region.high.u || q.z < region.low.v || q.z > region.high.v) continue;
+        if (is_fixed(body.at({region.x, q.y, q.z}))) clear = d;
+      }
+    });
+    return clear * data_->scale;
+  }
+  throw std::runtime_error("manikin: no part is called " + part);
 }
 
 }  // namespace vallecula::pipeline
