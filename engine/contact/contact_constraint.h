@@ -15,7 +15,7 @@ struct ContactConstraint {
   F4 normal;               ///< out of the tool into the tissue, world
   float gap = 0.0f;        ///< at the start of the tick, with the tool at its new pose, m
   float stiffness = 0.0f;  ///< of the augmented Lagrangian, N/m
-  float multiplier = 0.0f; ///< N; kept between ticks by the sphere
+  float multiplier = 0.0f; ///< N; before the step what the sphere kept of earlier ticks, after it the contact's force
   std::int32_t sphere = -1;
   bool active = false;
 };

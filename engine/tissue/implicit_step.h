@@ -15,9 +15,9 @@ struct StepStatistics {
 
 /// Advances displacement and velocity by one step:
 ///   (M/h^2 + D/h + K) du = M v/h + f_elastic + sum_j J_j^T lambda_j,   lambda_j = max(0, lambda_j - k_j gap_j(du)),
-/// i.e. an augmented Lagrangian whose multipliers live on between ticks: the contact forces are part of the same linear
-/// system (the metric of the implicit step), and at rest they balance the elastic forces exactly, whatever k is.
-/// Contacts' multipliers are updated. With no contacts it is the free step of Algorithm 1's first two lines.
+/// i.e. an augmented Lagrangian whose multipliers partly live on between ticks: the contact forces are part of the same
+/// linear system (the metric of the implicit step), and at rest they balance the elastic forces exactly, whatever k is.
+/// On return the contacts' multipliers are their forces. With no contacts it is the free step of Algorithm 1's first two lines.
 StepStatistics implicit_step(const TissueModel& model, TissueState& state, ContactConstraint* contacts,
                              int contact_count) noexcept;
 

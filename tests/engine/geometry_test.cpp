@@ -1,0 +1,113 @@
+// Distance fields, spheres and lines of sight against geometry known in closed form.
+#include <cmath>
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "engine/aist/sphere_tree.h"
+#include "engine/contact/signed_distance_grid.h"
+#include "engine/mesh/triangle_bvh.h"
+#include "engine/sight/line_of_sight.h"
+#include "engine/tool/miller_blade.h"
+#include "tests/engine/box_mesh.h"
+
+namespace vallecula::engine {
+namespace {
+
+double box_distance(const Vec3& p, const Vec3& half) {
+  const Vec3 q = p.cwiseAbs() - half;
+  return q.cwiseMax(0.0).norm() + std::min(0.0, q.maxCoeff());
+}
+
+TEST(TriangleBvh, SignedDistanceOfABoxIsExact) {
+  const Vec3 half(0.03, 0.005, 0.0015);
+  const TriangleBvh bvh(testing::box_surface(Vec3::Zero(), 2 * half));
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> u(-1, 1);
+  for (int i = 0; i < 5000; ++i) {
+    const Vec3 p(0.04 * u(random), 0.01 * u(random), 0.006 * u(random));
+    EXPECT_NEAR(bvh.signed_distance(p, 1.0), box_distance(p, half), 1e-12);
+  }
+}
+
+TEST(SignedDistanceGrid, ThinBladeWithinATwentiethOfAMillimetreOffItsEdges) {
+  const Vec3 half(0.03, 0.005, 0.0007);
+  const SignedDistanceGrid grid(testing::box_surface(Vec3::Zero(), 2 * half), -half - Vec3::Constant(0.003),
+                                half + Vec3::Constant(0.003), 0.0004, 0.002);
+  std::mt19937 random(4);
+  std::uniform_real_distribution<double> u(-1, 1);
+  for (int i = 0; i < 20000; ++i) {
+    const Vec3 p(0.028 * u(random), 0.004 * u(random), 0.0025 * u(random));  // over the flat sides
+    if (std::abs(p.z()) < 0.0004) continue;  // about the medial plane of a plate the field has a crease
+    const double exact = box_distance(p, half);
+    if (std::abs(exact) < 0.0018) EXPECT_NEAR(grid.distance(p), exact, 5e-5);
+  }
+  EXPECT_LT(grid.distance(Vec3::Zero()), 0);
+  EXPECT_GT(grid.distance(Vec3(0.05, 0.05, 0.05)), 0);
+}
+
+TEST(MillerBlade, EveryBladeIsClosedAndAsLongAsItSays) {
+  for (const auto& [name, length] : {std::pair{"miller-00", 0.065}, {"miller-0", 0.075}, {"miller-1", 0.102}}) {
+    const TriangleMesh mesh = blade_surface(miller_blade(name));
+    EXPECT_EQ(count_open_edges(mesh), 0) << name;
+    double low = 1, high = -1;
+    for (const Vec3& p : mesh.points) {
+      low = std::min(low, p.x());
+      high = std::max(high, p.x());
+    }
+    EXPECT_NEAR(low, 0.0, 1e-9);
+    EXPECT_NEAR(high, length, 1e-9);
+    EXPECT_LT(TriangleBvh(mesh).signed_distance(Vec3(0.03, 0.001, -0.002), 1.0), 0) << "inside the spatula, " << name;
+  }
+  EXPECT_THROW(miller_blade("macintosh"), std::invalid_argument);
+}
+
+TEST(SphereTree, SpheresStayInsideAndTheSurfaceIsCovered) {
+  const auto soft = testing::box_body(Vec3(0.03, 0.02, 0.015), {8, 6, 4}, {6000.0, 0.45, 1040.0});
+  const SoftSurface surface = extract_surface(soft.tets);
+  for (Coverage coverage : {Coverage::paper, Coverage::full}) {
+    FillSettings settings;
+    settings.coverage = coverage;
+    const SphereTree tree = fill_spheres(soft, surface, settings);
+    const double cube = std::cbrt(3 * 10 * tree.mean_tet_volume / (4 * M_PI));
+    EXPECT_NEAR(tree.coarse_radius, cube, 1e-12);
+    EXPECT_GT(tree.spheres_per_level[0], 0);
+    for (const InnerSphere& s : tree.spheres) {
+      const Vec3 half(0.015, 0.01, 0.0075);
+      EXPECT_LE(box_distance(s.centre - half, half) + s.radius, 1e-4) << "a sphere sticks out";
+      Vec3 tied = Vec3::Zero();
+      for (int k = 0; k < 4; ++k) tied += s.weight[k] * soft.nodes[soft.tets[s.tet][k]];
+      EXPECT_LT((tied - s.centre).norm(), 1e-9);
+    }
+    const CoverageReport report = measure_coverage(tree, soft, surface, 4000);
+    if (coverage == Coverage::full) {
+      EXPECT_LE(report.uncovered_depth_m, 0.00045);  // the box's sharp corners are the worst a sphere can meet
+      EXPECT_GT(report.covered_fraction, 0.97);
+    } else {
+      EXPECT_GT(report.uncovered_depth_m, 0.0005);   // the paper's own limit
+    }
+  }
+}
+
+TEST(LineOfSight, AnEdgeHidesTheShareOfTheOpeningBehindIt) {
+  SightDescription sight;
+  sight.eye = Vec3(0, 0, 0.3);
+  sight.glottis_outline = {Vec3(-0.002, -0.003, 0), Vec3(0.002, -0.003, 0), Vec3(0.002, 0.003, 0), Vec3(-0.002, 0.003, 0)};
+  const LineOfSight open(sight, 400);
+  EXPECT_EQ(open.unobstructed(), 1.0);
+  auto scratch = open.make_scratch(8);
+  // A wall half way up whose edge stands, seen from the eye, over y = cut in the glottis' plane.
+  for (double cut : {-0.0015, 0.0, 0.0012}) {
+    const TriangleMesh wall = testing::box_surface(Vec3(0, cut / 2 + 0.05, 0.15), Vec3(0.1, 0.1, 1e-6));
+    open.begin(scratch);
+    open.add(scratch, 8, wall.triangles, [&](int i) -> Vec3 { return wall.points[i]; });
+    EXPECT_NEAR(open.visible(scratch), (cut + 0.003) / 0.006, 0.06) << cut;
+  }
+  const TriangleMesh behind = testing::box_surface(Vec3(0, 0, -0.05), Vec3(0.1, 0.1, 0.01));
+  open.begin(scratch);
+  open.add(scratch, 8, behind.triangles, [&](int i) -> Vec3 { return behind.points[i]; });
+  EXPECT_EQ(open.visible(scratch), 1.0);
+}
+
+}  // namespace
+}  // namespace vallecula::engine

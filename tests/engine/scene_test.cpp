@@ -1,0 +1,263 @@
+// The whole step: forces at rest against an independent static solution, the limit, faults, determinism, replay.
+#include <atomic>
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <limits>
+#include <new>
+
+#include <gtest/gtest.h>
+
+#include "engine/haptics/runner.h"
+#include "engine/haptics/servo.h"
+#include "engine/state.h"
+#include "engine/tissue/implicit_step.h"
+#include "tests/engine/box_mesh.h"
+
+namespace {
+std::atomic<long> allocations{0};
+}  // namespace
+
+// Counts every allocation of the test program, so that a tick can be shown to make none.
+void* operator new(std::size_t size) {
+  ++allocations;
+  if (void* p = std::malloc(size)) return p;
+  throw std::bad_alloc();
+}
+void* operator new(std::size_t size, std::align_val_t align) {
+  ++allocations;
+  const std::size_t a = static_cast<std::size_t>(align);
+  if (void* p = std::aligned_alloc(a, (size + a - 1) / a * a)) return p;
+  throw std::bad_alloc();
+}
+void operator delete(void* p) noexcept { std::free(p); }
+void operator delete(void* p, std::size_t) noexcept { std::free(p); }
+void operator delete(void* p, std::align_val_t) noexcept { std::free(p); }
+void operator delete(void* p, std::size_t, std::align_val_t) noexcept { std::free(p); }
+
+namespace vallecula::engine {
+namespace {
+
+/// Steps the tissue under a plate held at `depth` below the block's top until it rests; the force along z, N.
+double resting_force(double young, double poisson, double depth, std::array<int, 3> cells) {
+  SceneDescription d = testing::block_scene(young, poisson);
+  d.soft = testing::box_body(Vec3(0.03, 0.03, 0.015), cells, {young, poisson, 1040.0});
+  const auto scene = build_scene(d);
+  SceneState state(*scene);
+  Pose before;
+  before.position = Vec3(0.015, 0.015, 0.016);
+  double force = 0.0, sum = 0.0;
+  constexpr int kSteps = 900, kAveraged = 100;
+  for (int n = 0; n < kSteps; ++n) {
+    Pose tool = before;
+    tool.position.z() = 0.015 - depth * std::min(1.0, n / 200.0);
+    find_contacts(scene->tree, scene->surface, scene->model, state.tissue, scene->tool, tool, before,
+                  scene->contact_stiffness, state.contacts);
+    implicit_step(scene->model, state.tissue, state.contacts.constraints.data(), state.contacts.count);
+    keep_multipliers(state.contacts);
+    before = tool;
+    force = 0.0;
+    for (int c = 0; c < state.contacts.count; ++c)
+      force += state.contacts.constraints[c].multiplier * -state.contacts.constraints[c].normal[2];
+    if (n >= kSteps - kAveraged) sum += force / kAveraged;
+  }
+  return sum;
+}
+
+// scikit-fem, quadratic hexahedra (tests/truth/static_block.py): N per m of a frictionless plate on a bonded block
+// 30 x 30 x 15 mm, E 6000 Pa. The tolerance is for linear tetrahedra of 3 mm and for a press of 0.3 mm being finite.
+TEST(StaticTruth, PlateOnBlockMatchesIndependentSolution) {
+  struct Case {
+    double poisson, slope_n_m;
+  };
+  for (const Case& c : {Case{0.3, 384.0}, Case{0.45, 428.7}, Case{0.49, 455.1}}) {
+    const double depth = 0.0003;
+    const double force = resting_force(6000.0, c.poisson, depth, {10, 10, 5});
+    EXPECT_NEAR(force / depth, c.slope_n_m, 0.06 * c.slope_n_m) << "nu " << c.poisson;
+  }
+}
+
+// A finer mesh comes closer to the independent solution: what is left is discretisation, not a wrong law.
+TEST(StaticTruth, RefinementConverges) {
+  const double depth = 0.0003, truth = 428.7;
+  const double coarse = std::abs(resting_force(6000.0, 0.45, depth, {6, 6, 3}) / depth - truth);
+  const double fine = std::abs(resting_force(6000.0, 0.45, depth, {14, 14, 7}) / depth - truth);
+  EXPECT_LT(fine, coarse);
+}
+
+/// A hand that follows a height over the block's centre, for the whole engine with coupling and servo.
+class HeightPort final : public HapticPort {
+ public:
+  explicit HeightPort(double (*height)(double)) : height_(height) {}
+  PortInput read(double t) noexcept override {
+    PortInput in;
+    in.pose.position = Vec3(0.015, 0.015, height_(t));
+    in.valid = valid;
+    if (poison) in.pose.position.x() = std::numeric_limits<double>::quiet_NaN();
+    return in;
+  }
+  void write(const Vec3& force) noexcept override { last = force; }
+  bool valid = true, poison = false;
+  Vec3 last = Vec3::Zero();
+
+ private:
+  double (*height_)(double);
+};
+
+double press_and_return(double t) {
+  const double depth = t < 0.5 ? 0.005 * t / 0.5 : t < 1.0 ? 0.005 : t < 1.3 ? 0.005 * (1.3 - t) / 0.3 : -0.002;
+  return 0.0155 - depth;
+}
+
+// Far in at 100 mm/s, holds, comes back.
+double overshoot(double t) {
+  const double depth = t < 0.3 ? 0.1 * t : t < 1.2 ? 0.030 : t < 1.5 ? 0.030 - (t - 1.2) * 0.14 : -0.012;
+  return 0.0155 - depth;
+}
+
+TEST(Scene, ReplayIsBitIdentical) {
+  const auto scene = build_scene(testing::block_scene());
+  HeightPort port(press_and_return);
+  Runner runner(scene, port);
+  Replayer replayer(scene);
+  double peak = 0.0;
+  runner.run(1500, [&](const TickRecord& r) {
+    const TickRecord again = replayer.replay(r);
+    ASSERT_EQ(std::memcmp(r.proxy_pose.position.data(), again.proxy_pose.position.data(), 24), 0) << r.tick;
+    ASSERT_EQ(std::memcmp(r.model_force_n.data(), again.model_force_n.data(), 24), 0) << r.tick;
+    ASSERT_EQ(std::memcmp(r.displayed_force_n.data(), again.displayed_force_n.data(), 24), 0) << r.tick;
+    ASSERT_EQ(r.glottis_visible, again.glottis_visible);
+    ASSERT_EQ(r.has_sight, again.has_sight);
+    peak = std::max(peak, r.model_force_n.norm());
+  });
+  EXPECT_GT(peak, 0.5);  // it did press
+}
+
+TEST(Scene, DisplayedForceFollowsModelForceAtRest) {
+  const auto scene = build_scene(testing::block_scene());
+  HeightPort port(press_and_return);
+  Runner runner(scene, port);
+  TickRecord held;
+  runner.run(1000, [&](const TickRecord& r) { held = r; });
+  EXPECT_NEAR(held.displayed_force_n.z(), held.model_force_n.z(), 0.03 * held.model_force_n.z());
+  EXPECT_EQ(held.state, HapticState::tracking);
+}
+
+TEST(Scene, ATickAllocatesNothing) {
+  const auto scene = build_scene(testing::block_scene());
+  SceneState state(*scene);
+  ServoState servo;
+  long before = 0;
+  for (int n = 0; n < 700; ++n) {
+    if (n == 100) before = allocations;
+    StepInput input;
+    input.device.position = Vec3(0.015, 0.015, press_and_return(n * 0.001));
+    const StepResult result = step(*scene, state, input);
+    PortInput in;
+    in.pose = input.device;
+    servo_tick(*scene, n, in, n, result, false, servo);
+  }
+  EXPECT_EQ(allocations - before, 0);
+}
+
+TEST(Scene, OverTheLimitTheDeviceIsClampedAndTheTissueReturns) {
+  const auto scene = build_scene(testing::block_scene());
+  HeightPort port(overshoot);
+  Runner runner(scene, port);
+  bool limited = false, lost = false;
+  double shown = 0.0, change = 0.0, deepest = 1.0;
+  Vec3 last = Vec3::Zero();
+  TickRecord end;
+  runner.run(4000, [&](const TickRecord& r) {
+    limited |= r.state == HapticState::limited;
+    lost |= r.state == HapticState::lost;
+    shown = std::max(shown, r.displayed_force_n.norm());
+    change = std::max(change, (r.displayed_force_n - last).norm());
+    last = r.displayed_force_n;
+    if (r.state == HapticState::limited) deepest = std::min(deepest, r.proxy_pose.position.z());
+    end = r;
+  });
+  const HapticSettings& settings = scene->description.haptics;
+  EXPECT_TRUE(limited);
+  EXPECT_TRUE(lost);  // held for 0.9 s, longer than the limit's time
+  EXPECT_LE(shown, settings.device_limit_n * (1 + 1e-9));
+  EXPECT_LE(change, settings.force_rate_n_s * 0.001 * (1 + 1e-9));
+  EXPECT_GT(deepest, -0.001);  // the proxy stayed while the hand went 15 mm beneath the block
+  EXPECT_EQ(end.state, HapticState::tracking);
+  double residual = 0.0;
+  const auto& points = runner.latest().soft_points;
+  for (int i = 0; i < scene->model.nodes; ++i)
+    for (int a = 0; a < 3; ++a) residual = std::max(residual, std::abs(points[3 * i + a] - scene->model.rest[i][a]));
+  EXPECT_LT(residual, 1e-4);
+}
+
+TEST(Scene, NonFinitePoseMeansZeroForceAndANamedFault) {
+  const auto scene = build_scene(testing::block_scene());
+  HeightPort port(press_and_return);
+  Runner runner(scene, port);
+  runner.run(800, [](const TickRecord&) {});
+  EXPECT_GT(port.last.norm(), 0.3);
+  port.poison = true;
+  runner.run(20, [&](const TickRecord& r) {
+    EXPECT_NE(r.faults & kFaultDevicePose, 0u);
+    EXPECT_EQ(r.displayed_force_n.norm(), 0.0);
+    EXPECT_EQ(r.state, HapticState::lost);
+  });
+  port.poison = false;
+  TickRecord end;
+  runner.run(2000, [&](const TickRecord& r) {
+    ASSERT_TRUE(r.model_force_n.allFinite());
+    end = r;
+  });
+  EXPECT_EQ(end.state, HapticState::tracking);
+}
+
+TEST(Scene, AnUnpluggedDeviceGetsNoForceAtOnce) {
+  const auto scene = build_scene(testing::block_scene());
+  HeightPort port(press_and_return);
+  Runner runner(scene, port);
+  runner.run(800, [](const TickRecord&) {});
+  port.valid = false;
+  runner.run(1, [](const TickRecord& r) { EXPECT_EQ(r.displayed_force_n.norm(), 0.0); });
+}
+
+TEST(Scene, RigidAnatomyStopsTheBlade) {
+  SceneDescription d = testing::block_scene();
+  d.rigid.surface = testing::box_surface(Vec3(0.015, 0.015, 0.010), Vec3(0.01, 0.01, 0.014));  // top at 17 mm
+  d.rigid.triangle_structure.assign(d.rigid.surface.triangles.size(), Structure::gum);
+  const auto scene = build_scene(d);
+  HeightPort port([](double t) { return 0.020 - 0.005 * std::min(1.0, t); });
+  Runner runner(scene, port);
+  TickRecord end;
+  runner.run(1500, [&](const TickRecord& r) { end = r; });
+  // The hand is 2 mm inside; the coupling's pull is what the gum bears.
+  EXPECT_NEAR(end.proxy_pose.position.z(), 0.017, 0.0003);
+  EXPECT_NEAR(end.loads[static_cast<int>(Structure::gum)].force_n.z(), scene->proxy.stiffness_n_m * 0.002, 0.3);
+  EXPECT_LT(end.loads[static_cast<int>(Structure::tongue)].force_n.norm(), 0.01);
+}
+
+TEST(Scene, RealTimeRunKeepsEveryRecordInOrder) {
+  const auto scene = build_scene(testing::block_scene());
+  HeightPort port(press_and_return);
+  Runner runner(scene, port);
+  Replayer replayer(scene);
+  runner.start();
+  TickRecord r;
+  std::int64_t next = 0;
+  while (next < 600) {
+    if (!runner.pop(r)) {
+      timespec nap{0, 2'000'000};
+      nanosleep(&nap, nullptr);
+      continue;
+    }
+    ASSERT_EQ(r.tick, next++);
+    const TickRecord again = replayer.replay(r);
+    ASSERT_EQ(std::memcmp(r.displayed_force_n.data(), again.displayed_force_n.data(), 24), 0) << r.tick;
+    ASSERT_EQ(r.model_force_n, again.model_force_n) << r.tick;
+  }
+  runner.stop();
+  EXPECT_GE(runner.timing().ticks, 600);
+}
+
+}  // namespace
+}  // namespace vallecula::engine
