@@ -2,6 +2,8 @@
 #include <spdlog/sinks/stdout_sinks.h>
 #include <spdlog/spdlog.h>
 
+#include <QString>
+#include <QtGlobal>
 #include <cstdio>
 #include <exception>
 #include <iostream>
@@ -30,7 +32,9 @@ int complain_of_usage(const CLI::App& app, const CLI::ParseError& error) {
   }
   std::string message = error.what();
   const std::vector<std::string> left = app.remaining(true);
-  if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr && !left.empty()) {
+  // `curriculum eat` is told as a missing subcommand, though one was given that does not exist.
+  const bool no_subcommand = message.find("subcommand is required") != std::string::npos;
+  if ((dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr || no_subcommand) && !left.empty()) {
     const bool option = left.front().rfind('-', 0) == 0;
     message = std::string("unknown ") +
               (option                   ? "option"
@@ -41,6 +45,13 @@ int complain_of_usage(const CLI::App& app, const CLI::ParseError& error) {
   return complain(kWrongUsage, message + "; see `" + command + " --help`");
 }
 
+/// Qt's own remarks (a missing runtime folder, a font it replaced) are not what a person asked for: --verbose shows
+/// them.
+void log_qt_message(QtMsgType type, const QMessageLogContext&, const QString& text) {
+  const bool grave = type == QtCriticalMsg || type == QtFatalMsg;
+  spdlog::log(grave ? spdlog::level::err : spdlog::level::debug, "Qt: {}", text.toStdString());
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -49,6 +60,7 @@ int main(int argc, char** argv) {
   spdlog::set_default_logger(spdlog::stderr_logger_mt("vallecula"));
   spdlog::set_pattern("%H:%M:%S %^%l%$ %v");
   spdlog::set_level(spdlog::level::warn);
+  qInstallMessageHandler(log_qt_message);
 
   CLI::App app(
       "Vallecula: a force-true trainer for neonatal endotracheal intubation.\n"

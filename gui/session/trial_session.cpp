@@ -177,7 +177,7 @@ curricula::LogFooter TrialSession::Impl::footer(bool complete, const std::string
   curricula::LogFooter footer;
   footer.complete = complete;
   footer.ended = ended_by.empty() ? how : ended_by;
-  footer.loop_rate_hz = timing.loop_rate_hz;
+  if (setup.realtime) footer.loop_rate_hz = timing.loop_rate_hz;  // else there is no servo whose rate could be told
   footer.deadline_misses = timing.deadline_misses;
   footer.overruns = timing.overruns;
   return footer;

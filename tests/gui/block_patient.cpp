@@ -147,7 +147,7 @@ scenarios:
     manikin: { weight_kg: 3.2, seed: 1 }
     blade: miller-1
     sight_percent: 25
-    max_attempt_s: 20
+    max_attempt_s: 40
     targets: { tongue_force_n: 5.0, gum_force_n: 2.0 }
     pass:
       peak_tongue_force_n: 6.8

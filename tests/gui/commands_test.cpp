@@ -90,7 +90,7 @@ TEST(CurriculumCommand, AcceptsTheShippedOneAndNamesTheLineOfAnError) {
   EXPECT_EQ(good.exit_code, 0) << good.err;
   EXPECT_NE(good.out.find("plain"), std::string::npos);
   std::string text = text_of(file);
-  text.replace(text.find("max_attempt_s: 20"), 17, "max_attempt_s: ten");
+  text.replace(text.find("max_attempt_s: 40"), 17, "max_attempt_s: ten");
   write_text(file, text);
   const Outcome bad = box.run({"curriculum", "check", file.string()});
   expect_refused(bad, 1, "max_attempt_s");

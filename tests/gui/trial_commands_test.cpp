@@ -5,6 +5,7 @@
 #include <QCoreApplication>
 #include <chrono>
 #include <cmath>
+#include <functional>
 #include <thread>
 
 #include "curricula/records/records.h"
@@ -110,6 +111,7 @@ TEST_F(TrialCommands, TwoTrialsAtFullSpeedAreTheSameToTheBit) {
   ASSERT_EQ(box_.run(trial_arguments("one")).exit_code, 0);
   ASSERT_EQ(box_.run(trial_arguments("two")).exit_code, 0);
   EXPECT_EQ(text_of(box_ / "one" / "score.json"), text_of(box_ / "two" / "score.json"));
+  EXPECT_TRUE(text_of(box_ / "one" / "trial.vtrial") == text_of(box_ / "two" / "trial.vtrial"));
 }
 
 TEST_F(TrialCommands, OneChangedQuantityFailsVerification) {
