@@ -1,0 +1,236 @@
+#include "curricula/scenario.h"
+
+#include <set>
+
+#include "tests/curricula/temporary_folder.h"
+
+namespace vallecula::curricula {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::error_of;
+
+const char* const kGood = R"(schema: 1
+id: test-course
+title: A course
+blades_by_weight:
+  - { below_kg: 1.0, blade: miller-00 }
+  - { below_kg: 3.0, blade: miller-0 }
+scenarios:
+  - id: first
+    title: First
+    briefing: Do it.
+    debriefing: Done.
+    manikin: { weight_kg: 1.5, seed: 4 }
+    sight_percent: 25
+    max_attempt_s: 60
+    targets:
+      tongue_force_n: 5
+      gum_force_n: 2
+    pass:
+      peak_tongue_force_n: 6.5
+      peak_gum_force_n: 3
+      glottis_visible_percent: 50
+      attempt_time_s: 30
+      time_over_target_s: 3
+      time_over_device_limit_s: 0.2
+)";
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  const auto at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  return text.replace(at, from.size(), to);
+}
+
+class CurriculumFile : public testing::TemporaryFolder {
+ protected:
+  std::string error(const std::string& text) {
+    const fs::path file = write("course.yaml", text);
+    return error_of<CurriculumError>([&] { load_curriculum(file); });
+  }
+};
+
+TEST_F(CurriculumFile, ReadsEveryField) {
+  const Curriculum c = load_curriculum(write("course.yaml", kGood));
+  EXPECT_EQ(c.id, "test-course");
+  EXPECT_EQ(c.title, "A course");
+  ASSERT_EQ(c.scenarios.size(), 1u);
+  const Scenario& s = c.scenarios[0];
+  EXPECT_EQ(c.find("first"), &s);
+  EXPECT_EQ(c.find("second"), nullptr);
+  EXPECT_EQ(s.title, "First");
+  EXPECT_EQ(s.briefing, "Do it.");
+  EXPECT_EQ(s.debriefing, "Done.");
+  EXPECT_EQ(s.manikin.weight_kg, 1.5);
+  EXPECT_EQ(s.manikin.seed, 4u);
+  EXPECT_EQ(s.blade, "miller-0");  // from the table
+  EXPECT_EQ(s.tongue_young_pa, 0.0);
+  EXPECT_EQ(s.sight_percent, 25.0);
+  EXPECT_EQ(s.max_attempt_s, 60.0);
+  EXPECT_EQ(s.targets.tongue_force_n, 5.0);
+  EXPECT_EQ(s.targets.gum_force_n, 2.0);
+  EXPECT_EQ(s.pass.peak_tongue_force_n, 6.5);
+  EXPECT_EQ(s.pass.peak_gum_force_n, 3.0);
+  EXPECT_EQ(s.pass.glottis_visible_percent, 50.0);
+  EXPECT_EQ(s.pass.attempt_time_s, 30.0);
+  EXPECT_EQ(s.pass.time_over_target_s, 3.0);
+  EXPECT_EQ(s.pass.time_over_device_limit_s, 0.2);
+}
+
+TEST_F(CurriculumFile, AScenariosOwnTextSaysTheSame) {
+  const Curriculum shipped = load_curriculum(fs::path(VALLECULA_SOURCE_DIR) / "curricula/courses/first-steps.yaml");
+  ASSERT_EQ(shipped.scenarios.size(), 3u);
+  for (const Scenario& s : shipped.scenarios) {
+    const Scenario again = parse_scenario(s.yaml, "log");
+    EXPECT_EQ(again.id, s.id);
+    EXPECT_EQ(again.title, s.title);
+    EXPECT_EQ(again.briefing, s.briefing);
+    EXPECT_EQ(again.debriefing, s.debriefing);
+    EXPECT_EQ(again.blade, s.blade);
+    EXPECT_EQ(again.manikin.weight_kg, s.manikin.weight_kg);
+    EXPECT_EQ(again.manikin.seed, s.manikin.seed);
+    EXPECT_EQ(again.tongue_young_pa, s.tongue_young_pa);
+    EXPECT_EQ(again.pass.peak_tongue_force_n, s.pass.peak_tongue_force_n);
+    EXPECT_EQ(again.pass.time_over_device_limit_s, s.pass.time_over_device_limit_s);
+    EXPECT_EQ(again.yaml, s.yaml);
+  }
+}
+
+TEST_F(CurriculumFile, TheShippedCourseGoesFromTermToPretermToDifficult) {
+  const Curriculum c = load_curriculum(fs::path(VALLECULA_SOURCE_DIR) / "curricula/courses/first-steps.yaml");
+  ASSERT_EQ(c.scenarios.size(), 3u);
+  EXPECT_EQ(c.scenarios[0].manikin.weight_kg, 3.2);
+  EXPECT_EQ(c.scenarios[0].blade, "miller-1");
+  EXPECT_EQ(c.scenarios[1].manikin.weight_kg, 1.2);
+  EXPECT_EQ(c.scenarios[1].blade, "miller-0");
+  EXPECT_GT(c.scenarios[2].tongue_young_pa, 6000.0);  // CLINICAL's default tongue
+  EXPECT_NE(c.scenarios[2].manikin.seed, c.scenarios[0].manikin.seed);
+  // A limit above what the simulated devices give (7.9 N) could never be exceeded.
+  for (const Scenario& s : c.scenarios) EXPECT_LT(s.pass.peak_tongue_force_n, 7.9);
+}
+
+TEST_F(CurriculumFile, EveryMistakeNamesFileLineFieldValueAndWhatIsAllowed) {
+  const struct {
+    const char *from, *to;
+    int line;
+    const char *field, *value, *allowed;
+  } cases[] = {
+      {"seed: 4", "seed: 4, sed: 5", 12, "scenarios[0].manikin.sed", "'5'", "weight_kg"},
+      {"sight_percent: 25", "sight_percnt: 25", 13, "scenarios[0].sight_percnt", "'25'", "sight_percent"},
+      {"    sight_percent: 25\n", "", 8, "scenarios[0].sight_percent", "missing", "from 1 to 100"},
+      {"weight_kg: 1.5", "weight_kg: light", 12, "scenarios[0].manikin.weight_kg", "'light'", "from 0.6 to 4.5"},
+      {"weight_kg: 1.5", "weight_kg: \"1.5\"", 12, "scenarios[0].manikin.weight_kg", "'1.5'", "a number"},
+      {"weight_kg: 1.5", "weight_kg: .nan", 12, "scenarios[0].manikin.weight_kg", "'.nan'", "from 0.6 to 4.5"},
+      {"weight_kg: 1.5", "weight_kg: .inf", 12, "scenarios[0].manikin.weight_kg", "'.inf'", "from 0.6 to 4.5"},
+      {"weight_kg: 1.5", "weight_kg: 9", 12, "scenarios[0].manikin.weight_kg", "'9'", "from 0.6 to 4.5"},
+      {"weight_kg: 1.5", "weight_kg: 1,5", 12, "scenarios[0].manikin", "", "weight_kg"},
+      {"weight_kg: 1.5", "weight_kg: ", 12, "scenarios[0].manikin.weight_kg", "empty", "from 0.6 to 4.5"},
+      {"seed: 4", "seed: -4", 12, "scenarios[0].manikin.seed", "'-4'", "a whole number from 0"},
+      {"seed: 4", "seed: 4.5", 12, "scenarios[0].manikin.seed", "'4.5'", "a whole number"},
+      {"seed: 4", "seed: 4294967296", 12, "scenarios[0].manikin.seed", "'4294967296'", "4294967295"},
+      {"seed: 4", "seed: [4]", 12, "scenarios[0].manikin.seed", "a list", "a whole number"},
+      {"attempt_time_s: 30", "attempt_time_s: -3", 22, "scenarios[0].pass.attempt_time_s", "'-3'", "from 1 to 600"},
+      {"attempt_time_s: 30", "attempt_time_s: 90", 22, "scenarios[0].pass.attempt_time_s", "'90'",
+       "max_attempt_s = 60"},
+      {"tongue_force_n: 5", "tongue_force_n: 7", 16, "scenarios[0].targets.tongue_force_n", "'7'",
+       "pass.peak_tongue_force_n = 6.5"},
+      {"      gum_force_n: 2", "      gum_force_n: 4", 17, "scenarios[0].targets.gum_force_n", "'4'",
+       "pass.peak_gum_force_n = 3"},
+      {"sight_percent: 25", "sight_percent: 60", 13, "scenarios[0].sight_percent", "'60'",
+       "glottis_visible_percent = 50"},
+      {"max_attempt_s: 60", "max_attempt_s: 60\n    max_attempt_s: 50", 15, "scenarios[0].max_attempt_s", "'50'",
+       "once"},
+      {"title: First", "title: First\n    blade: macintosh", 10, "scenarios[0].blade", "'macintosh'",
+       "miller-00, miller-0, miller-1"},
+      {"weight_kg: 1.5", "weight_kg: 3.0", 8, "scenarios[0].blade", "missing", "blades_by_weight above 3 kg"},
+      {"below_kg: 3.0", "below_kg: 0.9", 6, "blades_by_weight[1].below_kg", "'0.9'", "more than the row before, 1 kg"},
+      {"id: first", "id: First One", 8, "scenarios[0].id", "'First One'", "lower-case"},
+      {"title: A course", "title: \"\"", 3, "title", "''", "1 to 120 characters"},
+      {"schema: 1", "schema: 2", 1, "schema", "'2'", "1"},
+      {"schema: 1\n", "", 1, "schema", "missing", "1"},
+      {"briefing: Do it.", "briefing: { do: it }", 10, "scenarios[0].briefing", "a group of fields",
+       "text of 1 to 4000"},
+      {"    manikin: { weight_kg: 1.5, seed: 4 }", "    manikin: 3", 12, "scenarios[0].manikin", "'3'",
+       "seed, weight_kg"},
+  };
+  for (const auto& c : cases) {
+    const std::string message = error(replaced(kGood, c.from, c.to));
+    EXPECT_NE(message.find((folder_ / "course.yaml").string() + ":" + std::to_string(c.line) + ":"), std::string::npos)
+        << c.to << " -> " << message;
+    for (const char* part : {c.field, c.value, c.allowed}) {
+      EXPECT_NE(message.find(part), std::string::npos) << c.to << " lacks '" << part << "' -> " << message;
+    }
+  }
+}
+
+TEST_F(CurriculumFile, EveryRequiredFieldIsMissedByName) {
+  for (const char* field : {"id: test-course", "title: A course", "    title: First", "briefing: Do it.",
+                            "debriefing: Done.", "manikin: { weight_kg: 1.5, seed: 4 }", "weight_kg: 1.5, ",
+                            ", seed: 4", "max_attempt_s: 60", "tongue_force_n: 5", "      gum_force_n: 2",
+                            "peak_tongue_force_n: 6.5", "peak_gum_force_n: 3", "glottis_visible_percent: 50",
+                            "attempt_time_s: 30", "time_over_target_s: 3", "time_over_device_limit_s: 0.2"}) {
+    const std::string text(field);
+    const auto start = text.find_first_not_of(" ,"), end = text.find(':');
+    const std::string message = error(replaced(kGood, text, ""));
+    EXPECT_NE(message.find(text.substr(start, end - start) + " is missing"), std::string::npos)
+        << field << " -> " << message;
+  }
+}
+
+TEST_F(CurriculumFile, TwoScenariosMayNotShareAnId) {
+  std::string twice = kGood;
+  twice += twice.substr(twice.find("  - id: first"));
+  const std::string message = error(twice);
+  EXPECT_NE(message.find(":25: scenarios[1].id is 'first'"), std::string::npos) << message;
+}
+
+TEST_F(CurriculumFile, BrokenYamlIsRefusedWithItsLine) {
+  for (const char* broken : {"schema: 1\nid: [unclosed\n", "schema: 1\n id: x\n", "schema: 1\nid: \"open\n",
+                             "a: b: c\n", "\t- x\n", "{", "%YAML 9.9\n", "!!binary |\n"}) {
+    const std::string message = error(broken);
+    EXPECT_NE(message.find("course.yaml:"), std::string::npos) << broken;
+  }
+  EXPECT_NE(error("schema: 1\nid: [unclosed\n").find("broken YAML"), std::string::npos);
+  EXPECT_NE(error("").find("empty"), std::string::npos);
+  EXPECT_NE(error("# only a comment\n").find("course.yaml"), std::string::npos);
+  EXPECT_NE(error("just words").find("allowed"), std::string::npos);
+  EXPECT_NE(error(std::string(kGood) + "---\n" + kGood).find("more than one document"), std::string::npos);
+}
+
+TEST_F(CurriculumFile, HostileYamlIsRefusedQuickly) {
+  std::string bomb = "a: &a [x,x,x,x,x,x,x,x,x]\n";
+  for (char c = 'b'; c <= 'z'; ++c) {
+    bomb += std::string(1, c) + ": &" + c + " [";
+    for (int i = 0; i < 9; ++i) bomb += std::string(i > 0 ? "," : "") + "*" + static_cast<char>(c - 1);
+    bomb += "]\n";
+  }
+  EXPECT_NE(error(bomb).find("anchor"), std::string::npos);
+  EXPECT_NE(error("a: *b\n").find("course.yaml:"), std::string::npos);
+  EXPECT_NE(error(std::string(500000, '[')).find("deep"), std::string::npos);
+  std::string nested;
+  for (int i = 0; i < 200; ++i) nested += std::string(static_cast<std::size_t>(i), ' ') + "a:\n";
+  EXPECT_NE(error(nested).find("deep"), std::string::npos);
+  EXPECT_NE(error(std::string(kGood) + "#" + std::string(1 << 20, 'x')).find("larger than 1 MB"), std::string::npos);
+  EXPECT_NE(error(replaced(kGood, "Do it.", "\"\xff\xfe\"")).find("UTF-8"), std::string::npos);
+  EXPECT_NE(error(replaced(kGood, "Do it.", std::string("a\0b", 3))).find("UTF-8"), std::string::npos);
+}
+
+TEST_F(CurriculumFile, WhatCannotBeReadIsNamed) {
+  const auto of = [](const fs::path& path) { return error_of<CurriculumError>([&] { load_curriculum(path); }); };
+  EXPECT_NE(of(folder_ / "none.yaml").find("none.yaml"), std::string::npos);
+  EXPECT_NE(of(folder_).find("folder"), std::string::npos);
+}
+
+TEST(Scenario, NeedsABladeWhereNoTableIs) {
+  const std::string text =
+      "id: a\ntitle: b\nbriefing: c\ndebriefing: d\nmanikin: {weight_kg: 3, seed: 1}\nsight_percent: 25\n"
+      "max_attempt_s: 60\ntargets: {tongue_force_n: 5, gum_force_n: 2}\npass: {peak_tongue_force_n: 6, "
+      "peak_gum_force_n: 3, glottis_visible_percent: 50, attempt_time_s: 30, time_over_target_s: 3, "
+      "time_over_device_limit_s: 0}\n";
+  const std::string message = error_of<CurriculumError>([&] { parse_scenario(text, "trial x"); });
+  EXPECT_NE(message.find("trial x:1: blade is missing"), std::string::npos) << message;
+  EXPECT_EQ(parse_scenario("blade: miller-1\n" + text, "trial x").blade, "miller-1");
+}
+
+}  // namespace
+}  // namespace vallecula::curricula
