@@ -83,7 +83,7 @@ Scene::Scene(const SceneDescription& d)
       rigid(rigid_field(d)),
       sight(d.sight),
       proxy(proxy_settings(d)) {
-  contact_stiffness = contact_stiffness_per_area(model, TissueState(model), surface);
+  contact_stiffness = contact_stiffness_per_area(model, surface);
   for (const Vec3& p : model.rest) centre += p / static_cast<double>(model.nodes);
 }
 

@@ -7,7 +7,7 @@ namespace vallecula::engine {
 namespace {
 
 constexpr int kMaxIterations = 10;        // Algorithm 1, MaxIterationNumber
-constexpr float kAugmentation = 3.0f;     // contact stiffness over a surface node's own, compliant
+constexpr float kAugmentation = 6.0f;     // contact stiffness over a surface node's own, compliant
 constexpr float kPenaltyShare = 0.1f;     // of that stiffness: an explicit penalty spring above it diverges at h = 1 ms
 
 /// The paper to the letter: free step, then each colliding sphere's centre is projected out along its normal and the
@@ -75,22 +75,27 @@ StepStatistics respond(Response response, const SphereTree& tree, const std::vec
   return statistics;
 }
 
-float contact_stiffness_per_area(const TissueModel& model, const TissueState& tissue, const SoftSurface& surface) {
+float contact_stiffness_per_area(const TissueModel& model, const SoftSurface& surface) {
   const double h = model.step_s;
-  std::vector<double> area(model.nodes, 0.0);
-  double total = 0.0;
+  double area = 0.0;
+  std::vector<char> on_surface(model.nodes, 0);
   for (const auto& t : surface.triangles) {
-    const double a = (model.rest[t[1]] - model.rest[t[0]]).cross(model.rest[t[2]] - model.rest[t[0]]).norm() / 2;
-    for (int v : t) area[v] += a / 3;
-    total += a;
+    area += (model.rest[t[1]] - model.rest[t[0]]).cross(model.rest[t[2]] - model.rest[t[0]]).norm() / 2;
+    for (int v : t) on_surface[v] = 1;
   }
+  // A node's own stiffness: its inertia over a step and the shear part of its elastic diagonal. The volumetric part is
+  // left out: nearly incompressible tissue gives way sideways, however stiff its volume is.
   double stiffness = 0.0;
-  for (int i = 0; i < model.nodes; ++i) {
-    if (area[i] == 0.0) continue;
-    const Block3& k = tissue.stiffness[model.diagonal[i]];
-    stiffness += model.mass[i] / (h * h) + (double(k.column[0][0]) + k.column[1][1] + k.column[2][2]) / 3;
-  }
-  return static_cast<float>(kAugmentation * stiffness / total);
+  for (int i = 0; i < model.nodes; ++i) stiffness += on_surface[i] ? model.mass[i] / (h * h) : 0.0;
+  for (const TetPack& pack : model.packs)
+    for (int c = 0; c < 4; ++c)
+      for (int lane = 0; lane < 4; ++lane) {
+        if (!on_surface[pack.node[c][lane]]) continue;
+        double squared = 0.0;
+        for (int a = 0; a < 3; ++a) squared += double(pack.gradient[c][a][lane]) * pack.gradient[c][a][lane];
+        stiffness += 4.0 / 3.0 * pack.volume[lane] * pack.mu[lane] * squared;
+      }
+  return static_cast<float>(kAugmentation * stiffness / area);
 }
 
 }  // namespace vallecula::engine

@@ -12,6 +12,6 @@ StepStatistics respond(Response response, const SphereTree& tree, const std::vec
 
 /// Stiffness of the augmented Lagrangian per surface area (N/m^3): a few times the stiffness a surface node offers in one
 /// step over the area it answers for. It sets how fast the multipliers settle, not the force they settle at.
-float contact_stiffness_per_area(const TissueModel& model, const TissueState& tissue, const SoftSurface& surface);
+float contact_stiffness_per_area(const TissueModel& model, const SoftSurface& surface);
 
 }  // namespace vallecula::engine
