@@ -12,8 +12,9 @@ using Rotation = std::array<double, 4>;  ///< w, x, y, z; turns tool axes into w
 inline Vector add(const Vector& a, const Vector& b) noexcept { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
 inline Vector subtract(const Vector& a, const Vector& b) noexcept { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 inline Vector scale(const Vector& a, double s) noexcept { return {a[0] * s, a[1] * s, a[2] * s}; }
-/// Scaled so that neither huge nor tiny components overflow or vanish; infinite or NaN input gives a non-finite result.
-inline double length(const Vector& a) noexcept { return std::hypot(a[0], a[1], a[2]); }
+/// Scaled so that neither huge nor tiny components overflow or vanish; infinite or NaN input gives a non-finite result
+/// (which the three-argument std::hypot of libstdc++ does not: it returns 0 for 0, NaN, 0).
+inline double length(const Vector& a) noexcept { return std::hypot(std::hypot(a[0], a[1]), a[2]); }
 inline bool finite(const Vector& a) noexcept {
   return std::isfinite(a[0]) && std::isfinite(a[1]) && std::isfinite(a[2]);
 }
@@ -47,7 +48,7 @@ inline Vector rotate(const Rotation& q, const Vector& v) noexcept {
 /// Angle between two rotations, 0..pi.
 inline double angle_between(const Rotation& a, const Rotation& b) noexcept {
   const Rotation d = multiply({a[0], -a[1], -a[2], -a[3]}, b);
-  return 2.0 * std::atan2(std::hypot(d[1], d[2], d[3]), std::abs(d[0]));
+  return 2.0 * std::atan2(length({d[1], d[2], d[3]}), std::abs(d[0]));
 }
 
 /// The shorter great arc from a (s = 0) to b (s = 1) at constant angular speed.

@@ -12,7 +12,8 @@ namespace {
 /// Out of the mouth for less than this is jitter about its plane, not a second entry.
 constexpr double kOutForAnEntryS = 1.0;
 
-double magnitude(const std::array<double, 3>& v) { return std::hypot(v[0], v[1], v[2]); }
+/// Not finite when a component is not (the three-argument std::hypot of libstdc++ returns 0 for 0, NaN, 0).
+double magnitude(const std::array<double, 3>& v) { return std::hypot(std::hypot(v[0], v[1]), v[2]); }
 
 void measure_attempt(const TrialLog& log, Score& score) {
   const auto mouth = mouth_from_landmarks(log.header.landmarks_m);

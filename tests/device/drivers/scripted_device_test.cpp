@@ -122,17 +122,23 @@ TEST(ScriptedDevice, JustBelowTheLimitIsNeverAFault) {
   EXPECT_EQ(device.fault_count(), 0);
 }
 
-TEST(ScriptedDevice, NotANumberIsAFaultWithoutForce) {
-  ScriptedDevice device(still(), HandSettings{});
-  int tick = 0;
-  hold(device, tick, 10, {1, 0, 0});
-  hold(device, tick, 1, {std::numeric_limits<double>::quiet_NaN(), 0, 0});
-  EXPECT_EQ(device.fault(), DeviceFault::non_finite_command);
-  EXPECT_EQ(device.given_force_n(), (Vector{0, 0, 0}));
-  EXPECT_FALSE(hold(device, tick, 1, {0, 0, 0}).valid);
-  const DeviceReading later = hold(device, tick, 2000, {0, 0, 0});
-  EXPECT_TRUE(later.valid);
-  EXPECT_TRUE(finite(later.position_m));
+TEST(ScriptedDevice, NotANumberOnAnyAxisIsAFaultWithoutForce) {
+  for (const double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      ScriptedDevice device(still(), HandSettings{});
+      int tick = 0;
+      hold(device, tick, 10, {1, 0, 0});
+      Vector force{0, 0, 0};
+      force[axis] = bad;
+      hold(device, tick, 1, force);
+      EXPECT_EQ(device.fault(), DeviceFault::non_finite_command);
+      EXPECT_EQ(device.given_force_n(), (Vector{0, 0, 0}));
+      EXPECT_FALSE(hold(device, tick, 1, {0, 0, 0}).valid);
+      const DeviceReading later = hold(device, tick, 2000, {0, 0, 0});
+      EXPECT_TRUE(later.valid);
+      EXPECT_TRUE(finite(later.position_m));
+    }
+  }
 }
 
 TEST(ScriptedDevice, SameSeedSameTremorAndAnotherSeedAnother) {
