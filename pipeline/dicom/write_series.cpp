@@ -7,7 +7,9 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <fstream>
 #include <stdexcept>
+#include <system_error>
 
 namespace vallecula::pipeline {
 namespace {
@@ -61,7 +63,7 @@ void set_image(gdcm::Image& image, const Hounsfield& volume, int slice) {
   image.SetSpacing(1, grid.spacing[1]);
   image.SetSpacing(2, grid.spacing[2]);
   const auto corner = grid.position(0, 0, slice);
-  image.SetOrigin(corner.data());
+  for (unsigned a = 0; a < 3; ++a) image.SetOrigin(a, corner[a]);  // the array form drops z of a 2D image
   // The whole array at once: the form with indices becomes identity without a word when used out of order.
   const double cosines[6] = {1, 0, 0, 0, 1, 0};
   image.SetDirectionCosines(cosines);
@@ -132,12 +134,19 @@ void write_ct_series(const Hounsfield& volume, const SeriesDescription& descript
     char name[32];
     std::snprintf(name, sizeof name, "ct-%04d.dcm", z + 1);
     const auto file = dir / name;
+    if (!std::ofstream(file).good())  // GDCM ends the process when it cannot open the file
+      throw std::runtime_error("DICOM series: " + file.string() +
+                               " cannot be written; check the space and permissions");
     gdcm::ImageWriter writer;
     set_image(writer.GetImage(), volume, z);
     set_attributes(writer.GetFile().GetDataSet(), volume, z, description);
     writer.SetFileName(file.c_str());
-    if (!writer.Write())
-      throw std::runtime_error("DICOM series: " + file.string() + " cannot be written; check the space and permissions");
+    const bool written = writer.Write();
+    std::error_code error;
+    const auto pixels = 2u * static_cast<std::uintmax_t>(volume.grid.size[0]) * volume.grid.size[1];
+    if (!written || std::filesystem::file_size(file, error) <= pixels || error)
+      throw std::runtime_error("DICOM series: " + file.string() +
+                               " cannot be written; check the space and permissions");
     if (progress) progress(static_cast<double>(z + 1) / volume.grid.size[2]);
   }
 }

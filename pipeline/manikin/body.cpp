@@ -4,19 +4,30 @@ namespace vallecula::pipeline::manikin {
 
 Label label_of(Matter matter) {
   switch (matter) {
-    case Matter::outside: return kBackground;
-    case Matter::airway: return kAirway;
-    case Matter::skull: return kSkull;
-    case Matter::mandible: return kMandible;
-    case Matter::spine: return kSpine;
-    case Matter::tongue: return kTongue;
-    case Matter::epiglottis: return kEpiglottis;
-    case Matter::soft_palate: return kSoftPalate;
-    case Matter::larynx: return kLarynx;
-    case Matter::oesophagus: return kOesophagus;
+    case Matter::outside:
+      return kBackground;
+    case Matter::airway:
+      return kAirway;
+    case Matter::skull:
+      return kSkull;
+    case Matter::mandible:
+      return kMandible;
+    case Matter::spine:
+      return kSpine;
+    case Matter::tongue:
+      return kTongue;
+    case Matter::epiglottis:
+      return kEpiglottis;
+    case Matter::soft_palate:
+      return kSoftPalate;
+    case Matter::larynx:
+      return kLarynx;
+    case Matter::oesophagus:
+      return kOesophagus;
     case Matter::skin:
     case Matter::fat:
-    case Matter::hyoid: break;
+    case Matter::hyoid:
+      break;
   }
   return kSkin;
 }
@@ -25,18 +36,30 @@ double hounsfield_of(Matter matter) {
   // Newborn bone is thin and little mineralised; laryngeal cartilage is not calcified at all.
   switch (matter) {
     case Matter::outside:
-    case Matter::airway: return -1000.0;
-    case Matter::skin: return 45.0;
-    case Matter::fat: return -90.0;
-    case Matter::skull: return 620.0;
-    case Matter::mandible: return 700.0;
-    case Matter::spine: return 420.0;
-    case Matter::hyoid: return 320.0;
-    case Matter::tongue: return 58.0;
-    case Matter::epiglottis: return 56.0;
-    case Matter::soft_palate: return 48.0;
-    case Matter::larynx: return 60.0;
-    case Matter::oesophagus: return 44.0;
+    case Matter::airway:
+      return -1000.0;
+    case Matter::skin:
+      return 45.0;
+    case Matter::fat:
+      return -90.0;
+    case Matter::skull:
+      return 620.0;
+    case Matter::mandible:
+      return 700.0;
+    case Matter::spine:
+      return 420.0;
+    case Matter::hyoid:
+      return 320.0;
+    case Matter::tongue:
+      return 58.0;
+    case Matter::epiglottis:
+      return 56.0;
+    case Matter::soft_palate:
+      return 48.0;
+    case Matter::larynx:
+      return 60.0;
+    case Matter::oesophagus:
+      return 44.0;
   }
   return 0.0;
 }

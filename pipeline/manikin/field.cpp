@@ -83,8 +83,7 @@ double segment_distance(const Flat& p, const Flat& a, const Flat& b, double* alo
   const double du = b.u - a.u;
   const double dv = b.v - a.v;
   const double length2 = du * du + dv * dv;
-  const double t =
-      length2 > 0.0 ? std::clamp(((p.u - a.u) * du + (p.v - a.v) * dv) / length2, 0.0, 1.0) : 0.0;
+  const double t = length2 > 0.0 ? std::clamp(((p.u - a.u) * du + (p.v - a.v) * dv) / length2, 0.0, 1.0) : 0.0;
   if (along != nullptr) *along = t;
   const double eu = p.u - a.u - t * du;
   const double ev = p.v - a.v - t * dv;

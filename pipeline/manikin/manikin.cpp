@@ -32,8 +32,7 @@ double eye_along(double scale) {
 
 }  // namespace
 
-Manikin::Data::Data(double weight_kg, std::uint64_t seed)
-    : scale(scale_of(weight_kg)), body(manikin::vary(seed)) {
+Manikin::Data::Data(double weight_kg, std::uint64_t seed) : scale(scale_of(weight_kg)), body(manikin::vary(seed)) {
   const double t = eye_along(scale);
   eye = {0.0, manikin::kGlottisCentre.u + t * kSight.u, manikin::kGlottisCentre.v + t * kSight.v};
 }
@@ -52,9 +51,7 @@ double Manikin::scale() const { return data_->scale; }
 
 Label Manikin::label_at(const Point& p) const { return manikin::label_of(data_->body.at(data_->inside(p))); }
 
-double Manikin::hounsfield_at(const Point& p) const {
-  return manikin::hounsfield_of(data_->body.at(data_->inside(p)));
-}
+double Manikin::hounsfield_at(const Point& p) const { return manikin::hounsfield_of(data_->body.at(data_->inside(p))); }
 
 std::map<std::string, Point> Manikin::landmarks() const {
   const auto& body = data_->body;

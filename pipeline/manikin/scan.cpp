@@ -39,12 +39,13 @@ Grid grid_for(const ManikinOptions& options, const Manikin& man) {
   const double slice = options.slice_mm > 0.0 ? options.slice_mm : small ? 0.6 : 0.8;
   // Square field about the head; from below the carina, where the bronchi end, to above the vertex.
   const int side = 16 * static_cast<int>(std::ceil(158.0 * s / pixel / 16.0));
-  const double bottom = man.landmarks().at("carina")[2] - 12.0 * s;
+  // Whole tenths of a millimetre, so that positions are short decimal strings.
+  const double bottom = std::floor(10.0 * (man.landmarks().at("carina")[2] - 12.0 * s)) / 10.0;
   const double top = 86.0 * s;
   Grid grid;
   grid.size = {side, side, static_cast<int>(std::ceil((top - bottom) / slice))};
   grid.spacing = {pixel, pixel, slice};
-  grid.origin = {-0.5 * (side - 1) * pixel, 52.0 * s - 0.5 * (side - 1) * pixel, bottom};
+  grid.origin = {-0.5 * (side - 1) * pixel, std::round(52.0 * s) - 0.5 * (side - 1) * pixel, bottom};
   return grid;
 }
 
@@ -82,7 +83,8 @@ class Voxeliser {
     Body::Open open = known;
     Matter matter{};
     const Vec centre = at(low[0] + 0.5 * (n[0] - 1), low[1] + 0.5 * (n[1] - 1), low[2] + 0.5 * (n[2] - 1));
-    const double radius = 0.5 * manikin::norm({n[0] * grid_.spacing[0], n[1] * grid_.spacing[1], n[2] * grid_.spacing[2]});
+    const double radius =
+        0.5 * manikin::norm({n[0] * grid_.spacing[0], n[1] * grid_.spacing[1], n[2] * grid_.spacing[2]});
     if (body_.settle(centre, radius / scale_, open, matter)) {
       fill(low, n, matter);
     } else if (n[0] == 1 && n[1] == 1 && n[2] == 1) {

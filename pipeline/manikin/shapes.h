@@ -28,9 +28,9 @@ struct BoneShapes {
 BoneShapes bone_shapes(const Variation& v, const Shape& nasal);
 
 struct MouthShapes {
-  Shape cavity;      ///< mouth, pharynx and nose together, before tongue, palate and larynx are put in
-  Shape nasal;       ///< nostrils and nasal passages alone
-  Shape upper_gum;   ///< the ridges, which stand into the cavity
+  Shape cavity;     ///< mouth, pharynx and nose together, before tongue, palate and larynx are put in
+  Shape nasal;      ///< nostrils and nasal passages alone
+  Shape upper_gum;  ///< the ridges, which stand into the cavity
   Shape lower_gum;
   Shape soft_palate;
   Shape oesophagus;

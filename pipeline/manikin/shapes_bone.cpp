@@ -26,13 +26,18 @@ Shape skull_shape(const Variation& v, const Shape& nasal) {
   const auto cheek = std::make_shared<Tube>(
       std::vector<Vec>{{12.0, 11.0, 8.0}, {20.0, 14.0, 13.0}, {28.0, 22.0, 14.0}, {33.0, 33.0, 8.0}, {35.0, 47.0, 1.0}},
       std::vector<double>{3.2, 3.4, 2.6, 1.6, 1.6}, true);
-  const auto pillar = std::make_shared<Tube>(std::vector<Vec>{{9.0, 6.5, 7.0}, {8.0, 6.5, 15.0}, {6.5, 6.5, 24.0}, {8.0, 8.5, 33.0}},
-                                             std::vector<double>{2.6, 2.0, 1.7, 2.2}, true);
+  const auto pillar =
+      std::make_shared<Tube>(std::vector<Vec>{{9.0, 6.5, 7.0}, {8.0, 6.5, 15.0}, {6.5, 6.5, 24.0}, {8.0, 8.5, 33.0}},
+                             std::vector<double>{2.6, 2.0, 1.7, 2.2}, true);
   const auto nasal_bone = std::make_shared<Tube>(std::vector<Vec>{{1.6, 5.0, 29.5}, {1.5, 3.6, 25.8}, {1.6, 2.2, 23.8}},
                                                  std::vector<double>{1.5, 1.1, 0.9}, true);
-  const auto rim = std::make_shared<Tube>(
-      std::vector<Vec>{{8.0, 8.5, 32.0}, {16.0, 6.8, 35.2}, {25.0, 10.5, 33.0}, {29.5, 16.5, 25.5}, {27.0, 18.5, 17.0}, {20.0, 13.5, 14.0}},
-      std::vector<double>{1.8, 1.8, 1.8, 1.7, 1.8, 1.9}, true);
+  const auto rim = std::make_shared<Tube>(std::vector<Vec>{{8.0, 8.5, 32.0},
+                                                           {16.0, 6.8, 35.2},
+                                                           {25.0, 10.5, 33.0},
+                                                           {29.5, 16.5, 25.5},
+                                                           {27.0, 18.5, 17.0},
+                                                           {20.0, 13.5, 14.0}},
+                                          std::vector<double>{1.8, 1.8, 1.8, 1.7, 1.8, 1.9}, true);
   const Vec fontanelle{0.0, centre.y - 16.0, centre.z + 47.0};
 
   Shape shape;
@@ -95,9 +100,9 @@ Shape mandible_shape(const Variation& v) {
   low(30.0, 40.5, -20.0);
   high(29.6, 44.5, -7.5);
   low(30.0, 45.0, -10.5);
-  const auto plate = std::make_shared<Plate>(top, bottom,
-                                             std::vector<double>{1.7, 1.7, 1.7, 1.7, 1.7, 1.7, 1.7, 1.5, 1.3, 1.5},
-                                             std::vector<double>{2.3, 2.3, 2.3, 2.3, 2.3, 2.2, 2.1, 1.9, 1.7, 1.8});
+  const auto plate =
+      std::make_shared<Plate>(top, bottom, std::vector<double>{1.7, 1.7, 1.7, 1.7, 1.7, 1.7, 1.7, 1.5, 1.3, 1.5},
+                              std::vector<double>{2.3, 2.3, 2.3, 2.3, 2.3, 2.2, 2.1, 1.9, 1.7, 1.8});
   const double condyle_x = with_gonia(v, kCondyleX, kCondyle.u);
   Shape shape;
   shape.steepest = kGentle;
@@ -113,10 +118,17 @@ Shape mandible_shape(const Variation& v) {
 Shape spine_shape(const Variation& v) {
   const Flat c = carina(v);
   // Middle of the vertebral bodies from the skull base to below the carina.
-  const auto line = std::make_shared<std::vector<Flat>>(curve(
-      std::vector<Flat>{{54.0, 1.0}, {52.6, -8.0}, {51.6, -18.0}, {50.6, -28.0}, {50.0, -38.0}, {50.4, -52.0},
-                        {0.5 * (50.4 + c.u + 15.5), 0.5 * (-52.0 + c.v)}, {c.u + 15.5, c.v}, {c.u + 20.0, c.v - 22.0}},
-      false, 6));
+  const auto line =
+      std::make_shared<std::vector<Flat>>(curve(std::vector<Flat>{{54.0, 1.0},
+                                                                  {52.6, -8.0},
+                                                                  {51.6, -18.0},
+                                                                  {50.6, -28.0},
+                                                                  {50.0, -38.0},
+                                                                  {50.4, -52.0},
+                                                                  {0.5 * (50.4 + c.u + 15.5), 0.5 * (-52.0 + c.v)},
+                                                                  {c.u + 15.5, c.v},
+                                                                  {c.u + 20.0, c.v - 22.0}},
+                                                false, 6));
   const auto arc = std::make_shared<std::vector<double>>(1, 0.0);
   for (std::size_t i = 1; i < line->size(); ++i)
     arc->push_back(arc->back() + std::hypot((*line)[i].u - (*line)[i - 1].u, (*line)[i].v - (*line)[i - 1].v));
@@ -158,7 +170,8 @@ Shape spine_shape(const Variation& v) {
 
 Shape hyoid_shape() {
   const auto horn = std::make_shared<Tube>(
-      std::vector<Vec>{{-4.0, 22.6, -41.7}, {0.0, 22.2, -41.7}, {4.5, 22.8, -41.7}, {8.5, 26.0, -41.4}, {11.2, 31.5, -40.4}},
+      std::vector<Vec>{
+          {-4.0, 22.6, -41.7}, {0.0, 22.2, -41.7}, {4.5, 22.8, -41.7}, {8.5, 26.0, -41.4}, {11.2, 31.5, -40.4}},
       std::vector<double>{1.5, 1.6, 1.4, 1.0, 0.8}, true);
   Shape shape;
   shape.low = {-13.0, 19.0, -45.0};

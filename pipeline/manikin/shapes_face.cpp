@@ -50,33 +50,50 @@ FaceShapes face_shapes(const Variation& v) {
     const Flat q = jaw(p);
     return Flat{q.u + chin_shift.u, q.v};
   };
-  auto profile = outline({{2.6, 38.0},  {1.0, 31.0},          {0.6, 25.0},          {-0.2, 19.0},        {-1.5, 13.4},
-                          {-4.2, 10.2}, {-5.8, 7.2},          {-5.5, 4.0},          {-4.4, -4.0},        jaw({-3.4, -14.0}),
-                          jaw({-3.2, -21.0}), jaw({-4.8, -24.6}), jaw({-3.4, -28.2}), chin({-2.2, -30.8}), chin({-2.9, -34.2}),
-                          chin({-1.0, -37.6}), chin({3.0, -40.0}), jaw({10.0, -42.4}), {17.5, -46.0}, {32.0, -44.0},
-                          {42.0, -20.0}, {42.0, 20.0}, {22.0, 42.0}, {8.0, 44.0}}, 6.0, 0.5);
-  auto profile_width = widths({{{0.0, 34.0}, 24.0}, {{0.0, 24.0}, 21.0}, {{-3.0, 8.0}, 20.5}, {{-3.0, -8.0}, 20.5},
-                               {{-3.0, -24.0}, 18.5}, {{-1.0, -35.0}, 14.5}, {{8.0, -41.0}, 18.0}, {{20.0, -38.0}, 24.0},
-                               {{20.0, 0.0}, 28.0}, {{25.0, 30.0}, 28.0}},
+  auto profile =
+      outline({{2.6, 38.0},         {1.0, 31.0},        {0.6, 25.0},        {-0.2, 19.0},        {-1.5, 13.4},
+               {-4.2, 10.2},        {-5.8, 7.2},        {-5.5, 4.0},        {-4.4, -4.0},        jaw({-3.4, -14.0}),
+               jaw({-3.2, -21.0}),  jaw({-4.8, -24.6}), jaw({-3.4, -28.2}), chin({-2.2, -30.8}), chin({-2.9, -34.2}),
+               chin({-1.0, -37.6}), chin({3.0, -40.0}), jaw({10.0, -42.4}), {17.5, -46.0},       {32.0, -44.0},
+               {42.0, -20.0},       {42.0, 20.0},       {22.0, 42.0},       {8.0, 44.0}},
+              6.0, 0.5);
+  auto profile_width = widths({{{0.0, 34.0}, 24.0},
+                               {{0.0, 24.0}, 21.0},
+                               {{-3.0, 8.0}, 20.5},
+                               {{-3.0, -8.0}, 20.5},
+                               {{-3.0, -24.0}, 18.5},
+                               {{-1.0, -35.0}, 14.5},
+                               {{8.0, -41.0}, 18.0},
+                               {{20.0, -38.0}, 24.0},
+                               {{20.0, 0.0}, 28.0},
+                               {{25.0, 30.0}, 28.0}},
                               profile);
   const auto nose = v.nose_size;
-  const auto bridge = std::make_shared<Tube>(
-      std::vector<Vec>{{0, 4.6, 29.5}, {0, 2.8, 25.6}, {0, 0.2, 22.6}, {0, -1.9, 19.9}},
-      std::vector<double>{3.4, 3.0 * nose, 3.5 * nose, 4.5 * nose}, false);
+  const auto bridge =
+      std::make_shared<Tube>(std::vector<Vec>{{0, 4.6, 29.5}, {0, 2.8, 25.6}, {0, 0.2, 22.6}, {0, -1.9, 19.9}},
+                             std::vector<double>{3.4, 3.0 * nose, 3.5 * nose, 4.5 * nose}, false);
   const auto columella = std::make_shared<Tube>(std::vector<Vec>{{0, -3.0, 17.9}, {0, 0.2, 14.6}},
                                                 std::vector<double>{2.5 * nose, 1.9}, false);
-  const auto wing = std::make_shared<Tube>(
-      std::vector<Vec>{{2.4, -2.3, 19.4}, {5.9 * nose, -0.6, 18.2}, {7.6 * nose, 2.2, 16.2}},
-      std::vector<double>{3.4 * nose, 3.3 * nose, 2.6 * nose}, true);
+  const auto wing =
+      std::make_shared<Tube>(std::vector<Vec>{{2.4, -2.3, 19.4}, {5.9 * nose, -0.6, 18.2}, {7.6 * nose, 2.2, 16.2}},
+                             std::vector<double>{3.4 * nose, 3.3 * nose, 2.6 * nose}, true);
 
   // Lips: one swelling round the opening, thick in the middle, thin at the corners.
   const Flat low = jaw({-2.6, -24.2});
   const Flat low_side = jaw({-0.4, -22.4});
-  const auto lip = std::make_shared<Tube>(
-      std::vector<Vec>{{-5.0, -3.3, 6.2}, {0.0, -3.5, 6.0}, {5.0, -3.3, 6.2}, {10.5, -0.7, 3.0}, {14.9, 2.4, -3.0},
-                       {16.4, 3.6, -9.2}, {14.7, 2.8, -15.8}, {9.8, low_side.u, low_side.v}, {4.8, low.u, low.v + 0.2},
-                       {0.0, low.u, low.v}, {-4.8, low.u, low.v + 0.2}},
-      std::vector<double>{2.9, 2.6, 2.9, 2.7, 2.2, 1.8, 2.1, 2.7, 2.9, 2.8, 2.9}, true);
+  const auto lip =
+      std::make_shared<Tube>(std::vector<Vec>{{-5.0, -3.3, 6.2},
+                                              {0.0, -3.5, 6.0},
+                                              {5.0, -3.3, 6.2},
+                                              {10.5, -0.7, 3.0},
+                                              {14.9, 2.4, -3.0},
+                                              {16.4, 3.6, -9.2},
+                                              {14.7, 2.8, -15.8},
+                                              {9.8, low_side.u, low_side.v},
+                                              {4.8, low.u, low.v + 0.2},
+                                              {0.0, low.u, low.v},
+                                              {-4.8, low.u, low.v + 0.2}},
+                             std::vector<double>{2.9, 2.6, 2.9, 2.7, 2.2, 1.8, 2.1, 2.7, 2.9, 2.8, 2.9}, true);
 
   const double hw = v.head_width;
   const double hl = v.head_length;

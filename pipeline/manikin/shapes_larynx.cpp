@@ -4,9 +4,9 @@
 namespace vallecula::pipeline::manikin {
 namespace {
 
-constexpr double kGlottisLength = 7.034;                     // between the commissures
-constexpr Flat kGlottisBack{0.9667, 0.2559};                 // in its plane, from front to back
-constexpr double kCricoidX = 2.25;                           // half axes of the cricoid's lumen: 19.3 mm^2
+constexpr double kGlottisLength = 7.034;      // between the commissures
+constexpr Flat kGlottisBack{0.9667, 0.2559};  // in its plane, from front to back
+constexpr double kCricoidX = 2.25;            // half axes of the cricoid's lumen: 19.3 mm^2
 constexpr double kCricoidY = 2.73;
 constexpr double kTracheaRadius = 2.6;
 
@@ -30,10 +30,22 @@ LarynxShapes larynx_shapes(const Variation& v) {
   const Flat c = carina(v);
 
   // Vestibule: from the cords up to the inlet between epiglottis, folds and arytenoids.
-  auto vestibule = outline({{29.2, -48.3}, {36.1, -46.7}, {37.0, -45.2}, {37.9, -43.0}, {36.5, -39.0}, {33.4, -38.0},
-                            {30.2, -41.0}, {28.8, -45.4}});
-  auto vestibule_width = widths({{{30.2, -47.6}, 0.9}, {{36.0, -46.2}, 2.3}, {{33.5, -46.8}, 1.7}, {{30.0, -45.0}, 2.0},
-                                 {{32.0, -43.0}, 3.0}, {{36.5, -44.0}, 2.6}, {{34.0, -40.0}, 3.6}, {{36.5, -41.0}, 3.4}},
+  auto vestibule = outline({{29.2, -48.3},
+                            {36.1, -46.7},
+                            {37.0, -45.2},
+                            {37.9, -43.0},
+                            {36.5, -39.0},
+                            {33.4, -38.0},
+                            {30.2, -41.0},
+                            {28.8, -45.4}});
+  auto vestibule_width = widths({{{30.2, -47.6}, 0.9},
+                                 {{36.0, -46.2}, 2.3},
+                                 {{33.5, -46.8}, 1.7},
+                                 {{30.0, -45.0}, 2.0},
+                                 {{32.0, -43.0}, 3.0},
+                                 {{36.5, -44.0}, 2.6},
+                                 {{34.0, -40.0}, 3.6},
+                                 {{36.5, -41.0}, 3.4}},
                                 vestibule);
   const double wide = v.lumen;
   const Vec top{0.0, kSubglottis.u, kSubglottis.v};
@@ -43,12 +55,12 @@ LarynxShapes larynx_shapes(const Variation& v) {
   const double radius = kTracheaRadius * wide;
   // The bronchi part at the carina: their inner walls meet there, so their axes start a radius above it.
   const Vec fork = end - 4.2 * axis;
-  const auto bronchi = std::make_shared<Tube>(
-      std::vector<Vec>{{0.3, fork.y, fork.z},
-                       {1.7, end.y - 1.6 * axis.y, end.z - 1.6 * axis.z},
-                       {4.6, end.y + 2.6 * axis.y, end.z + 2.6 * axis.z},
-                       {8.0, end.y + 6.5 * axis.y, end.z + 6.5 * axis.z}},
-      std::vector<double>{0.8 * radius, 0.78 * radius, 0.75 * radius, 0.72 * radius}, true);
+  const auto bronchi =
+      std::make_shared<Tube>(std::vector<Vec>{{0.3, fork.y, fork.z},
+                                              {1.7, end.y - 1.6 * axis.y, end.z - 1.6 * axis.z},
+                                              {4.6, end.y + 2.6 * axis.y, end.z + 2.6 * axis.z},
+                                              {8.0, end.y + 6.5 * axis.y, end.z + 6.5 * axis.z}},
+                             std::vector<double>{0.8 * radius, 0.78 * radius, 0.75 * radius, 0.72 * radius}, true);
   const double length = kTracheaLength * v.trachea_length;
 
   shapes.lumen.low = {-11.5, 26.0, c.v - 9.0};
@@ -75,9 +87,9 @@ LarynxShapes larynx_shapes(const Variation& v) {
     return blend(d, rounded(vestibule(p.y, p.z), std::abs(p.x) - vestibule_width(p.y, p.z), 0.8), 0.5);
   };
 
-  const auto arytenoid = std::make_shared<Tube>(
-      std::vector<Vec>{{1.75, 38.6, -44.6}, {1.9, 38.7, -46.0}, {2.2, 38.6, -48.5}}, std::vector<double>{1.15, 1.35, 1.5},
-      true);
+  const auto arytenoid =
+      std::make_shared<Tube>(std::vector<Vec>{{1.75, 39.1, -44.6}, {1.9, 39.0, -46.0}, {2.2, 38.8, -48.5}},
+                             std::vector<double>{1.15, 1.35, 1.5}, true);
   auto between = stroke({{38.7, -45.6}, {38.4, -49.0}}, {0.9, 1.6});  // the interarytenoid fold
   shapes.arytenoids.low = {-4.2, 35.0, -51.0};
   shapes.arytenoids.high = {4.2, 41.5, -42.5};
@@ -85,17 +97,33 @@ LarynxShapes larynx_shapes(const Variation& v) {
     return blend((*arytenoid)(p), rounded(between(p.y, p.z), std::abs(p.x) - 2.0, 0.8), 0.8);
   };
 
-  auto tower = outline({{27.0, -48.6}, {29.6, -47.0}, {32.5, -45.6}, {36.0, -45.6}, {39.0, -45.4}, {40.0, -47.0},
-                        {40.2, -51.0}, {40.4, -56.0}, {38.6, -60.5}, {34.0, -61.0}, {31.2, -57.0}, {28.2, -52.0}});
-  auto tower_width = widths({{{28.0, -49.0}, 3.6}, {{32.0, -46.5}, 4.4}, {{36.0, -46.5}, 4.6}, {{39.0, -46.5}, 4.0},
-                             {{33.5, -51.0}, 5.4}, {{39.0, -51.0}, 4.8}, {{35.5, -57.0}, 5.2}, {{30.0, -52.0}, 4.2}},
+  auto tower = outline({{27.0, -48.6},
+                        {29.6, -47.0},
+                        {32.5, -45.6},
+                        {36.0, -45.6},
+                        {39.0, -45.4},
+                        {40.0, -47.0},
+                        {40.2, -51.0},
+                        {40.4, -56.0},
+                        {38.6, -60.5},
+                        {34.0, -61.0},
+                        {31.2, -57.0},
+                        {28.2, -52.0}});
+  auto tower_width = widths({{{28.0, -49.0}, 3.6},
+                             {{32.0, -46.5}, 4.4},
+                             {{36.0, -46.5}, 4.6},
+                             {{39.0, -46.5}, 4.0},
+                             {{33.5, -51.0}, 5.4},
+                             {{39.0, -51.0}, 4.8},
+                             {{35.5, -57.0}, 5.2},
+                             {{30.0, -52.0}, 4.2}},
                             tower);
   const auto fold = std::make_shared<Tube>(
-      std::vector<Vec>{{2.5, 38.3, -45.2}, {4.1, 36.2, -44.0}, {4.7, 34.2, -42.4}, {4.3, 32.8, -41.2}},
+      std::vector<Vec>{{2.7, 38.9, -45.3}, {4.1, 36.2, -44.0}, {4.7, 34.2, -42.4}, {4.3, 32.8, -41.2}},
       std::vector<double>{1.1, 0.95, 0.9, 0.8}, true);
   const auto wall = std::make_shared<Plate>(
-      std::vector<Vec>{{2.5, 38.3, -45.2}, {4.1, 36.2, -44.0}, {4.7, 34.2, -42.4}, {4.3, 32.6, -41.2}},
-      std::vector<Vec>{{2.8, 38.3, -48.0}, {3.6, 35.8, -48.0}, {3.4, 32.6, -48.0}, {2.6, 30.2, -47.6}},
+      std::vector<Vec>{{2.7, 38.9, -45.3}, {4.1, 36.2, -44.0}, {4.7, 34.2, -42.4}, {4.3, 32.6, -41.2}},
+      std::vector<Vec>{{2.9, 38.6, -48.0}, {3.6, 35.8, -48.0}, {3.4, 32.6, -48.0}, {2.6, 30.2, -47.6}},
       std::vector<double>{0.9, 0.9, 0.9, 0.8}, std::vector<double>{1.2, 1.2, 1.2, 1.2});
   const Shape arytenoids = shapes.arytenoids;
   shapes.body.low = {-6.5, 25.5, -62.5};

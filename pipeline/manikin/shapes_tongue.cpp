@@ -106,10 +106,10 @@ Shape epiglottis_shape(const Variation& v, double lift) {
     if (i + 1 == face.size()) p = {p.u - 0.6 * 0.67, p.v - 0.6 * 0.74};
     middle.push_back(p);
   }
-  middle.insert(middle.begin(), {28.4, -47.9});  // the stalk, down to the anterior commissure
   for (auto& p : middle) p = placed(p);
+  middle.insert(middle.begin(), moved({28.4, -47.9}, 0.2 * lift));  // the stalk, down to the anterior commissure
   auto profile = stroke(middle, {0.6, h, h, h, 0.8 * h});
-  auto half = widths({{placed({28.5, -48.0}), 1.2},
+  auto half = widths({{moved({28.5, -48.0}, 0.2 * lift), 1.2},
                       {placed({28.8, -46.0}), 2.2},
                       {placed({30.2, -42.0}), 3.3},
                       {placed({31.8, -39.7}), 3.7},

@@ -85,8 +85,8 @@ double Manikin::glottis_seen_midline(double lift_mm) const {
 }
 
 double Manikin::sight_clearance(const std::string& part, double lift_mm) const {
-  // Measured in the mid-sagittal plane (the arytenoids: in theirs) across the line, as the design's table does: towards back and head (+1) for what
-  // bounds the sight from above, towards feet and ceiling (-1) for the lower gum.
+  // Measured in the mid-sagittal plane (the arytenoids: in theirs) across the line, as the design's table does: towards
+  // back and head (+1) for what bounds the sight from above, towards feet and ceiling (-1) for the lower gum.
   struct Region {
     const char* name;
     double side;
@@ -94,11 +94,14 @@ double Manikin::sight_clearance(const std::string& part, double lift_mm) const {
     Flat high;
     double x = 0.0;
   };
-  constexpr Region kRegions[] = {
-      {"upper_lip", 1.0, {-12.0, 2.0}, {-1.5, 10.0}},   {"upper_gum", 1.0, {-1.5, -1.0}, {2.4, 4.0}},
-      {"hard_palate", 1.0, {4.0, -8.0}, {27.0, 4.0}},   {"soft_palate", 1.0, {27.0, -27.0}, {40.0, -3.0}},
-      {"nose", 1.0, {-12.0, 12.0}, {4.0, 32.0}},        {"posterior_wall", 1.0, {40.2, -45.0}, {50.0, 0.0}},
-      {"arytenoids", 1.0, {36.0, -47.0}, {40.0, -42.0}, 1.75}, {"lower_gum", -1.0, {0.5, -26.0}, {6.5, -18.0}}};
+  constexpr Region kRegions[] = {{"upper_lip", 1.0, {-12.0, 2.0}, {-1.5, 10.0}},
+                                 {"upper_gum", 1.0, {-1.5, -1.0}, {2.4, 4.0}},
+                                 {"hard_palate", 1.0, {4.0, -8.0}, {27.0, 4.0}},
+                                 {"soft_palate", 1.0, {27.0, -27.0}, {40.0, -3.0}},
+                                 {"nose", 1.0, {-12.0, 12.0}, {4.0, 32.0}},
+                                 {"posterior_wall", 1.0, {40.2, -45.0}, {50.0, 0.0}},
+                                 {"arytenoids", 1.0, {36.0, -47.0}, {40.0, -42.0}, 1.75},
+                                 {"lower_gum", -1.0, {0.5, -26.0}, {6.5, -18.0}}};
   const auto& body = data_->body;
   const Vec centre{0.0, manikin::kGlottisCentre.u, manikin::kGlottisCentre.v};
   const double length = norm(data_->eye - centre);

@@ -60,8 +60,10 @@ void write_manikin(const ManikinOptions& options, const fs::path& dir, const Man
   fs::path wanted = fs::absolute(dir).lexically_normal();
   if (!wanted.has_filename()) wanted = wanted.parent_path();
   std::error_code error;
-  if (fs::exists(fs::symlink_status(wanted, error)) && !(fs::is_directory(wanted, error) && fs::is_empty(wanted, error)))
-    throw std::runtime_error("manikin: " + dir.string() + " already exists and is not an empty folder; "
+  if (fs::exists(fs::symlink_status(wanted, error)) &&
+      !(fs::is_directory(wanted, error) && fs::is_empty(wanted, error)))
+    throw std::runtime_error("manikin: " + dir.string() +
+                             " already exists and is not an empty folder; "
                              "choose another name or remove it");
   Aside aside(wanted);
   const auto part = [&](double from, double to) {
@@ -77,11 +79,9 @@ void write_manikin(const ManikinOptions& options, const fs::path& dir, const Man
   about.study_description = "Synthetic newborn head";
   about.series_description = "Head and airway";
   about.unique_key = "vallecula manikin 1 " + text(options.weight_kg) + " " + std::to_string(options.seed) + " " +
-                     text(options.noise_hu) + " " + text(scan.ct.grid.spacing[0]) + " " +
-                     text(scan.ct.grid.spacing[2]);
+                     text(options.noise_hu) + " " + text(scan.ct.grid.spacing[0]) + " " + text(scan.ct.grid.spacing[2]);
   const auto write_part = part(0.8, 0.95);
-  write_ct_series(scan.ct, about, aside.path(),
-                  [&](double fraction) { write_part("writing the series", fraction); });
+  write_ct_series(scan.ct, about, aside.path(), [&](double fraction) { write_part("writing the series", fraction); });
   if (progress) progress("writing the labels", 0.95);
   write_label_map(scan.labels, aside.path() / "truth.nrrd");
   aside.keep();
