@@ -1,0 +1,177 @@
+#include "pipeline/segment/bone.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vallecula::pipeline {
+namespace {
+
+enum Marker : std::uint8_t { kNone = 0, kSkullMarker = 1, kMandibleMarker = 2, kSpineMarker = 3 };
+
+/// Per slice the y of the airway's back wall near the middle; slices without airway take their neighbours' value.
+std::vector<double> back_wall(const Mask& lumen, const Frame& frame) {
+  const auto& g = lumen.grid;
+  std::vector<double> y_back(g.size[2], -1e9);
+  const int low = std::max(0, g.nearest({frame.mid_x - 6.0 * frame.scale, 0, 0})[0]);
+  const int high = std::min(g.size[0] - 1, g.nearest({frame.mid_x + 6.0 * frame.scale, 0, 0})[0]);
+  for (int z = 0; z < g.size[2]; ++z) {
+    for (int y = g.size[1] - 1; y >= 0 && y_back[z] < -1e8; --y) {
+      for (int x = low; x <= high; ++x) {
+        if (lumen.at(x, y, z) != 0) y_back[z] = g.origin[1] + y * g.spacing[1];
+      }
+    }
+  }
+  for (int z = 1; z < g.size[2]; ++z) {
+    if (y_back[z] < -1e8) y_back[z] = y_back[z - 1];
+  }
+  for (int z = g.size[2] - 2; z >= 0; --z) {
+    if (y_back[z] < -1e8) y_back[z] = y_back[z + 1];
+  }
+  return y_back;
+}
+
+struct Extent {
+  std::array<double, 3> low{1e30, 1e30, 1e30};
+  std::array<double, 3> high{-1e30, -1e30, -1e30};
+  std::array<double, 3> sum{};
+  std::size_t voxels = 0;
+  bool touches_skull = false;
+};
+
+std::vector<Extent> extents_of(const Components& parts, const Volume<std::uint8_t>& markers) {
+  std::vector<Extent> e(parts.sizes.size());
+  const auto& g = parts.id.grid;
+  for (std::size_t i = 0; i < parts.id.voxels.size(); ++i) {
+    const int id = parts.id.voxels[i];
+    if (id == 0) continue;
+    const auto p = g.position(i);
+    for (int a = 0; a < 3; ++a) {
+      e[id].low[a] = std::min(e[id].low[a], p[a]);
+      e[id].high[a] = std::max(e[id].high[a], p[a]);
+      e[id].sum[a] += p[a];
+    }
+    ++e[id].voxels;
+    if (markers.voxels[i] == kSkullMarker) e[id].touches_skull = true;
+  }
+  return e;
+}
+
+/// Marks the mandible: the largest piece in front of the pharynx, of an arch's width and depth, that does not hold to
+/// the skull.
+bool mark_mandible(const Hounsfield& hu, const Mask& bone, double threshold, const Frame& frame, const Airway& airway,
+                   Volume<std::uint8_t>& markers) {
+  const double s = frame.scale;
+  const double y_limit = airway.glottis.centre[1] + 25.0 * s;
+  for (int raise = 0; raise <= 9; ++raise) {
+    Mask dense(hu.grid);
+    for (std::size_t i = 0; i < dense.voxels.size(); ++i) {
+      dense.voxels[i] =
+          bone.voxels[i] != 0 && hu.voxels[i] > threshold + 75.0 * raise && markers.voxels[i] != kSpineMarker ? 1 : 0;
+    }
+    const auto parts = components(dense);
+    const auto extents = extents_of(parts, markers);
+    for (std::size_t id = 1; id < extents.size(); ++id) {
+      const auto& e = extents[id];
+      if (e.voxels * hu.grid.voxel_mm3() < 300.0 * s * s * s) break;  // sorted by size
+      const bool arch =
+          e.low[0] < frame.mid_x - 12.0 * s && e.high[0] > frame.mid_x + 12.0 * s && e.high[1] - e.low[1] > 18.0 * s;
+      if (e.touches_skull || !arch || e.sum[1] / e.voxels > y_limit || e.low[2] < airway.glottis.centre[2] - 10.0 * s)
+        continue;
+      for (std::size_t i = 0; i < dense.voxels.size(); ++i) {
+        if (parts.id.voxels[i] == static_cast<int>(id)) markers.voxels[i] = kMandibleMarker;
+      }
+      return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+Bones find_bones(const Hounsfield& hu, const Thresholds& t, const Frame& frame, const Head& head,
+                 const Airway& airway) {
+  const auto& g = hu.grid;
+  const double s = frame.scale;
+  Mask bone(g);
+  for (std::size_t i = 0; i < bone.voxels.size(); ++i)
+    bone.voxels[i] = head.body.voxels[i] != 0 && hu.voxels[i] > t.bone ? 1 : 0;
+
+  const auto y_back = back_wall(airway.lumen, frame);
+  const auto lumen_box = bounds_of(airway.lumen);
+  // Of the lumen behind the palate only: the nose's own ceiling is higher.
+  double naso_top = airway.glottis.centre[2] + 57.0 * s;
+  naso_top = std::min(naso_top, g.origin[2] + lumen_box.high[2] * g.spacing[2]);
+  const double skull_from = frame.skull_top - 0.55 * 83.6 * s;
+  Volume<std::uint8_t> markers(g);
+  for (int z = 0; z < g.size[2]; ++z) {
+    const double pz = g.origin[2] + z * g.spacing[2];
+    for (int y = 0; y < g.size[1]; ++y) {
+      const double py = g.origin[1] + y * g.spacing[1];
+      for (int x = 0; x < g.size[0]; ++x) {
+        const auto i = g.index(x, y, z);
+        if (bone.voxels[i] == 0) continue;
+        const double px = std::abs(g.origin[0] + x * g.spacing[0] - frame.mid_x);
+        if (pz > skull_from) {
+          markers.voxels[i] = kSkullMarker;
+        } else if (pz < naso_top - 15.0 * s && px < 9.0 * s && py > y_back[z] && py < y_back[z] + 20.0 * s) {
+          markers.voxels[i] = kSpineMarker;
+        }
+      }
+    }
+  }
+  Bones bones;
+  bones.mandible_free = mark_mandible(hu, bone, t.bone, frame, airway, markers);
+
+  Volume<float> cost(g);
+  for (std::size_t i = 0; i < cost.voxels.size(); ++i) cost.voxels[i] = -hu.voxels[i];
+  auto shares = flooded(cost, markers, bone);
+
+  // Pieces that hold no marker: by where they lie.
+  Mask left(g);
+  for (std::size_t i = 0; i < left.voxels.size(); ++i)
+    left.voxels[i] = bone.voxels[i] != 0 && shares.voxels[i] == 0 ? 1 : 0;
+  const auto parts = components(left);
+  const auto extents = extents_of(parts, markers);
+  std::vector<std::uint8_t> share_of(extents.size(), 0);
+  int hyoid = 0;
+  double hyoid_best = 0.0;
+  for (std::size_t id = 1; id < extents.size(); ++id) {
+    const auto& e = extents[id];
+    const double volume = e.voxels * g.voxel_mm3();
+    if (volume < 4.0 * s * s * s) break;
+    const std::array<double, 3> c{e.sum[0] / e.voxels, e.sum[1] / e.voxels, e.sum[2] / e.voxels};
+    const int z = std::clamp(g.nearest(c)[2], 0, g.size[2] - 1);
+    const bool below_face = c[2] < naso_top - 10.0 * s;
+    if (below_face && c[1] > y_back[z]) {
+      share_of[id] = kSpineMarker;
+    } else if (c[2] > naso_top - 40.0 * s && (!below_face || volume > 20.0 * s * s * s)) {
+      share_of[id] = kSkullMarker;
+    }
+    // The hyoid: a small arch in front of the vestibule, above the glottis and below the jaw.
+    const double above = c[2] - airway.glottis.centre[2];
+    const bool level = above > 1.0 * s && above < 18.0 * s && c[1] < airway.glottis.centre[1] &&
+                       c[1] > airway.glottis.centre[1] - 25.0 * s;
+    const bool middle = std::abs(c[0] - frame.mid_x) < 4.0 * s;
+    if (level && middle && volume > hyoid_best) {
+      hyoid = static_cast<int>(id);
+      hyoid_best = volume;
+    }
+  }
+  if (hyoid != 0) share_of[hyoid] = kNone;
+  bones.skull = Mask(g);
+  bones.mandible = Mask(g);
+  bones.spine = Mask(g);
+  bones.hyoid = Mask(g);
+  bones.hyoid_seen = hyoid != 0;
+  for (std::size_t i = 0; i < left.voxels.size(); ++i) {
+    const int id = parts.id.voxels[i];
+    const int share = id != 0 ? share_of[id] : shares.voxels[i];
+    bones.skull.voxels[i] = share == kSkullMarker ? 1 : 0;
+    bones.mandible.voxels[i] = share == kMandibleMarker ? 1 : 0;
+    bones.spine.voxels[i] = share == kSpineMarker ? 1 : 0;
+    bones.hyoid.voxels[i] = id != 0 && id == hyoid ? 1 : 0;
+  }
+  return bones;
+}
+
+}  // namespace vallecula::pipeline

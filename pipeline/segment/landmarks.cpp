@@ -1,0 +1,218 @@
+#include "pipeline/segment/landmarks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace vallecula::pipeline {
+namespace {
+
+bool is_air(std::uint8_t label) { return label == kAirway || label == kBackground; }
+
+/// Calls visit(x, y, z, position) for the voxels of `labels` within `half_mm` of the plane of symmetry.
+template <class Visit>
+void near_middle(const Segmentation& s, double half_mm, const Visit& visit) {
+  const auto& g = s.labels.grid;
+  const auto box = box_between(g, {s.frame.mid_x - half_mm, -1e6, -1e6}, {s.frame.mid_x + half_mm, 1e6, 1e6});
+  for (int z = box.low[2]; z <= box.high[2]; ++z) {
+    for (int y = box.low[1]; y <= box.high[1]; ++y) {
+      for (int x = box.low[0]; x <= box.high[0]; ++x) visit(x, y, z, g.position(x, y, z));
+    }
+  }
+}
+
+/// Foremost bone of the upper jaw near the middle: the incisive bone between the nose and the mouth.
+bool front_of_maxilla(const Segmentation& s, double low_z, double high_z, Vector3& front) {
+  double best = 1e30;
+  near_middle(s, 3.0 * s.frame.scale, [&](int x, int y, int z, const Vector3& p) {
+    if (s.labels.at(x, y, z) != kSkull || p[2] < low_z || p[2] > high_z || p[1] >= best) return;
+    best = p[1];
+    front = p;
+  });
+  return best < 1e29;
+}
+
+/// The ridge of the upper gum: in the middle, the tissue that hangs lowest under the foremost bone of the upper jaw; of
+/// equals the foremost.
+Vector3 upper_gum(Segmentation& s) {
+  const double k = s.frame.scale;
+  const auto jaw = bounds_of(s.bones.mandible);
+  const auto& g = s.labels.grid;
+  const double glottis_z = s.airway.glottis.centre[2];
+  const double mouth_low = jaw.empty() ? glottis_z + 20.0 * k : g.origin[2] + jaw.low[2] * g.spacing[2] + 8.0 * k;
+  double low = glottis_z + 40.0 * k;
+  double high = glottis_z + 62.0 * k;
+  if (!s.head.lips.empty()) {
+    // The lips' middle slice gives the level of the opening.
+    const auto& lips = s.head.lips.front();
+    low = lips.upper[1] - 6.0 * k;
+    high = lips.upper[1] + 10.0 * k;
+  }
+  Vector3 front{};
+  if (!front_of_maxilla(s, std::max(low, mouth_low), high, front)) {
+    s.inferred.push_back(
+        "upper_gum_midline: no upper jaw seen; placed over the glottis by the term infant's proportions");
+    return s.airway.glottis.centre + k * Vector3{0.0, -33.0, 48.0};
+  }
+  double best = 1e30;
+  Vector3 gum = front;
+  near_middle(s, 1.2 * k, [&](int x, int y, int z, const Vector3& p) {
+    const auto label = s.labels.at(x, y, z);
+    if (is_air(label) || label == kTongue || p[1] < front[1] - 2.5 * k || p[1] > front[1] + 5.0 * k ||
+        std::abs(p[2] - front[2]) > 7.0 * k)
+      return;
+    if (z == 0 || !is_air(s.labels.at(x, y, z - 1))) return;
+    const double score = p[2] + 0.3 * p[1];
+    if (score >= best) return;
+    best = score;
+    gum = p;
+  });
+  if (best > 1e29) {
+    s.inferred.push_back("upper_gum_midline: the mouth is closed; the lower edge of the upper jaw's bone was taken");
+    near_middle(s, 2.0 * k, [&](int x, int y, int z, const Vector3& p) {
+      if (s.labels.at(x, y, z) == kSkull && p[1] < front[1] + 4.0 * k && p[2] > front[2] - 10.0 * k && p[2] < gum[2])
+        gum = p;
+    });
+  }
+  gum[0] = s.frame.mid_x;
+  return gum;
+}
+
+/// The ridge of the lower gum: in the middle, the highest tissue over the bone of the chin.
+Vector3 lower_gum(Segmentation& s, const Vector3& upper) {
+  const double k = s.frame.scale;
+  double bone_top = -1e30;
+  Vector3 bone{};
+  near_middle(s, 2.0 * k, [&](int x, int y, int z, const Vector3& p) {
+    if (s.labels.at(x, y, z) != kMandible || p[2] <= bone_top) return;
+    bone_top = p[2];
+    bone = p;
+  });
+  if (bone_top < -1e29) {
+    s.inferred.push_back("lower_gum_midline: no lower jaw seen; placed below the upper gum");
+    return upper + k * Vector3{0.0, 3.2, -20.8};
+  }
+  Vector3 gum = bone;
+  near_middle(s, 1.2 * k, [&](int x, int y, int z, const Vector3& p) {
+    if (s.labels.at(x, y, z) != kSkin || std::abs(p[1] - bone[1]) > 2.5 * k || p[2] < bone_top - k ||
+        p[2] > bone_top + 4.0 * k)
+      return;
+    if (is_air(s.labels.at(x, y, std::min(z + 1, s.labels.grid.size[2] - 1))) && p[2] > gum[2]) gum = p;
+  });
+  gum[0] = s.frame.mid_x;
+  return gum;
+}
+
+/// Half way between the two condyles: on each side the top of the mandible's hindmost part.
+Vector3 condyles(Segmentation& s, const Vector3& upper) {
+  const double k = s.frame.scale;
+  const auto& g = s.labels.grid;
+  Vector3 sum{};
+  for (const double side : {-1.0, 1.0}) {
+    double back = -1e30;
+    for (std::size_t i = 0; i < g.count(); ++i) {
+      if (s.labels.voxels[i] != kMandible) continue;
+      const auto p = g.position(i);
+      if ((p[0] - s.frame.mid_x) * side > 10.0 * k) back = std::max(back, p[1]);
+    }
+    if (back < -1e29) {
+      s.inferred.push_back(
+          "condyle_axis: no lower jaw seen; placed behind the upper gum by the term infant's proportions");
+      return upper + k * Vector3{0.0, 46.7, -6.3};
+    }
+    double top = -1e30;
+    const auto hind = [&](const Vector3& p) {
+      return (p[0] - s.frame.mid_x) * side > 10.0 * k && p[1] > back - 7.0 * k;
+    };
+    for (std::size_t i = 0; i < g.count(); ++i) {
+      if (s.labels.voxels[i] == kMandible && hind(g.position(i))) top = std::max(top, g.position(i)[2]);
+    }
+    Vector3 mean{};
+    double n = 0.0;
+    for (std::size_t i = 0; i < g.count(); ++i) {
+      if (s.labels.voxels[i] != kMandible) continue;
+      const auto p = g.position(i);
+      if (!hind(p) || p[2] < top - 5.0 * k) continue;
+      mean = mean + p;
+      n += 1.0;
+    }
+    sum = sum + (0.5 / n) * mean;
+  }
+  sum[0] = s.frame.mid_x;
+  return sum;
+}
+
+/// The operator looks from the glottis past the upper gum as steeply as it allows: 3.6 mm (term) clear of it, which is
+/// how the manikin's line of sight was designed (ANATOMY). The eye is 320 mm from the gum whatever the patient's size:
+/// that is the operator's own measure.
+Vector3 operator_eye(const Vector3& gum, const Vector3& glottis, double scale) {
+  constexpr double kEyeToGum = 320.0;
+  const double gy = gum[1] - glottis[1];
+  const double gz = gum[2] - glottis[2];
+  const double length = std::hypot(gy, gz);
+  const double turn = std::asin(std::clamp(3.6 * scale / length, 0.0, 0.5));
+  // Turned away from the gum, towards the tongue: forwards.
+  const double dy = (std::cos(turn) * gy - std::sin(turn) * gz) / length;
+  const double dz = (std::sin(turn) * gy + std::cos(turn) * gz) / length;
+  const double along = dy * gy + dz * gz;
+  const double off2 = length * length - along * along;
+  const double t = along + std::sqrt(std::max(0.0, kEyeToGum * kEyeToGum - off2));
+  return {gum[0], glottis[1] + t * dy, glottis[2] + t * dz};
+}
+
+}  // namespace
+
+void find_landmarks(Segmentation& s) {
+  const double k = s.frame.scale;
+  auto& m = s.landmarks;
+  const auto upper = upper_gum(s);
+  auto glottis = s.airway.glottis.centre;
+  m["upper_gum_midline"] = upper;
+  m["lower_gum_midline"] = lower_gum(s, upper);
+  m["glottis_centre"] = glottis;
+  m["glottis_normal"] = s.airway.glottis.normal;
+  m["carina"] = s.airway.carina;
+  if (!s.airway.carina_seen) {
+    s.inferred.push_back(
+        "carina: below the scan; continued along the trachea, 50.4 mm (term) below the cords scaled with the head");
+  }
+  if (s.epiglottis.seen) {
+    m["vallecula"] = s.epiglottis.vallecula;
+    m["epiglottis_tip"] = s.epiglottis.tip;
+  } else {
+    s.inferred.push_back(
+        "vallecula, epiglottis_tip: no free leaf seen; placed above the front commissure by the term infant's "
+        "proportions");
+    m["vallecula"] = s.airway.front_commissure + k * Vector3{0.0, -1.1, 7.4};
+    m["epiglottis_tip"] = s.airway.front_commissure + k * Vector3{0.0, 6.9, 14.1};
+  }
+  if (s.bones.hyoid_seen) {
+    Vector3 sum{};
+    double n = 0.0;
+    const auto& g = s.bones.hyoid.grid;
+    for (std::size_t i = 0; i < g.count(); ++i) {
+      if (s.bones.hyoid.voxels[i] == 0) continue;
+      const auto p = g.position(i);
+      if (std::abs(p[0] - s.frame.mid_x) > 2.5 * k) continue;  // the body, not the horns
+      sum = sum + p;
+      n += 1.0;
+    }
+    if (n > 0.0) {
+      m["hyoid"] = (1.0 / n) * sum;
+      m["hyoid"][0] = s.frame.mid_x;
+    }
+  }
+  if (m.count("hyoid") == 0) {
+    s.inferred.push_back("hyoid: no bone seen; placed in front of the vallecula by the term infant's proportions");
+    m["hyoid"] = Vector3(m["vallecula"]) + k * Vector3{0.0, -6.0, 0.0};
+  }
+  m["condyle_axis"] = condyles(s, upper);
+  m["operator_eye"] = operator_eye(upper, glottis, k);
+  for (const auto* name : kLandmarks) {
+    for (const double v : m.at(name)) {
+      if (!std::isfinite(v)) throw std::runtime_error(std::string("the landmark ") + name + " could not be found");
+    }
+  }
+}
+
+}  // namespace vallecula::pipeline

@@ -1,0 +1,12 @@
+// The points by which the package is used: gums, vallecula, glottis, carina, hyoid, condyles, and where the operator's
+// eye belongs.
+#pragma once
+
+#include "pipeline/segment/segment.h"
+
+namespace vallecula::pipeline {
+
+/// Fills `landmarks` (all of kLandmarks) and `inferred` from labels, airway, bones and epiglottis.
+void find_landmarks(Segmentation& s);
+
+}  // namespace vallecula::pipeline

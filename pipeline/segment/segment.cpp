@@ -1,0 +1,128 @@
+#include "pipeline/segment/segment.h"
+
+#include <stdexcept>
+
+#include "pipeline/segment/landmarks.h"
+#include "pipeline/segment/throat.h"
+#include "pipeline/segment/tongue.h"
+
+namespace vallecula::pipeline {
+namespace {
+
+Box throat_of(const Segmentation& s) {
+  const auto& g = s.labels.grid;
+  const double k = s.frame.scale;
+  const auto lumen = bounds_of(s.airway.lumen);
+  const auto jaw = bounds_of(s.bones.mandible);
+  double front = g.origin[1] + lumen.low[1] * g.spacing[1];
+  if (!jaw.empty()) front = std::min(front, g.origin[1] + jaw.low[1] * g.spacing[1]);
+  const auto& c = s.airway.glottis.centre;
+  return box_between(g, {s.frame.mid_x - 34.0 * k, front - 4.0 * k, c[2] - 60.0 * k},
+                     {s.frame.mid_x + 34.0 * k, c[1] + 22.0 * k, c[2] + 66.0 * k});
+}
+
+void put(const Mask& mask, std::uint8_t label, Labels& labels) {
+  for (std::size_t i = 0; i < labels.voxels.size(); ++i) {
+    if (mask.voxels[i] != 0) labels.voxels[i] = label;
+  }
+}
+
+/// What is found inside mouth and throat, on a grid of its own.
+void label_throat(Segmentation& s, const std::optional<Vector3>& tongue_seed,
+                  const std::function<void(double)>& progress) {
+  s.throat = throat_of(s);
+  const auto crop = [&](const auto& v) { return cropped(v, s.throat); };
+  const auto hu = crop(s.hu);
+  const auto body = crop(s.head.body);
+  const auto inside = crop(s.head.inside);
+  const auto lumen = crop(s.airway.lumen);
+  const auto skull = crop(s.bones.skull);
+  const auto mandible = crop(s.bones.mandible);
+  const auto spine = crop(s.bones.spine);
+  const auto hyoid = crop(s.bones.hyoid);
+  auto labels = crop(s.labels);
+
+  s.epiglottis = find_epiglottis(body, lumen, s.airway, s.frame);
+  progress(0.2);
+  const auto tongue = find_tongue(
+      {hu, body, inside, lumen, skull, mandible, hyoid, s.epiglottis, s.airway, s.thresholds, s.frame, tongue_seed});
+  if (count(tongue) == 0) {
+    throw std::runtime_error(
+        tongue_seed
+            ? "no tongue could be grown from the seed given; is it inside the tongue (x to the left, y to the back, z "
+              "to "
+              "the head, mm)?"
+            : "the tongue was not found (is the mouth closed?); give a point inside it: --seed tongue=x,y,z (LPS mm)");
+  }
+  progress(0.7);
+  const auto palate = find_soft_palate(body, lumen, skull, s.epiglottis, s.airway, s.frame);
+  auto taken = any_of(any_of(tongue, s.epiglottis.mask), any_of(palate, any_of(skull, any_of(mandible, spine))));
+  const auto larynx = find_larynx(body, lumen, taken, s.airway, s.frame);
+  taken = any_of(taken, larynx);
+  const auto oesophagus = find_oesophagus(body, crop(s.airway.other_gas), spine, taken, s.airway, s.frame);
+  put(oesophagus, kOesophagus, labels);
+  put(larynx, kLarynx, labels);
+  put(palate, kSoftPalate, labels);
+  put(tongue, kTongue, labels);
+  put(s.epiglottis.mask, kEpiglottis, labels);
+  paste(labels, s.throat, s.labels);
+  progress(1.0);
+}
+
+}  // namespace
+
+Segmentation segment(const Hounsfield& series, const std::map<std::string, Point>& seeds,
+                     const std::function<void(const std::string&, double)>& progress) {
+  const auto say = [&](const char* what, double fraction) {
+    if (progress) progress(what, fraction);
+  };
+  Segmentation s;
+  say("head", 0.0);
+  s.thresholds = thresholds_of(series);
+  {
+    const auto body = find_body(series, s.thresholds);
+    s.box = bounds_of(body, 6.0);
+    s.hu = cropped(series, s.box);
+    const auto here = cropped(body, s.box);
+    s.frame = frame_of(s.hu, here, s.thresholds);
+    say("head", 0.25);
+    s.head = find_head(s.hu, here, s.thresholds, s.frame);
+  }
+  say("airway", 0.45);
+  s.airway = find_airway(s.hu, air_field(s.hu, s.thresholds), s.head, s.frame);
+  say("bone", 0.55);
+  s.bones = find_bones(s.hu, s.thresholds, s.frame, s.head, s.airway);
+
+  s.labels = Labels(s.hu.grid);
+  put(s.head.inside, kSkin, s.labels);
+  put(s.bones.spine, kSpine, s.labels);
+  put(s.bones.skull, kSkull, s.labels);
+  put(s.bones.mandible, kMandible, s.labels);
+  put(s.airway.lumen, kAirway, s.labels);
+  say("tongue and throat", 0.65);
+  std::optional<Vector3> tongue_seed;
+  if (const auto given = seeds.find("tongue"); given != seeds.end()) {
+    tongue_seed = given->second;
+    const auto c = s.hu.grid.nearest(*tongue_seed);
+    if (!s.hu.grid.contains(c[0], c[1], c[2]) || s.head.inside.at(c[0], c[1], c[2]) == 0) {
+      throw std::runtime_error(
+          "the tongue's seed lies outside the head; coordinates are LPS mm (x to the left, y to the back, z to the "
+          "head)");
+    }
+  }
+  label_throat(s, tongue_seed, [&](double f) { say("tongue and throat", 0.65 + 0.3 * f); });
+  if (!s.bones.mandible_free)
+    s.inferred.push_back("mandible: could not be parted from the skull; it is labelled bone_skull");
+  say("landmarks", 0.95);
+  find_landmarks(s);
+  say("landmarks", 1.0);
+  return s;
+}
+
+Labels on_series_grid(const Segmentation& s, const Grid& series) {
+  Labels out(series);
+  paste(s.labels, s.box, out);
+  return out;
+}
+
+}  // namespace vallecula::pipeline

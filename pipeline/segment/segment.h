@@ -1,0 +1,42 @@
+// From Hounsfield units to labels and landmarks: the structures in the order in which they find each other.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "pipeline/package/label_map.h"
+#include "pipeline/package/patient_package.h"
+#include "pipeline/segment/airway.h"
+#include "pipeline/segment/bone.h"
+#include "pipeline/segment/epiglottis.h"
+
+namespace vallecula::pipeline {
+
+struct Segmentation {
+  Thresholds thresholds;
+  Frame frame;
+  Box box;  ///< of the patient in the series' grid; what follows lies on the cropped grid
+  Hounsfield hu;
+  Labels labels;
+  Head head;
+  Airway airway;
+  Bones bones;
+  Epiglottis epiglottis;                   ///< its mask lies on the grid of `throat`
+  Box throat;                              ///< of mouth, pharynx and larynx in the cropped grid
+  std::map<std::string, Point> landmarks;  ///< all of kLandmarks, mm LPS
+  std::vector<std::string>
+      inferred;  ///< landmarks and structures that were not seen but continued from what was, with the rule
+};
+
+/// `seeds` may hold "tongue" (mm LPS), for a closed mouth. `progress` gets the structure's name and 0..1. Throws
+/// std::runtime_error saying what could not be found.
+Segmentation segment(const Hounsfield& hu, const std::map<std::string, Point>& seeds,
+                     const std::function<void(const std::string&, double)>& progress = {});
+
+/// The labels put back onto the series' grid.
+Labels on_series_grid(const Segmentation& segmentation, const Grid& series);
+
+}  // namespace vallecula::pipeline

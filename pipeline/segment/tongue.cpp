@@ -1,0 +1,143 @@
+#include "pipeline/segment/tongue.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vallecula::pipeline {
+namespace {
+
+enum Marker : std::uint8_t { kTongueMarker = 1, kOtherMarker = 2 };
+
+/// Grey values of the tissue alone, smoothed: air and its partial-volume rim do not darken the tissue beside it.
+Volume<float> smoothed_tissue(const Hounsfield& hu, const Mask& body, const Thresholds& t, double sigma_mm) {
+  Volume<float> value(hu.grid);
+  Volume<float> weight(hu.grid);
+  for (std::size_t i = 0; i < hu.voxels.size(); ++i) {
+    const bool use = body.voxels[i] != 0 && hu.voxels[i] > t.fat - 130.0;
+    weight.voxels[i] = use ? 1.0F : 0.0F;
+    value.voxels[i] = use ? std::min<float>(hu.voxels[i], 150.0F) : 0.0F;
+  }
+  value = smoothed(value, sigma_mm);
+  weight = smoothed(weight, sigma_mm);
+  for (std::size_t i = 0; i < value.voxels.size(); ++i) {
+    value.voxels[i] = weight.voxels[i] > 0.05F ? value.voxels[i] / weight.voxels[i] : static_cast<float>(t.fat);
+  }
+  return value;
+}
+
+/// The tissue first met going down from the air under the palate, a little below its surface.
+Mask seed_under_dorsum(const TongueSearch& in, const Volume<float>& tissue, const Volume<float>& to_air,
+                       const Volume<float>& to_bone) {
+  const auto& g = in.body.grid;
+  const double s = in.frame.scale;
+  Mask seed(g);
+  double jaw_inner = -1e9;  // back of the symphysis
+  const auto jaw = bounds_of(in.mandible);
+  if (jaw.empty()) return seed;
+  for (int z = jaw.low[2]; z <= jaw.high[2]; ++z) {
+    for (int y = jaw.low[1]; y <= jaw.high[1]; ++y) {
+      const int x = std::clamp(g.nearest({in.frame.mid_x, 0, 0})[0], 0, g.size[0] - 1);
+      if (in.mandible.at(x, y, z) != 0) jaw_inner = std::max(jaw_inner, g.origin[1] + y * g.spacing[1]);
+    }
+  }
+  const double back =
+      in.epiglottis.seen ? in.epiglottis.vallecula[1] - 3.0 * s : in.airway.front_commissure[1] - 3.0 * s;
+  for (int x = 0; x < g.size[0]; ++x) {
+    if (std::abs(g.origin[0] + x * g.spacing[0] - in.frame.mid_x) > 5.0 * s) continue;
+    for (int y = 0; y < g.size[1]; ++y) {
+      const double py = g.origin[1] + y * g.spacing[1];
+      if (py < jaw_inner + 3.0 * s || py > back) continue;
+      // The tallest run of air in this column is the mouth; below it lies the dorsum.
+      int best = 0;
+      int bottom = -1;
+      int run = 0;
+      for (int z = g.size[2] - 1; z >= 0; --z) {
+        run = in.lumen.at(x, y, z) != 0 ? run + 1 : 0;
+        if (run > best) {
+          best = run;
+          bottom = z;
+        }
+      }
+      if (best * g.spacing[2] < 2.0 * s) continue;
+      for (int z = bottom - 1; z >= 0 && (bottom - z) * g.spacing[2] < 8.0 * s; --z) {
+        const auto i = g.index(x, y, z);
+        if (in.body.voxels[i] == 0 || tissue.voxels[i] < in.t.fat + 0.4 * (in.t.soft - in.t.fat)) break;
+        if (to_air.voxels[i] > 2.0 * s && to_bone.voxels[i] > 4.0 * s) seed.voxels[i] = 1;
+      }
+    }
+  }
+  return seed;
+}
+
+}  // namespace
+
+Mask find_tongue(const TongueSearch& in) {
+  const auto& g = in.body.grid;
+  const double s = in.frame.scale;
+  const auto tissue = smoothed_tissue(in.hu, in.body, in.t, 0.5 * s);
+  const auto bone = any_of(in.skull, in.mandible);
+  const auto to_bone = distance_to(bone);
+  const auto to_air = distance_to(in.lumen);
+  Mask seed(g);
+  if (in.seed) {
+    for (std::size_t i = 0; i < seed.voxels.size(); ++i) {
+      seed.voxels[i] =
+          distance(g.position(i), *in.seed) < 5.0 * s && in.body.voxels[i] != 0 && to_bone.voxels[i] > 2.0 * s ? 1 : 0;
+    }
+  } else {
+    seed = seed_under_dorsum(in, tissue, to_air, to_bone);
+  }
+  if (count(seed) * g.voxel_mm3() < 5.0 * s * s * s) return Mask(g);
+  const auto seed_box = bounds_of(seed);
+  const double seed_top = g.origin[2] + seed_box.high[2] * g.spacing[2];
+  Vector3 centre{};
+  for (std::size_t i = 0; i < seed.voxels.size(); ++i) {
+    if (seed.voxels[i] != 0) centre = centre + g.position(i);
+  }
+  centre = (1.0 / static_cast<double>(count(seed))) * centre;
+
+  const auto to_skin = distance_to(inverted(in.inside));
+  const auto to_hyoid = distance_to(in.hyoid);
+  const double vallecula_z = in.epiglottis.seen ? in.epiglottis.vallecula[2] : in.airway.front_commissure[2] + 7.0 * s;
+  const double vallecula_y = in.epiglottis.seen ? in.epiglottis.vallecula[1] : in.airway.front_commissure[1];
+  const double lowest = std::min(vallecula_z - 7.0 * s, in.airway.front_commissure[2] + 1.0 * s);
+  const auto walls = distance_to(in.mandible);
+  Volume<std::uint8_t> markers(g);
+  Mask allowed(g);
+  for (std::size_t i = 0; i < markers.voxels.size(); ++i) {
+    if (in.body.voxels[i] == 0 || in.epiglottis.mask.voxels[i] != 0) continue;
+    allowed.voxels[i] = 1;
+    if (seed.voxels[i] != 0) {
+      markers.voxels[i] = kTongueMarker;
+      continue;
+    }
+    const auto p = g.position(i);
+    const bool near_bone = walls.voxels[i] < 1.2 * s || to_bone.voxels[i] < 1.2 * s || to_hyoid.voxels[i] < 0.8 * s;
+    const bool near_skin = to_skin.voxels[i] < 4.0 * s;
+    const bool low = p[2] < lowest;
+    const bool behind = p[1] > vallecula_y + 4.0 * s && p[2] < seed_top - 4.0 * s;
+    const bool far = distance(p, centre) > 32.0 * s || std::abs(p[0] - in.frame.mid_x) > 20.0 * s;
+    // The palate: further above the seed than a tongue is thick, with air between or not.
+    const bool high = p[2] > seed_top + 14.0 * s;
+    if (near_bone || near_skin || low || behind || far || high) markers.voxels[i] = kOtherMarker;
+  }
+  Volume<float> cost(g);
+  for (std::size_t i = 0; i < cost.voxels.size(); ++i) {
+    cost.voxels[i] =
+        static_cast<float>(in.t.soft) - std::clamp<float>(tissue.voxels[i], -100.0F, static_cast<float>(in.t.soft));
+    // Noise makes basins of its own; steps of 4 HU leave the order to the distance.
+    cost.voxels[i] = 4.0F * std::floor(cost.voxels[i] / 4.0F);
+  }
+  const auto shares = flooded(cost, markers, allowed);
+  auto tongue = where(shares, [](std::uint8_t v) { return v == kTongueMarker; });
+  // Fat is not tongue: trim the half of the plane that the watershed gave to it.
+  for (std::size_t i = 0; i < tongue.voxels.size(); ++i) {
+    if (tissue.voxels[i] < in.t.fat + 0.5 * (in.t.soft - in.t.fat) && to_air.voxels[i] > 1.2 * s) tongue.voxels[i] = 0;
+  }
+  // Strands that leaked through a gap of the plane are thinner than the tongue.
+  const auto core = opened(tongue, 1.2 * s);
+  tongue = largest_component(all_of(tongue, dilated(largest_component(core), 1.0 * s)));
+  return with_holes_filled(tongue);
+}
+
+}  // namespace vallecula::pipeline
