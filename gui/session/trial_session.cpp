@@ -274,7 +274,9 @@ TrialOutcome TrialSession::Impl::finish(const std::string& how) {
   row.curriculum_id = curriculum.id;
   row.scenario_id = scenario.id;
   row.device_kind = log.header.device_kind;
-  row.trial_path = outcome.log.string();
+  // A record must still find its trial when the folder has been put in place.
+  row.trial_path =
+      (setup.final_out.empty() ? results.folder() : fs::absolute(setup.final_out)) / outcome.log.filename();
   row.score = outcome.score;
   try {
     curricula::Records(records_database()).add(row);

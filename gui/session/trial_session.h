@@ -19,10 +19,11 @@ struct TrialSetup {
   std::filesystem::path patient;     ///< NAME.patient
   std::filesystem::path curriculum;  ///< YAML
   std::string scenario;              ///< id in it
-  std::string
-      device;  ///< KIND[:ARG]: "mouse", "scripted:expert", "scripted:novice", "scripted:press", "scripted:FILE.csv"
-  std::filesystem::path out;  ///< folder for trial.vtrial, score.json, report.html, force.png
-  bool realtime = true;       ///< false: as fast as it goes, servo and simulation in lockstep on one thread
+  /// KIND[:ARG]: "mouse", "scripted:expert", "scripted:novice", "scripted:press", "scripted:FILE.csv"
+  std::string device;
+  std::filesystem::path out;        ///< folder for trial.vtrial, score.json, report.html, force.png
+  bool realtime = true;             ///< false: as fast as it goes, servo and simulation in lockstep on one thread
+  std::filesystem::path final_out;  ///< where the caller will move `out` to once all is whole; empty: it stays
 };
 
 struct TrialOutcome {

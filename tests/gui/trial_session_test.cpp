@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <thread>
 
+#include "curricula/records/records.h"
 #include "curricula/trial_log.h"
 #include "gui/commands/headless_application.h"
 #include "tests/gui/block_patient.h"
@@ -67,6 +68,18 @@ TEST_F(Session, StartTwiceAndFinishUnstartedAreRefused) {
   wait(session);
   session.finish("ended");
   EXPECT_THROW(session.finish("ended"), std::logic_error);
+}
+
+TEST_F(Session, TheRecordNamesWhereTheTrialWillBe) {
+  TrialSetup moved = setup(false);
+  moved.final_out = box_ / "in place";
+  TrialSession session(moved);
+  session.start();
+  wait(session);
+  session.finish("ended");
+  const auto rows = curricula::Records(box_.home() / "records.sqlite").newest(1);
+  ASSERT_EQ(rows.size(), 1u);
+  EXPECT_EQ(rows[0].trial_path, (box_ / "in place" / "trial.vtrial").string());
 }
 
 TEST_F(SessionRealTime, ResetBeginsAnewWithTissueAtRestAndAFreshLog) {
