@@ -106,6 +106,16 @@ Body::Body(const Variation& variation)
     const double d = tongue(p) - 1.0;
     return d > 0.5 ? d : std::max(d, 1.2 - cavity(p));
   };
+  // Whatever the seed, bone lies under skin and mucosa.
+  const auto covered = [head, cavity](Shape bone) {
+    const auto bare = bone.distance;
+    bone.distance = [bare, head, cavity](const Vec& p) {
+      const double d = bare(p);
+      if (d > 1.0 || p.y > 55.0) return d;  // the brain case is well inside behind the face
+      return std::max({d, head(p) + 2.0, 0.8 - cavity(p)});
+    };
+    return bone;
+  };
   tests_ = {{epiglottis_, Matter::epiglottis},
             {tongue_, Matter::tongue},
             {mouth_.soft_palate, Matter::soft_palate},
@@ -115,8 +125,8 @@ Body::Body(const Variation& variation)
             {room, Matter::outside},
             {cavity, Matter::airway},
             {outside, Matter::outside},
-            {bones_.mandible, Matter::mandible},
-            {bones_.skull, Matter::skull},
+            {covered(bones_.mandible), Matter::mandible},
+            {covered(bones_.skull), Matter::skull},
             {bones_.spine, Matter::spine},
             {bones_.hyoid, Matter::hyoid},
             {fat, Matter::fat}};

@@ -141,16 +141,28 @@ Sampled outline(const std::vector<Flat>& through, double margin, double cell) {
   Flat low;
   Flat high;
   bounds(points, margin, low, high);
+  struct Edge {
+    double u, v, du, dv, inverse;  // start, extent, one over the squared length
+  };
+  std::vector<Edge> edges;
+  for (std::size_t i = 0, j = points.size() - 1; i < points.size(); j = i++) {
+    const double du = points[i].u - points[j].u;
+    const double dv = points[i].v - points[j].v;
+    edges.push_back({points[j].u, points[j].v, du, dv, 1.0 / std::max(du * du + dv * dv, 1e-12)});
+  }
   return Sampled(low, high, cell, true, [&](const Flat& p) {
     double best = std::numeric_limits<double>::max();
     bool inside = false;
-    for (std::size_t i = 0, j = points.size() - 1; i < points.size(); j = i++) {
-      best = std::min(best, segment_distance(p, points[j], points[i]));
-      if ((points[i].v > p.v) != (points[j].v > p.v) &&
-          p.u < (points[j].u - points[i].u) * (p.v - points[i].v) / (points[j].v - points[i].v) + points[i].u)
-        inside = !inside;
+    for (const auto& e : edges) {
+      const double u = p.u - e.u;
+      const double v = p.v - e.v;
+      const double t = std::min(std::max((u * e.du + v * e.dv) * e.inverse, 0.0), 1.0);
+      const double eu = u - t * e.du;
+      const double ev = v - t * e.dv;
+      best = std::min(best, eu * eu + ev * ev);
+      if ((e.v > p.v) != (e.v + e.dv > p.v) && u < e.du * v / e.dv) inside = !inside;
     }
-    return inside ? -best : best;
+    return inside ? -std::sqrt(best) : std::sqrt(best);
   });
 }
 

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 
 #include "pipeline/manikin/manikin.h"
 
@@ -169,6 +170,29 @@ TEST(ManikinAnatomy, MandibleHasItsWidth) {
       for (double x = 26.0; x < 36.0; x += 0.1)
         if (man.label_at({x, y, z}) == kMandible) widest = std::max(widest, x);
   EXPECT_NEAR(2.0 * widest, 63.6, 2.0);  // gonia, fped.2023.1172909
+}
+
+TEST(ManikinAnatomy, BoneLiesUnderSkinAndMucosa) {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> unit(0.0, 1.0);
+  for (const std::uint64_t seed : {0, 1, 2, 5, 9}) {
+    const Manikin man(3.2, seed);
+    int bone = 0;
+    for (int i = 0; i < 60000; ++i) {
+      const Point p{-42.0 + 84.0 * unit(random), -5.0 + 60.0 * unit(random), -45.0 + 85.0 * unit(random)};
+      const auto label = man.label_at(p);
+      if (label != kSkull && label != kMandible) continue;
+      ++bone;
+      for (int d = 0; d < 6; ++d) {
+        auto q = p;
+        q[d / 2] += d % 2 ? 0.5 : -0.5;
+        const auto beside = man.label_at(q);
+        ASSERT_TRUE(beside != kAirway && beside != kBackground)
+            << "seed " << seed << " at " << q[0] << ' ' << q[1] << ' ' << q[2];
+      }
+    }
+    EXPECT_GT(bone, 500) << seed;
+  }
 }
 
 TEST(ManikinAnatomy, SoftTissuesDifferByNoMoreThanTwentyHounsfield) {
