@@ -125,15 +125,26 @@ std::vector<Section> follow_upwards(const Volume<float>& air, const Trachea& tra
   return course;
 }
 
-/// The narrowest cut of the upper part of the course. Its plane is across the trachea: the cords slant as the trachea
-/// does, and the plane of least area would follow every bulge of the vestibule.
+/// The first narrow place above the trachea: the least area before it opens again. Its plane is across the trachea: the
+/// cords slant as the trachea does, and the plane of least area would follow every bulge of the vestibule.
 Section find_glottis(const Volume<float>& air, const std::vector<Section>& course, double s) {
+  std::vector<double> areas;
+  for (const auto& cut : course) areas.push_back(cut.area_mm2);
+  auto lower = std::vector<double>(areas.begin(), areas.begin() + static_cast<std::ptrdiff_t>((areas.size() + 1) / 2));
+  std::nth_element(lower.begin(), lower.begin() + lower.size() / 2, lower.end());
+  const double trachea = lower[lower.size() / 2];
+  std::size_t narrowest = 0;
+  for (std::size_t i = 0; i < areas.size(); ++i) {
+    if (areas[i] < areas[narrowest]) narrowest = i;
+    if (areas[narrowest] < 0.85 * trachea && areas[i] > 1.6 * areas[narrowest]) break;
+  }
   Vector3 axis{};
-  for (std::size_t i = 0; i < course.size() * 2 / 3; ++i) axis = axis + course[i].normal;
+  for (std::size_t i = 0; i <= narrowest * 2 / 3; ++i) axis = axis + course[i].normal;
   axis = unit(axis);
   Section best;
   best.area_mm2 = 1e30;
-  for (std::size_t i = course.size() / 2; i < course.size(); ++i) {
+  const std::size_t near = 8;
+  for (std::size_t i = narrowest - std::min(near, narrowest); i < std::min(narrowest + near, course.size()); ++i) {
     const auto section = section_of(air, course[i].centre, axis, 0.2 * s, 14.0 * s);
     if (section.found && section.area_mm2 < best.area_mm2) best = section;
   }

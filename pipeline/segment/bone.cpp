@@ -86,6 +86,42 @@ bool mark_mandible(const Hounsfield& hu, const Mask& bone, double threshold, con
   return false;
 }
 
+/// A small arch in front of the vestibule, above the glottis and below the jaw. It is thin, so the blur leaves it
+/// fainter than other bone.
+Mask find_hyoid(const Hounsfield& hu, const Thresholds& t, const Frame& frame, const Airway& airway, const Mask& jaws) {
+  const double s = frame.scale;
+  const auto& c = airway.glottis.centre;
+  Mask out(hu.grid);
+  const auto box = box_between(hu.grid, c + s * Vector3{-14.0, -25.0, 0.0}, c + s * Vector3{14.0, 3.0, 20.0});
+  auto dense = where(cropped(hu, box), [&](std::int16_t v) { return v > t.soft + 0.4 * (t.bone - t.soft); });
+  const auto parts = components(dense);
+  const auto& g = dense.grid;
+  double best = 0.0;
+  int hyoid = 0;
+  for (std::size_t id = 1; id < parts.sizes.size(); ++id) {
+    const double volume = parts.sizes[id] * g.voxel_mm3();
+    if (volume < 4.0 * s * s * s) break;
+    Vector3 sum{};
+    bool jaw = false;
+    for (std::size_t i = 0; i < g.count(); ++i) {
+      if (parts.id.voxels[i] != static_cast<int>(id)) continue;
+      sum = sum + g.position(i);
+      const auto v = g.cell(i);
+      jaw = jaw || jaws.at(v[0] + box.low[0], v[1] + box.low[1], v[2] + box.low[2]) != 0;
+    }
+    const Vector3 centre = (1.0 / static_cast<double>(parts.sizes[id])) * sum;
+    const double above = centre[2] - c[2];
+    if (jaw || above < 1.0 * s || above > 18.0 * s || centre[1] > c[1] || std::abs(centre[0] - frame.mid_x) > 4.0 * s)
+      continue;
+    if (volume > best) {
+      best = volume;
+      hyoid = static_cast<int>(id);
+    }
+  }
+  if (hyoid != 0) paste(parts.mask(hyoid), box, out);
+  return out;
+}
+
 }  // namespace
 
 Bones find_bones(const Hounsfield& hu, const Thresholds& t, const Frame& frame, const Head& head,
@@ -133,8 +169,6 @@ Bones find_bones(const Hounsfield& hu, const Thresholds& t, const Frame& frame, 
   const auto parts = components(left);
   const auto extents = extents_of(parts, markers);
   std::vector<std::uint8_t> share_of(extents.size(), 0);
-  int hyoid = 0;
-  double hyoid_best = 0.0;
   for (std::size_t id = 1; id < extents.size(); ++id) {
     const auto& e = extents[id];
     const double volume = e.voxels * g.voxel_mm3();
@@ -147,30 +181,19 @@ Bones find_bones(const Hounsfield& hu, const Thresholds& t, const Frame& frame, 
     } else if (c[2] > naso_top - 40.0 * s && (!below_face || volume > 20.0 * s * s * s)) {
       share_of[id] = kSkullMarker;
     }
-    // The hyoid: a small arch in front of the vestibule, above the glottis and below the jaw.
-    const double above = c[2] - airway.glottis.centre[2];
-    const bool level = above > 1.0 * s && above < 18.0 * s && c[1] < airway.glottis.centre[1] &&
-                       c[1] > airway.glottis.centre[1] - 25.0 * s;
-    const bool middle = std::abs(c[0] - frame.mid_x) < 4.0 * s;
-    if (level && middle && volume > hyoid_best) {
-      hyoid = static_cast<int>(id);
-      hyoid_best = volume;
-    }
   }
-  if (hyoid != 0) share_of[hyoid] = kNone;
   bones.skull = Mask(g);
   bones.mandible = Mask(g);
   bones.spine = Mask(g);
-  bones.hyoid = Mask(g);
-  bones.hyoid_seen = hyoid != 0;
   for (std::size_t i = 0; i < left.voxels.size(); ++i) {
     const int id = parts.id.voxels[i];
     const int share = id != 0 ? share_of[id] : shares.voxels[i];
     bones.skull.voxels[i] = share == kSkullMarker ? 1 : 0;
     bones.mandible.voxels[i] = share == kMandibleMarker ? 1 : 0;
     bones.spine.voxels[i] = share == kSpineMarker ? 1 : 0;
-    bones.hyoid.voxels[i] = id != 0 && id == hyoid ? 1 : 0;
   }
+  bones.hyoid = find_hyoid(hu, t, frame, airway, any_of(bones.mandible, inverted(head.body)));
+  bones.hyoid_seen = count(bones.hyoid) > 0;
   return bones;
 }
 

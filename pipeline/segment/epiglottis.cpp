@@ -127,7 +127,8 @@ Epiglottis find_epiglottis(const Mask& body, const Mask& lumen, const Airway& ai
   }
   e.tip = (1.0 / tips) * tip;
   e.tip[0] = frame.mid_x;
-  e.thickness_mm = columns > 0 ? g.spacing[1] * voxels / columns : 1.5 * s;
+  // Measured along y through a leaf that leans back by about 40 degrees.
+  e.thickness_mm = columns > 0 ? 0.77 * g.spacing[1] * voxels / columns : 1.5 * s;
   double half_width = 3.5 * s;
   if (!widths.empty()) {
     std::nth_element(widths.begin(), widths.begin() + widths.size() * 3 / 4, widths.end());
@@ -137,7 +138,7 @@ Epiglottis find_epiglottis(const Mask& body, const Mask& lumen, const Airway& ai
 
   const auto width_at = [&](double z) {
     const double f = std::clamp((z - floor_z) / std::max(1e-6, e.vallecula[2] + 3.0 * s - floor_z), 0.0, 1.0);
-    return 1.6 * s + f * (half_width - 1.6 * s);
+    return 2.4 * s + f * (half_width - 2.4 * s);
   };
   for (std::size_t i = 0; i < leaf.voxels.size(); ++i) {
     if (leaf.voxels[i] == 0) continue;
@@ -145,7 +146,7 @@ Epiglottis find_epiglottis(const Mask& body, const Mask& lumen, const Airway& ai
     if (std::abs(p[0] - frame.mid_x) > width_at(p[2])) leaf.voxels[i] = 0;
   }
   // The petiole: the front wall of the vestibule at the leaf's thickness.
-  const int depth = std::max(1, static_cast<int>(std::lround(1.2 * e.thickness_mm / g.spacing[1])));
+  const int depth = std::max(1, static_cast<int>(std::lround(e.thickness_mm / g.spacing[1])));
   for (int z = 0; z < g.size[2]; ++z) {
     const double pz = g.origin[2] + z * g.spacing[2];
     if (pz < floor_z || pz > e.vallecula[2] + 2.0 * s) continue;

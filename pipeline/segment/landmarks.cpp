@@ -22,10 +22,10 @@ void near_middle(const Segmentation& s, double half_mm, const Visit& visit) {
 }
 
 /// Foremost bone of the upper jaw near the middle: the incisive bone between the nose and the mouth.
-bool front_of_maxilla(const Segmentation& s, double low_z, double high_z, Vector3& front) {
+bool front_of_maxilla(const Segmentation& s, double low_z, double high_z, double back_y, Vector3& front) {
   double best = 1e30;
   near_middle(s, 3.0 * s.frame.scale, [&](int x, int y, int z, const Vector3& p) {
-    if (s.labels.at(x, y, z) != kSkull || p[2] < low_z || p[2] > high_z || p[1] >= best) return;
+    if (s.labels.at(x, y, z) != kSkull || p[2] < low_z || p[2] > high_z || p[1] > back_y || p[1] >= best) return;
     best = p[1];
     front = p;
   });
@@ -36,20 +36,25 @@ bool front_of_maxilla(const Segmentation& s, double low_z, double high_z, Vector
 /// equals the foremost.
 Vector3 upper_gum(Segmentation& s) {
   const double k = s.frame.scale;
-  const auto jaw = bounds_of(s.bones.mandible);
-  const auto& g = s.labels.grid;
-  const double glottis_z = s.airway.glottis.centre[2];
-  const double mouth_low = jaw.empty() ? glottis_z + 20.0 * k : g.origin[2] + jaw.low[2] * g.spacing[2] + 8.0 * k;
-  double low = glottis_z + 40.0 * k;
-  double high = glottis_z + 62.0 * k;
+  // The level: about the lips when they are open, else directly above the chin's bone.
+  double low = s.airway.glottis.centre[2] + 40.0 * k;
+  double high = s.airway.glottis.centre[2] + 62.0 * k;
+  double back = s.airway.glottis.centre[1];
+  double chin_top = -1e30;
+  near_middle(s, 2.0 * k, [&](int x, int y, int z, const Vector3& p) {
+    if (s.labels.at(x, y, z) != kMandible || p[2] <= chin_top) return;
+    chin_top = p[2];
+    back = p[1] + 12.0 * k;
+  });
   if (!s.head.lips.empty()) {
-    // The lips' middle slice gives the level of the opening.
-    const auto& lips = s.head.lips.front();
-    low = lips.upper[1] - 6.0 * k;
-    high = lips.upper[1] + 10.0 * k;
+    low = s.head.lips.front().upper[1] - 6.0 * k;
+    high = s.head.lips.front().upper[1] + 10.0 * k;
+  } else if (chin_top > -1e29) {
+    low = chin_top + 1.0;
+    high = chin_top + 25.0 * k;
   }
   Vector3 front{};
-  if (!front_of_maxilla(s, std::max(low, mouth_low), high, front)) {
+  if (!front_of_maxilla(s, low, high, back, front)) {
     s.inferred.push_back(
         "upper_gum_midline: no upper jaw seen; placed over the glottis by the term infant's proportions");
     return s.airway.glottis.centre + k * Vector3{0.0, -33.0, 48.0};

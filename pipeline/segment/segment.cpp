@@ -93,6 +93,12 @@ Segmentation segment(const Hounsfield& series, const std::map<std::string, Point
   say("bone", 0.55);
   s.bones = find_bones(s.hu, s.thresholds, s.frame, s.head, s.airway);
 
+  if (s.bones.mandible_free) {
+    // The head may be turned on the neck: for mouth and throat the middle is that of the jaw.
+    const auto jaw = bounds_of(s.bones.mandible);
+    s.frame.mid_x = s.hu.grid.origin[0] + 0.5 * (jaw.low[0] + jaw.high[0]) * s.hu.grid.spacing[0];
+  }
+
   s.labels = Labels(s.hu.grid);
   put(s.head.inside, kSkin, s.labels);
   put(s.bones.spine, kSpine, s.labels);

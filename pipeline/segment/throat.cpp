@@ -19,6 +19,16 @@ Mask find_soft_palate(const Mask& body, const Mask& lumen, const Mask& skull, co
         p[2] > low && std::abs(p[0] - frame.mid_x) < 14.0 * s && p[1] > airway.glottis.centre[1] - 12.0 * s;
     if (!place || epiglottis.mask.voxels[i] != 0) sheet.voxels[i] = 0;
   }
+  // Above the hard palate a thin sheet is the septum.
+  for (int y = 0; y < g.size[1]; ++y) {
+    for (int x = 0; x < g.size[0]; ++x) {
+      bool above_bone = false;
+      for (int z = 0; z < g.size[2]; ++z) {
+        above_bone = above_bone || skull.at(x, y, z) != 0;
+        if (above_bone) sheet.at(x, y, z) = 0;
+      }
+    }
+  }
   const auto parts = components(opened(sheet, 0.8 * s));
   if (parts.sizes.size() < 2 || parts.sizes[1] * g.voxel_mm3() < 60.0 * s * s * s) return Mask(g);
   return all_of(sheet, dilated(parts.mask(1), 0.8 * s));

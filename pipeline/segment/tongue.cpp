@@ -25,6 +25,20 @@ Volume<float> smoothed_tissue(const Hounsfield& hu, const Mask& body, const Thre
   return value;
 }
 
+/// Standard deviation of what is left of the noise where the tissue is the same throughout.
+double noise_of(const Volume<float>& tissue, const Mask& where) {
+  double sum = 0.0;
+  double squares = 0.0;
+  double n = 0.0;
+  for (std::size_t i = 0; i < where.voxels.size(); ++i) {
+    if (where.voxels[i] == 0) continue;
+    sum += tissue.voxels[i];
+    squares += static_cast<double>(tissue.voxels[i]) * tissue.voxels[i];
+    n += 1.0;
+  }
+  return n > 1.0 ? std::sqrt(std::max(0.0, squares / n - sum * sum / (n * n))) : 0.0;
+}
+
 /// The tissue first met going down from the air under the palate, a little below its surface.
 Mask seed_under_dorsum(const TongueSearch& in, const Volume<float>& tissue, const Volume<float>& to_air,
                        const Volume<float>& to_bone) {
@@ -61,8 +75,33 @@ Mask seed_under_dorsum(const TongueSearch& in, const Volume<float>& tissue, cons
       if (best * g.spacing[2] < 2.0 * s) continue;
       for (int z = bottom - 1; z >= 0 && (bottom - z) * g.spacing[2] < 8.0 * s; --z) {
         const auto i = g.index(x, y, z);
-        if (in.body.voxels[i] == 0 || tissue.voxels[i] < in.t.fat + 0.4 * (in.t.soft - in.t.fat)) break;
+        if (in.body.voxels[i] == 0) break;
+        if ((bottom - z) * g.spacing[2] > 1.5 * s && tissue.voxels[i] < in.t.fat + 0.4 * (in.t.soft - in.t.fat)) break;
         if (to_air.voxels[i] > 2.0 * s && to_bone.voxels[i] > 4.0 * s) seed.voxels[i] = 1;
+      }
+    }
+  }
+  // The root: the front wall of the pharynx from the dorsum down to the vallecula.
+  if (!in.epiglottis.seen || count(seed) == 0) return seed;
+  const auto box = bounds_of(seed);
+  for (int z = 0; z <= box.high[2]; ++z) {
+    if (g.origin[2] + z * g.spacing[2] < in.epiglottis.vallecula[2] + 1.0 * s) continue;
+    for (int x = 0; x < g.size[0]; ++x) {
+      if (std::abs(g.origin[0] + x * g.spacing[0] - in.frame.mid_x) > 4.0 * s) continue;
+      int y = std::clamp(g.nearest({0, in.epiglottis.vallecula[1], 0})[1], 0, g.size[1] - 1);
+      // From the air in front of the leaf forwards; higher up the wall may lie behind the vallecula's level.
+      while (y + 1 < g.size[1] && in.lumen.at(x, y, z) == 0 && in.body.at(x, y, z) != 0 &&
+             g.origin[1] + y * g.spacing[1] < in.epiglottis.vallecula[1] + 5.0 * s) {
+        ++y;
+      }
+      if (in.lumen.at(x, y, z) == 0) continue;
+      while (y > 0 && in.lumen.at(x, y, z) != 0) --y;
+      for (int k = y; k > 0 && (y - k) * g.spacing[1] < 5.0 * s; --k) {
+        const auto i = g.index(x, k, z);
+        if (in.body.voxels[i] == 0) break;
+        const bool dark = tissue.voxels[i] < in.t.fat + 0.4 * (in.t.soft - in.t.fat);
+        if (dark && (y - k) * g.spacing[1] > 1.5 * s) break;
+        if (to_air.voxels[i] > 1.5 * s && to_bone.voxels[i] > 4.0 * s) seed.voxels[i] = 1;
       }
     }
   }
@@ -74,7 +113,7 @@ Mask seed_under_dorsum(const TongueSearch& in, const Volume<float>& tissue, cons
 Mask find_tongue(const TongueSearch& in) {
   const auto& g = in.body.grid;
   const double s = in.frame.scale;
-  const auto tissue = smoothed_tissue(in.hu, in.body, in.t, 0.5 * s);
+  const auto tissue = smoothed_tissue(in.hu, in.body, in.t, std::max(0.45, 0.5 * s));
   const auto bone = any_of(in.skull, in.mandible);
   const auto to_bone = distance_to(bone);
   const auto to_air = distance_to(in.lumen);
@@ -82,7 +121,7 @@ Mask find_tongue(const TongueSearch& in) {
   if (in.seed) {
     for (std::size_t i = 0; i < seed.voxels.size(); ++i) {
       seed.voxels[i] =
-          distance(g.position(i), *in.seed) < 5.0 * s && in.body.voxels[i] != 0 && to_bone.voxels[i] > 2.0 * s ? 1 : 0;
+          distance(g.position(i), *in.seed) < 7.0 * s && in.body.voxels[i] != 0 && to_bone.voxels[i] > 2.0 * s ? 1 : 0;
     }
   } else {
     seed = seed_under_dorsum(in, tissue, to_air, to_bone);
@@ -97,7 +136,6 @@ Mask find_tongue(const TongueSearch& in) {
   centre = (1.0 / static_cast<double>(count(seed))) * centre;
 
   const auto to_skin = distance_to(inverted(in.inside));
-  const auto to_hyoid = distance_to(in.hyoid);
   const double vallecula_z = in.epiglottis.seen ? in.epiglottis.vallecula[2] : in.airway.front_commissure[2] + 7.0 * s;
   const double vallecula_y = in.epiglottis.seen ? in.epiglottis.vallecula[1] : in.airway.front_commissure[1];
   const double lowest = std::min(vallecula_z - 7.0 * s, in.airway.front_commissure[2] + 1.0 * s);
@@ -105,14 +143,14 @@ Mask find_tongue(const TongueSearch& in) {
   Volume<std::uint8_t> markers(g);
   Mask allowed(g);
   for (std::size_t i = 0; i < markers.voxels.size(); ++i) {
-    if (in.body.voxels[i] == 0 || in.epiglottis.mask.voxels[i] != 0) continue;
+    if (in.body.voxels[i] == 0 || in.epiglottis.mask.voxels[i] != 0 || in.hyoid.voxels[i] != 0) continue;
     allowed.voxels[i] = 1;
     if (seed.voxels[i] != 0) {
       markers.voxels[i] = kTongueMarker;
       continue;
     }
     const auto p = g.position(i);
-    const bool near_bone = walls.voxels[i] < 1.2 * s || to_bone.voxels[i] < 1.2 * s || to_hyoid.voxels[i] < 0.8 * s;
+    const bool near_bone = walls.voxels[i] < 1.2 * s || to_bone.voxels[i] < 1.2 * s;
     const bool near_skin = to_skin.voxels[i] < 4.0 * s;
     const bool low = p[2] < lowest;
     const bool behind = p[1] > vallecula_y + 4.0 * s && p[2] < seed_top - 4.0 * s;
@@ -121,21 +159,26 @@ Mask find_tongue(const TongueSearch& in) {
     const bool high = p[2] > seed_top + 14.0 * s;
     if (near_bone || near_skin || low || behind || far || high) markers.voxels[i] = kOtherMarker;
   }
+  // Both the dark fat plane and the bright rim of the hyoid, which lies in it, are ridges; to cross one costs as much
+  // as a way of tens of mm.
+  const double quiet = std::max(12.0, 2.5 * noise_of(tissue, seed));
   Volume<float> cost(g);
   for (std::size_t i = 0; i < cost.voxels.size(); ++i) {
-    cost.voxels[i] =
-        static_cast<float>(in.t.soft) - std::clamp<float>(tissue.voxels[i], -100.0F, static_cast<float>(in.t.soft));
-    // Noise makes basins of its own; steps of 4 HU leave the order to the distance.
-    cost.voxels[i] = 4.0F * std::floor(cost.voxels[i] / 4.0F);
+    const double off = tissue.voxels[i] - in.t.soft;
+    const double ridge =
+        off < 0.0 ? std::clamp((-off - quiet) / 60.0, 0.0, 1.0) : std::clamp((off - quiet - 28.0) / 100.0, 0.0, 1.0);
+    cost.voxels[i] = static_cast<float>(1.0 + 60.0 * ridge);
   }
-  const auto shares = flooded(cost, markers, allowed);
+  const auto shares = shared_by_travel(cost, markers, allowed);
   auto tongue = where(shares, [](std::uint8_t v) { return v == kTongueMarker; });
   // Fat is not tongue: trim the half of the plane that the watershed gave to it.
   for (std::size_t i = 0; i < tongue.voxels.size(); ++i) {
     if (tissue.voxels[i] < in.t.fat + 0.5 * (in.t.soft - in.t.fat) && to_air.voxels[i] > 1.2 * s) tongue.voxels[i] = 0;
   }
   // Strands that leaked through a gap of the plane are thinner than the tongue.
-  const auto core = opened(tongue, 1.2 * s);
+  if (in.seed)
+    tongue = all_of(closed(tongue, 2.0 * s), allowed);  // grown by hand, it has the holes that noise and streaks leave
+  const auto core = opened(tongue, in.seed ? 2.0 * s : 0.8 * s);
   tongue = largest_component(all_of(tongue, dilated(largest_component(core), 1.0 * s)));
   return with_holes_filled(tongue);
 }

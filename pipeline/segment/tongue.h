@@ -23,10 +23,10 @@ struct TongueSearch {
   std::optional<Vector3> seed;  ///< given by a person, mm LPS
 };
 
-/// Watershed on the grey values from a seed under the back of the tongue against everything that is surely not tongue
-/// (next to bone, skin, palate, back wall, larynx): the two meet on the dark ridge of the fat plane, wherever there is
-/// one, else half way. Without `seed` the seed is the tissue under the air of the open mouth, in the middle; empty when
-/// the mouth is closed and no seed was given.
+/// Two parties compete for the tissue, each from what is surely its own: the tongue from below its back and before the
+/// pharynx, everything else from bone, skin, palate, back wall and larynx. Travel is dear across ridges (the dark fat
+/// plane, the bright hyoid in it), so they meet there wherever there is one, else half way, and a gap in the plane lets
+/// little through. Empty when the mouth is closed and no seed was given.
 Mask find_tongue(const TongueSearch& search);
 
 }  // namespace vallecula::pipeline

@@ -329,6 +329,39 @@ Volume<std::uint8_t> flooded(const Volume<float>& cost, const Volume<std::uint8_
   return out;
 }
 
+Volume<std::uint8_t> shared_by_travel(const Volume<float>& cost, const Volume<std::uint8_t>& markers,
+                                      const Mask& allowed) {
+  const auto& g = cost.grid;
+  Volume<std::uint8_t> out(g);
+  Volume<float> paid(g, kFar);
+  using Item = std::pair<float, std::size_t>;
+  std::priority_queue<Item, std::vector<Item>, std::greater<>> queue;
+  for (std::size_t i = 0; i < markers.voxels.size(); ++i) {
+    if (markers.voxels[i] == 0 || allowed.voxels[i] == 0) continue;
+    out.voxels[i] = markers.voxels[i];
+    paid.voxels[i] = 0.0F;
+    queue.push({0.0F, i});
+  }
+  const std::size_t row = g.size[0];
+  const std::size_t plane = row * g.size[1];
+  while (!queue.empty()) {
+    const auto [spent, i] = queue.top();
+    queue.pop();
+    if (spent > paid.voxels[i]) continue;
+    for_neighbours6(g, i, [&](std::size_t n) {
+      if (allowed.voxels[n] == 0) return;
+      const std::size_t apart = n > i ? n - i : i - n;
+      const double mm = apart == 1 ? g.spacing[0] : apart == plane ? g.spacing[2] : g.spacing[1];
+      const float price = spent + static_cast<float>(0.5 * mm * (cost.voxels[i] + cost.voxels[n]));
+      if (price >= paid.voxels[n]) return;
+      paid.voxels[n] = price;
+      out.voxels[n] = out.voxels[i];
+      queue.push({price, n});
+    });
+  }
+  return out;
+}
+
 Volume<float> path_length(const Mask& seed, const Mask& allowed) {
   const auto& g = seed.grid;
   Volume<float> d(g, kFar);

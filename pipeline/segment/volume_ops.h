@@ -93,6 +93,11 @@ Mask with_holes_filled(const Mask& mask);
 /// is flooded first, ties by distance travelled. 0 where no marker reaches.
 Volume<std::uint8_t> flooded(const Volume<float>& cost, const Volume<std::uint8_t>& markers, const Mask& allowed);
 
+/// Shares `allowed` among the markers by who travels there more cheaply; `cost` is the price of a millimetre, > 0.
+/// Unlike flooding, a small gap in a ridge lets only its surroundings through.
+Volume<std::uint8_t> shared_by_travel(const Volume<float>& cost, const Volume<std::uint8_t>& markers,
+                                      const Mask& allowed);
+
 /// Shortest way (mm, through 26 neighbours) inside `allowed` from the ones of `seed`; 1e9 where there is none.
 Volume<float> path_length(const Mask& seed, const Mask& allowed);
 
