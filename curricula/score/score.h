@@ -12,48 +12,49 @@ namespace vallecula::curricula {
 
 /// One line of the rubric.
 struct Criterion {
-  std::string name;        ///< "peak_tongue_force_n": the figure it judges
-  std::string unit;        ///< "N", "s", "%"; empty for yes or no
+  std::string name;  ///< "peak_tongue_force_n": the figure it judges
+  std::string unit;  ///< "N", "s", "%"; empty for yes or no
   double value = 0.0;
   double limit = 0.0;
-  double at_s = -1.0;      ///< trial time at which it happened (the peak, the first excess); -1: it never did
+  double at_s = -1.0;  ///< trial time at which it happened (the peak, the first excess); -1: it never did
   bool met = false;
-  std::string sentence;    ///< figure, limit and second, for a person
+  std::string sentence;  ///< figure, limit and second, for a person
 };
 
 struct Score {
-  double peak_tongue_force_n = 0.0;          ///< model force; magnitude, tongue only
+  double peak_tongue_force_n = 0.0;  ///< model force; magnitude, tongue only
   double time_of_peak_tongue_force_s = 0.0;
-  double time_to_trachea_visible_s = -1.0;   ///< from the attempt's start; -1: never (null in JSON)
+  double time_to_trachea_visible_s = -1.0;  ///< from the attempt's start; -1: never (null in JSON)
   double glottis_visible_max_percent = 0.0;
   double peak_gum_force_n = 0.0;
   double time_of_peak_gum_force_s = 0.0;
-  double attempt_time_s = 0.0;               ///< blade into the mouth to blade out (NEAR4NEOS)
-  double attempt_start_s = 0.0;              ///< in trial time
-  double time_over_force_limit_s = 0.0;      ///< device limit: state not `tracking`
-  double time_over_target_s = 0.0;           ///< tongue force over the scenario's target
+  double attempt_time_s = 0.0;           ///< blade into the mouth to blade out (NEAR4NEOS)
+  double attempt_start_s = 0.0;          ///< in trial time
+  double time_over_force_limit_s = 0.0;  ///< device limit: state not `tracking`
+  double time_over_target_s = 0.0;       ///< tongue force over the scenario's target
   double loop_rate_hz = 0.0;
   long long deadline_misses = 0;
   long long ticks = 0;
   bool passed = false;
-  std::vector<std::string> reasons;          ///< each with the figure, the limit and the second it happened: of a failed
-                                             ///< trial what was not met, of a passed one everything that was
+  std::vector<std::string> reasons;  ///< each with the figure, the limit and the second it happened: of a failed
+                                     ///< trial what was not met, of a passed one everything that was
 
   std::array<double, kStructures> peak_force_n{};    ///< model force by LoadedStructure
   std::array<double, kStructures> time_of_peak_s{};  ///< trial time
-  double peak_displayed_force_n = 0.0;       ///< what the device was told
-  double time_of_glottis_max_s = -1.0;       ///< trial time of glottis_visible_max_percent; -1: never seen
-  bool attempt_begun = false;                ///< the blade tip was in the mouth at least once
-  bool blade_out = false;                    ///< and was out again when the log ended
-  int mouth_entries = 0;                     ///< times the tip came in after a second or more outside
-  bool complete = false;                     ///< the log has its end; otherwise the trial was interrupted
-  std::vector<Criterion> criteria;           ///< the whole rubric, met or not
+  double peak_displayed_force_n = 0.0;               ///< what the device was told
+  double time_of_glottis_max_s = -1.0;               ///< trial time of glottis_visible_max_percent; -1: never seen
+  bool attempt_begun = false;                        ///< the blade tip was in the mouth at least once
+  bool blade_out = false;                            ///< and was out again when the log ended
+  int mouth_entries = 0;                             ///< times the tip came in after a second or more outside
+  bool complete = false;                             ///< the log has its end; otherwise the trial was interrupted
+  std::vector<Criterion> criteria;                   ///< the whole rubric, met or not
 };
 
 /// Definitions (times are trial time; a tick counts for servo_period_s):
-/// - the attempt runs from the first tick with the proxy's tip in the mouth (score/mouth.h) to the last one: blade into the
-///   mouth to blade out (NEAR4NEOS). Short ways out do not stop the clock. Simplification: one trial holds one attempt, since
-///   nothing between attempts (ventilation) exists yet; mouth_entries tells when there were more.
+/// - the attempt runs from the first tick with the proxy's tip in the mouth (score/mouth.h) to the last one: blade into
+/// the
+///   mouth to blade out (NEAR4NEOS). Short ways out do not stop the clock. Simplification: one trial holds one attempt,
+///   since nothing between attempts (ventilation) exists yet; mouth_entries tells when there were more.
 /// - peaks are the largest single tick of the model force's magnitude, over the whole trial, unfiltered.
 /// - in sight: the first sight sample since the attempt's start with at least scenario.sight_percent of the glottis.
 /// - over the device limit: the haptic state was not `tracking`. Over the target: model force on the tongue above it.
@@ -61,7 +62,8 @@ struct Score {
 /// Never throws for a log that read_trial_log gave.
 Score score_trial(const TrialLog& log, const Scenario& scenario);
 
-/// One JSON object, indented; units are in the names. Figures that do not exist (never in sight, unknown loop rate) are null.
+/// One JSON object, indented; units are in the names. Figures that do not exist (never in sight, unknown loop rate) are
+/// null.
 std::string score_to_json(const Score& score, const TrialLog& log, const Scenario& scenario);
 
 }  // namespace vallecula::curricula
