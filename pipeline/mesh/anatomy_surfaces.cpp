@@ -1,0 +1,185 @@
+#include "pipeline/mesh/anatomy_surfaces.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "pipeline/mesh/face_tissue.h"
+#include "pipeline/mesh/isosurface.h"
+#include "pipeline/mesh/remesh.h"
+#include "pipeline/mesh/surface_check.h"
+#include "pipeline/mesh/vector3.h"
+#include "pipeline/parallel.h"
+
+namespace vallecula::pipeline {
+namespace {
+
+using Axes = std::array<std::vector<double>, 3>;
+
+/// Values of a field function at all crossings of the axes.
+template <class Field>
+std::vector<float> sampled(const Axes& axes, const Field& field) {
+  std::vector<float> values(axes[0].size() * axes[1].size() * axes[2].size());
+  parallel_for(static_cast<int>(axes[2].size()), [&](int z) {
+    std::size_t i = static_cast<std::size_t>(z) * axes[0].size() * axes[1].size();
+    for (const double y : axes[1]) {
+      for (const double x : axes[0]) values[i++] = static_cast<float>(field(Point{x, y, axes[2][z]}));
+    }
+  });
+  return values;
+}
+
+std::array<Point, 2> corners(const Grid& g) {
+  return {g.position(0, 0, 0), g.position(g.size[0] - 1, g.size[1] - 1, g.size[2] - 1)};
+}
+
+bool holds(const Grid& g, const Point& p) {
+  const auto [low, high] = corners(g);
+  for (int a = 0; a < 3; ++a) {
+    if (p[a] < low[a] || p[a] > high[a]) return false;
+  }
+  return true;
+}
+
+/// Blends sizes: `fine` near a place, growing with the distance from it.
+double graded(double fine, double coarse, double away, double over) {
+  return fine + (coarse - fine) * std::clamp(away / over, 0.0, 1.0);
+}
+
+double outside_of(const Grid& box, const Point& p) {
+  const auto [low, high] = corners(box);
+  double d2 = 0.0;
+  for (int a = 0; a < 3; ++a) {
+    const double d = std::max({low[a] - p[a], p[a] - high[a], 0.0});
+    d2 += d * d;
+  }
+  return std::sqrt(d2);
+}
+
+Surface finished(const Surface& rough, const RemeshOptions& options, const char* name) {
+  auto out = largest_part(remeshed(largest_part(rough), options));
+  require_solid(out, name);
+  return out;
+}
+
+Surface face_surface(const Segmentation& s, const AnatomyFields& f) {
+  const double k = s.frame.scale;
+  const auto [low, high] = corners(s.hu.grid);
+  const auto throat = cropped(s.hu.grid, s.throat);
+  const auto [t_low, t_high] = corners(throat);
+  const Point gum = s.landmarks.at("upper_gum_midline");
+  // Fine from the larynx to the bridge of the nose and from the lips to the back wall.
+  Axes axes;
+  axes[0] = graded_axis(low[0], high[0], gum[0] - 20.0 * k, gum[0] + 20.0 * k, 0.55 * k, 1.5 * k);
+  axes[1] = graded_axis(low[1], high[1], t_low[1] - 6.0 * k, s.airway.glottis.centre[1] + 13.0 * k, 0.55 * k, 1.5 * k);
+  axes[2] = graded_axis(low[2], high[2], s.airway.glottis.centre[2] - 14.0 * k, gum[2] + 28.0 * k, 0.6 * k, 1.5 * k);
+  const auto values = sampled(axes, [&](const Point& p) {
+    const double solid = value_at(f.solid, p);
+    return holds(throat, p) ? std::min(solid, -value_at(f.soft, p)) : solid;
+  });
+  Grid mouth;  // where the operator looks
+  mouth.origin = {gum[0] - 17.0 * k, t_low[1] - 4.0 * k, s.airway.glottis.centre[2] - 8.0 * k};
+  mouth.size = {2, 2, 2};
+  mouth.spacing = {34.0 * k, s.airway.glottis.centre[1] + 12.0 * k - mouth.origin[1],
+                   gum[2] + 8.0 * k - mouth.origin[2]};
+  RemeshOptions options;
+  options.rounds = 4;
+  options.edge_mm = [mouth, k](const Point& p) { return graded(0.85 * k, 2.6 * k, outside_of(mouth, p), 45.0 * k); };
+  auto face = finished(isosurface(axes, values), options, "the face");
+  face.tissue = face_tissue(face, s);
+  return face;
+}
+
+Surface airway_surface(const Segmentation& s, const AnatomyFields& f) {
+  const double k = s.frame.scale;
+  const auto box = cropped(s.hu.grid, bounds_of(s.airway.lumen, 2.0));
+  const auto [low, high] = corners(box);
+  const double step = 0.6 * k;
+  Axes axes;
+  for (int a = 0; a < 3; ++a) axes[a] = graded_axis(low[a], high[a], low[a], high[a], step, step);
+  const auto values =
+      sampled(axes, [&](const Point& p) { return std::min(-value_at(f.solid, p), value_at(f.airway_side, p)); });
+  RemeshOptions options;
+  options.rounds = 3;
+  options.edge_mm = [k](const Point&) { return 1.2 * k; };
+  return finished(isosurface(axes, values), options, "the airway");
+}
+
+Surface bone_surface(const Volume<float>& field, double edge, const char* name) {
+  RemeshOptions options;
+  options.rounds = 3;
+  options.edge_mm = [edge](const Point&) { return edge; };
+  return finished(isosurface(field), options, name);
+}
+
+/// The upper jaw: the part of the skull about the hard palate and the upper gum.
+Mask maxilla_of(const Segmentation& s) {
+  const double k = s.frame.scale;
+  const Point gum = s.landmarks.at("upper_gum_midline");
+  const auto box = box_between(s.hu.grid, gum + k * Vector3{-19.0, -4.0, -8.0}, gum + k * Vector3{19.0, 31.0, 9.0});
+  Mask out(s.hu.grid);
+  const auto part = cropped(s.bones.skull, box);
+  if (count(part) > 0) paste(largest_component(part), box, out);
+  return out;
+}
+
+Surface glottis_surface(const Segmentation& s) {
+  Surface out;
+  out.points = s.airway.glottis_outline;
+  for (int i = 1; i + 1 < static_cast<int>(out.points.size()); ++i) out.triangles.push_back({0, i, i + 1});
+  return out;
+}
+
+}  // namespace
+
+std::map<std::string, Surface> surfaces_of(const Segmentation& s, const AnatomyFields& f,
+                                           const std::function<void(double)>& progress) {
+  const auto say = [&](double done) {
+    if (progress) progress(done);
+  };
+  const double k = s.frame.scale;
+  std::map<std::string, Surface> out;
+  out["face"] = face_surface(s, f);
+  say(0.6);
+  out["airway"] = airway_surface(s, f);
+  say(0.8);
+  if (count(s.bones.mandible) == 0)
+    throw std::runtime_error("the lower jaw could not be parted from the skull, so it has no surface");
+  out["mandible"] = bone_surface(bone_field(s, s.bones.mandible, s.bones.skull), 1.6 * k, "the lower jaw");
+  const auto maxilla = maxilla_of(s);
+  if (count(maxilla) == 0)
+    throw std::runtime_error("no bone of the upper jaw was found above the mouth, so the palate has no surface");
+  out["palate"] = bone_surface(bone_field(s, maxilla, any_of(without(s.bones.skull, maxilla), s.bones.mandible)),
+                               1.4 * k, "the palate");
+  out["glottis"] = glottis_surface(s);
+  say(1.0);
+  return out;
+}
+
+SoftSurface soft_surface(const Segmentation& s, const AnatomyFields& f, double edge_factor) {
+  const double k = s.frame.scale;
+  const auto throat = cropped(s.hu.grid, s.throat);
+  const auto labels = cropped(s.labels, s.throat);
+  const auto soft = where(labels, [](std::uint8_t v) { return v == kTongue || v == kEpiglottis; });
+  const auto [low, high] = corners(cropped(throat, bounds_of(soft, 2.5 * k)));
+  const double step = 0.5 * k;
+  Axes axes;
+  for (int a = 0; a < 3; ++a) axes[a] = graded_axis(low[a], high[a], low[a], high[a], step, step);
+  const auto values =
+      sampled(axes, [&](const Point& p) { return std::min(value_at(f.solid, p), value_at(f.soft, p)); });
+  SoftSurface out;
+  out.fine = largest_part(isosurface(axes, values));
+  const auto to_leaf = std::make_shared<Volume<float>>(distance_to(s.epiglottis.mask));
+  const bool leaf = s.epiglottis.seen;
+  out.edge_mm = [to_leaf, leaf, k, edge_factor](const Point& p) {
+    const double fine = 1.15 * k * edge_factor;
+    const double coarse = 2.5 * k * edge_factor;
+    return leaf ? graded(fine, coarse, value_at(*to_leaf, p) - 0.5 * k, 7.0 * k) : coarse;
+  };
+  RemeshOptions options;
+  options.rounds = 8;
+  options.edge_mm = out.edge_mm;
+  out.mesh = largest_part(remeshed(out.fine, options));
+  return out;
+}
+
+}  // namespace vallecula::pipeline

@@ -1,0 +1,31 @@
+// The surfaces and the tetrahedra of a package, from a segmentation.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <string>
+
+#include "pipeline/mesh/anatomy_fields.h"
+#include "pipeline/package/patient_package.h"
+
+namespace vallecula::pipeline {
+
+/// Keys as in kSurfaces. Every one but "glottis" (an outline, fanned) is closed, manifold and looks outwards; throws
+/// std::runtime_error otherwise. Sizes are chosen for drawing: fine about mouth and airway, coarse on the scalp.
+std::map<std::string, Surface> surfaces_of(const Segmentation& s, const AnatomyFields& fields,
+                                           const std::function<void(double)>& progress = {});
+
+/// The border of tongue and epiglottis together: evenly meshed, smaller triangles on the thin leaf.
+struct SoftSurface {
+  Surface fine;  ///< as cut from the fields
+  Surface mesh;  ///< remeshed: what is filled
+  std::function<double(const Point&)> edge_mm;
+};
+/// `edge_factor` 1 gives about 4,000 tetrahedra in the term infant.
+SoftSurface soft_surface(const Segmentation& s, const AnatomyFields& fields, double edge_factor);
+
+/// Fills it, improves the shapes, names each tetrahedron's tissue and each node's anchor. Tries again with other sizes
+/// when the mesh generator refuses the surface. Throws TetrahedralizeError.
+TetMesh soft_mesh(const Segmentation& s, const AnatomyFields& fields);
+
+}  // namespace vallecula::pipeline

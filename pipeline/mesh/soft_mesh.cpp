@@ -1,0 +1,81 @@
+#include <algorithm>
+#include <cmath>
+
+#include "pipeline/mesh/anatomy_surfaces.h"
+#include "pipeline/mesh/surface_check.h"
+#include "pipeline/mesh/tet_optimize.h"
+#include "pipeline/mesh/tet_quality.h"
+#include "pipeline/mesh/tetrahedralize.h"
+#include "pipeline/mesh/vector3.h"
+
+namespace vallecula::pipeline {
+namespace {
+
+/// Epiglottis where most of the tetrahedron lies nearer to the leaf than to the tongue.
+void name_tissue(const Segmentation& s, TetMesh& mesh) {
+  if (!s.epiglottis.seen) return;
+  const auto labels = cropped(s.labels, s.throat);
+  const auto to_leaf = distance_to(s.epiglottis.mask);
+  const auto to_tongue = distance_to(where(labels, [](std::uint8_t v) { return v == kTongue; }));
+  for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
+    const auto& c = mesh.tets[t];
+    const Point centre = 0.25 * (mesh.points[c[0]] + mesh.points[c[1]] + mesh.points[c[2]] + mesh.points[c[3]]);
+    int votes = value_at(to_leaf, centre) < value_at(to_tongue, centre) ? 2 : 0;
+    for (const int v : c) {
+      const Point p = 0.5 * (centre + mesh.points[v]);
+      votes += value_at(to_leaf, p) < value_at(to_tongue, p) ? 1 : 0;
+    }
+    mesh.tissue[t] = votes >= 4 ? 1 : 0;
+  }
+}
+
+/// Nodes of the surface that do not border air are held: by the hyoid near it, by the larynx at the leaf's foot, else
+/// by the jaw.
+void name_anchors(const Segmentation& s, const AnatomyFields& f, std::size_t surface_points, TetMesh& mesh) {
+  const double k = s.frame.scale;
+  const Point hyoid = s.landmarks.at("hyoid");
+  std::vector<std::uint8_t> in_leaf(mesh.points.size(), 0);
+  std::vector<std::uint8_t> in_tongue(mesh.points.size(), 0);
+  for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
+    for (const int v : mesh.tets[t]) (mesh.tissue[t] != 0 ? in_leaf : in_tongue)[v] = 1;
+  }
+  double foot = 1e30;
+  for (std::size_t v = 0; v < mesh.points.size(); ++v) {
+    if (in_leaf[v] != 0) foot = std::min(foot, mesh.points[v][2]);
+  }
+  for (std::size_t v = 0; v < surface_points; ++v) {
+    const auto& p = mesh.points[v];
+    if (in_leaf[v] != 0 && p[2] < foot + 2.0 * k) {
+      mesh.anchor[v] = static_cast<std::uint8_t>(Anchor::larynx);
+      continue;
+    }
+    if (in_tongue[v] == 0) continue;
+    // Against tissue the border comes from the partition (soft is zero there), against air from the grey values.
+    const bool against_tissue = value_at(f.soft, p) < 0.35 * k && value_at(f.solid, p) > 0.25;
+    if (!against_tissue) continue;
+    mesh.anchor[v] = static_cast<std::uint8_t>(distance(p, hyoid) < 9.0 * k ? Anchor::hyoid : Anchor::mandible);
+  }
+}
+
+}  // namespace
+
+TetMesh soft_mesh(const Segmentation& s, const AnatomyFields& f) {
+  // A surface that crosses itself somewhere on the thin leaf does not with other sizes.
+  constexpr std::array<double, 5> kFactors{1.0, 0.94, 0.88, 1.08, 0.8};
+  for (std::size_t attempt = 0;; ++attempt) {
+    try {
+      const auto soft = soft_surface(s, f, kFactors[attempt]);
+      TetrahedralizeOptions options;
+      options.edge_mm = [&](const Point& p) { return 1.1 * soft.edge_mm(p); };
+      auto mesh = tetrahedralized(soft.mesh, options);
+      optimize_points(mesh, soft.mesh.points.size(), soft.fine, 20);
+      name_tissue(s, mesh);
+      name_anchors(s, f, soft.mesh.points.size(), mesh);
+      return mesh;
+    } catch (const TetrahedralizeError&) {
+      if (attempt + 1 == kFactors.size()) throw;
+    }
+  }
+}
+
+}  // namespace vallecula::pipeline

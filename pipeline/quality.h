@@ -1,0 +1,21 @@
+// What a clinician should look at before a package is used, and the materials it starts with.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "pipeline/package/patient_package.h"
+#include "pipeline/segment/segment.h"
+
+namespace vallecula::pipeline {
+
+/// Tongue: E 6 kPa, nu 0.45, 1040 kg/m3 (CLINICAL: shear modulus 2.67 kPa in vivo gives 8 kPa, published values down to
+/// 1). Epiglottis: 90 kPa, which makes a leaf of one layer of linear tetrahedra bend like cartilage of 1 MPa.
+std::map<std::string, Material> default_materials();
+
+/// Volumes, mesh quality, watertightness, the size found, and one item for everything that was not seen but inferred.
+std::vector<QualityItem> quality_report(const Segmentation& s, const PatientPackage& package,
+                                        const std::vector<std::string>& notes);
+
+}  // namespace vallecula::pipeline
