@@ -47,7 +47,7 @@ void collect_tissue_load(const Scene& scene, SceneState& state, StepResult& resu
     const ContactConstraint& c = state.contacts.constraints[i];
     if (!(c.multiplier > 0)) continue;
     Vec3 at = Vec3::Zero();
-    for (int k = 0; k < 3; ++k)
+    for (int k = 0; k < 4; ++k)
       at += c.weight[k] * (scene.model.rest[c.node[k]] + state.tissue.displacement[c.node[k]]);
     const Vec3 force = -c.multiplier * to_vec3(c.normal);
     state.tissue_wrench.force += force;
@@ -114,7 +114,8 @@ StepResult step(const Scene& scene, SceneState& state, const StepInput& input) n
   }
 
   if (state.placed)
-    find_contacts(scene.tree, scene.surface, scene.model, state.tissue, scene.tool, state.proxy.pose, before,
+    find_contacts(scene.tree, scene.surface, scene.description.soft.tets, scene.model, state.tissue,
+                  scene.tool, state.proxy.pose, before,
                   scene.contact_stiffness, state.contacts);
   respond(scene.description.response, scene.tree, scene.description.soft.tets, scene.model, state.tissue, state.contacts);
   collect_tissue_load(scene, state, result);

@@ -240,9 +240,8 @@ SphereTree fill_spheres(const SoftBodyDescription& soft, const SoftSurface& surf
     s.rest_gap = hit.distance - s.radius;
     if (s.area == 0.0) s.area = M_PI * s.radius * s.radius;  // a grid sphere answers for its shadow
     const auto& face = mesh.triangles[hit.triangle];
-    const bool free_face = soft.node_anchor[face[0]] < 0 || soft.node_anchor[face[1]] < 0 || soft.node_anchor[face[2]] < 0;
-    // Where surface levels exist they answer for the whole surface; the grid's spheres behind them would count it twice.
-    s.touchable = free_face && (settings.coverage == Coverage::paper || s.level >= settings.levels);
+    s.core = settings.coverage == Coverage::full && s.level < settings.levels;
+    s.touchable = s.core || soft.node_anchor[face[0]] < 0 || soft.node_anchor[face[1]] < 0 || soft.node_anchor[face[2]] < 0;
     if (static_cast<int>(tree.spheres_per_level.size()) <= s.level) tree.spheres_per_level.resize(s.level + 1, 0);
     ++tree.spheres_per_level[s.level];
   }

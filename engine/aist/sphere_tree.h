@@ -20,6 +20,7 @@ struct InnerSphere {
   std::array<double, 3> surface_weight{};  ///< the nearest surface point in it
   double rest_gap = 0.0;           ///< g: from the sphere's surface to the tissue's surface at rest, m
   double area = 0.0;               ///< surface area the sphere answers for, m^2 (contact stiffness is per area)
+  bool core = false;               ///< of the grid, behind surface spheres: the second line of contact
   bool touchable = true;           ///< false where all three nodes of its surface face are anchored: nothing gets there
 };
 

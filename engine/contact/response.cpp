@@ -27,7 +27,7 @@ StepStatistics projection(const SphereTree& tree, const std::vector<std::array<i
       // The gap at the tick's start plus the surface point's way since: solution holds the free step's increments,
       // external the corrections so far.
       double gap = contact.gap;
-      for (int k = 0; k < 3; ++k)
+      for (int k = 0; k < 4; ++k)
         gap += contact.weight[k] * n.dot(to_vec3(tissue.solution[contact.node[k]].v + tissue.external[contact.node[k]].v));
       if (gap >= 0) continue;
       double squares = 0.0;
@@ -53,7 +53,7 @@ StepStatistics penalty(const TissueModel& model, TissueState& tissue, ContactSta
   for (int c = 0; c < contacts.count; ++c) {
     ContactConstraint& contact = contacts.constraints[c];
     contact.multiplier = std::max(0.0f, -contact.gap * contact.stiffness * kPenaltyShare);
-    for (int k = 0; k < 3; ++k)
+    for (int k = 0; k < 4; ++k)
       tissue.external[contact.node[k]].v += splat(contact.multiplier * contact.weight[k]) * contact.normal;
   }
   return implicit_step(model, tissue, nullptr, 0);

@@ -12,6 +12,9 @@ constexpr double kTouching = 0.00025; // within it a sphere counts as in contact
 constexpr double kShallow = 0.0002;   // up to this depth the field's gradient is still that of the near side
 constexpr double kSameSide = 0.3;     // cosine between the kept side and the field's gradient
 constexpr int kExitSteps = 24;
+// A sphere inside resists once the tool is nearer to its centre than this share of its radius: tissue pressed flat by a
+// blade's face never is, tissue that an edge cuts into always.
+constexpr double kCoreShare = 0.35;
 // Share of a tick's contact force that is taken over into the kept multiplier. A multiplier that took over all of it
 // would be an undamped integrator on top of the tissue's inertia: it oscillates once the contact stiffness exceeds about
 // twice the nodes' own (seen: a 4-fold force reading on a plate at rest). A twentieth settles in some 20 ms.
@@ -34,8 +37,8 @@ double exit_distance(const SignedDistanceGrid& field, const Vec3& p, const Vec3&
 
 }  // namespace
 
-void find_contacts(const SphereTree& tree, const SoftSurface& surface, const TissueModel& model, const TissueState& tissue,
-                   const ToolField& field, const Pose& tool, const Pose& previous, float contact_stiffness_per_area,
+void find_contacts(const SphereTree& tree, const SoftSurface& surface, const std::vector<std::array<int, 4>>& tets,
+                   const TissueModel& model, const TissueState& tissue, const ToolField& field, const Pose& tool, const Pose& previous, float contact_stiffness_per_area,
                    ContactState& contacts) noexcept {
   contacts.count = 0;
   contacts.queried_spheres = 0;
@@ -63,16 +66,21 @@ void find_contacts(const SphereTree& tree, const SoftSurface& surface, const Tis
       SphereContact& memory = contacts.memory[s];
       if (!sphere.touchable) continue;
       ++contacts.queried_spheres;
-      const auto& face = surface.triangles[sphere.triangle];
+      ContactConstraint& c = contacts.constraints[contacts.count];  // taken only if it turns out to be in reach
+      const double offset = sphere.core ? kCoreShare * sphere.radius : 0.0;
+      for (int k = 0; k < 4; ++k) {
+        c.node[k] = sphere.core ? tets[sphere.tet][k] : surface.triangles[sphere.triangle][std::min(k, 2)];
+        c.weight[k] = static_cast<float>(sphere.core ? sphere.weight[k] : k < 3 ? sphere.surface_weight[k] : 0.0);
+      }
       Vec3 world = Vec3::Zero();
-      for (int k = 0; k < 3; ++k) world += sphere.surface_weight[k] * node_position(model, tissue, face[k]);
+      for (int k = 0; k < 4; ++k) world += c.weight[k] * node_position(model, tissue, c.node[k]);
       const Vec3 local = to_tool * (world - tool.position);
       const SignedDistanceGrid::Sample here = field.fine.sample(local);
-      if (here.distance > reach && !(memory.touching && memory.multiplier > 0)) {
+      if (here.distance - offset > reach && !(memory.touching && memory.multiplier > 0)) {
         memory = SphereContact{};
         continue;
       }
-      double gap = here.distance;
+      double gap = here.distance;  // of the point; the offset is taken off at the end
       if (!memory.touching) {
         // Met within the tick: the side is where the point was seen from a tick ago if it is inside by now.
         const Vec3 before = gap < 0 ? field.fine.sample(previous.to_local(world)).gradient : here.gradient;
@@ -86,13 +94,10 @@ void find_contacts(const SphereTree& tree, const SoftSurface& surface, const Tis
       }
       if (gap < 0 && (gap < -kShallow || here.gradient.dot(memory.side) <= kSameSide))
         gap = -exit_distance(field.fine, local, memory.side);
+      gap -= offset;
       memory.touching = gap < kTouching || memory.multiplier > 0;
 
-      ContactConstraint& c = contacts.constraints[contacts.count++];
-      for (int k = 0; k < 3; ++k) {
-        c.node[k] = face[k];
-        c.weight[k] = static_cast<float>(sphere.surface_weight[k]);
-      }
+      ++contacts.count;
       c.normal = from_vec3(to_world * memory.side);
       c.gap = static_cast<float>(gap);
       c.stiffness = static_cast<float>(contact_stiffness_per_area * sphere.area);

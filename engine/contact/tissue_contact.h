@@ -31,9 +31,11 @@ struct ContactState {
 /// the tissue's surface point next to the sphere. DESIGN 4.3 writes (c' - q) . n >= r + g with the rest values of r and
 /// g; here the offset r + g is taken as the tissue carries it now (c minus its surface point), since a rigid offset stops
 /// the tool early by the strain times r + g: 0.3 mm under a 30 % press with 1 mm spheres.
+/// Where the surface has spheres of its own, the grid's spheres within are the second line: they keep the tool's edges
+/// and tip, which may slip between surface points, from cutting into the tissue (kCoreShare of their radius).
 /// The normal is that of the tool's field on the last side that was not penetrating, kept while in contact.
-void find_contacts(const SphereTree& tree, const SoftSurface& surface, const TissueModel& model, const TissueState& tissue,
-                   const ToolField& field, const Pose& tool, const Pose& previous, float contact_stiffness_per_area,
+void find_contacts(const SphereTree& tree, const SoftSurface& surface, const std::vector<std::array<int, 4>>& tets,
+                   const TissueModel& model, const TissueState& tissue, const ToolField& field, const Pose& tool, const Pose& previous, float contact_stiffness_per_area,
                    ContactState& contacts) noexcept;
 
 /// Hands the constraints' multipliers back to the spheres' memory (after the step).

@@ -74,9 +74,9 @@ void multiply(const TissueModel& model, const TissueState& state, const ContactC
     const ContactConstraint& contact = contacts[c];
     if (!contact.active) continue;
     float along = 0.0f;
-    for (int k = 0; k < 3; ++k) along += contact.weight[k] * dot3(contact.normal, x[contact.node[k]].v);
+    for (int k = 0; k < 4; ++k) along += contact.weight[k] * dot3(contact.normal, x[contact.node[k]].v);
     along *= contact.stiffness;
-    for (int k = 0; k < 3; ++k) y[contact.node[k]].v += splat(along * contact.weight[k]) * contact.normal;
+    for (int k = 0; k < 4; ++k) y[contact.node[k]].v += splat(along * contact.weight[k]) * contact.normal;
   }
   reduce(model, y);
 }
@@ -109,7 +109,7 @@ void build_preconditioner(const TissueModel& model, TissueState& state, const Co
   for (int c = 0; c < contact_count; ++c) {
     const ContactConstraint& contact = contacts[c];
     if (!contact.active) continue;
-    for (int k = 0; k < 3; ++k) {
+    for (int k = 0; k < 4; ++k) {
       const float s = contact.stiffness * contact.weight[k] * contact.weight[k];
       for (int a = 0; a < 3; ++a) d[contact.node[k]].column[a] += splat(s * contact.normal[a]) * contact.normal;
     }
@@ -159,7 +159,7 @@ void precondition(const TissueState& state, const std::vector<Float4>& r, std::v
 
 float gap_after(const ContactConstraint& contact, const Float4* du) {
   float along = 0.0f;
-  for (int k = 0; k < 3; ++k) along += contact.weight[k] * dot3(contact.normal, du[contact.node[k]].v);
+  for (int k = 0; k < 4; ++k) along += contact.weight[k] * dot3(contact.normal, du[contact.node[k]].v);
   return contact.gap + along;
 }
 
@@ -177,7 +177,7 @@ int solve(const TissueModel& model, TissueState& state, const ContactConstraint*
     const ContactConstraint& contact = contacts[c];
     if (!contact.active) continue;
     const float force = contact.multiplier - contact.stiffness * contact.gap;
-    for (int k = 0; k < 3; ++k) r[contact.node[k]].v += splat(force * contact.weight[k]) * contact.normal;
+    for (int k = 0; k < 4; ++k) r[contact.node[k]].v += splat(force * contact.weight[k]) * contact.normal;
   }
   reduce(model, r.data());
   double scale = 0.0;

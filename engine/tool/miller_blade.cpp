@@ -29,13 +29,13 @@ MillerBlade miller_blade(const std::string& name) {
   if (name == "miller-00") {
     blade.length = 0.065;
     blade.width = 0.0090;
-    blade.web_height = 0.0038;
+    blade.web_height = 0.0030;
   } else if (name == "miller-0") {
     blade.length = 0.075;
   } else if (name == "miller-1") {
     blade.length = 0.102;
     blade.width = 0.0115;
-    blade.web_height = 0.0050;
+    blade.web_height = 0.0040;
   } else {
     throw std::invalid_argument("blade '" + name + "' is not known; there are miller-00, miller-0 and miller-1");
   }

@@ -13,7 +13,7 @@ struct MillerBlade {
   double length = 0.075;         ///< tip to heel, along the blade
   double width = 0.0105;         ///< of the spatula
   double thickness = 0.0014;
-  double web_height = 0.0045;    ///< of the web on the edge at the patient's left, away from the tongue; grows from the tip
+  double web_height = 0.0035;    ///< of the web on the edge at the patient's left, away from the tongue; grows from the tip
   double tip_lift = 0.0015;      ///< how far the last centimetre bends towards the tongue side
 };
 

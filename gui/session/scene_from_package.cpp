@@ -20,8 +20,8 @@ constexpr double kMetres = 0.001;  // the one conversion from the package's mill
 // Springs that hold hyoid and mandible (DESIGN 4.1: the hyoid follows 0.3-0.4 of the lift). No measured stiffness was
 // found; these give that share on the term manikin (figures in engine/README.md) and scale with the infant's size.
 constexpr double kTermSize = 0.0503;         // m, upper gum to vallecula of the term manikin
-constexpr double kHyoidStiffness = 250.0;    // N/m
-constexpr double kMandibleStiffness = 1.2;   // N m/rad about the condyles
+constexpr double kHyoidStiffness = 80.0;    // N/m
+constexpr double kMandibleStiffness = 0.6;   // N m/rad about the condyles
 constexpr double kBodyDampingRatio = 1.0;    // critically damped (assumed)
 constexpr double kHyoidMass = 0.010;         // kg, with the muscles that hang on it (assumed)
 constexpr double kMandibleMass = 0.030;      // kg (assumed)

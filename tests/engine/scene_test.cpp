@@ -51,7 +51,7 @@ double resting_force(double young, double poisson, double depth, std::array<int,
   for (int n = 0; n < kSteps; ++n) {
     Pose tool = before;
     tool.position.z() = 0.015 - depth * std::min(1.0, n / 200.0);
-    find_contacts(scene->tree, scene->surface, scene->model, state.tissue, scene->tool, tool, before,
+    find_contacts(scene->tree, scene->surface, scene->description.soft.tets, scene->model, state.tissue, scene->tool, tool, before,
                   scene->contact_stiffness, state.contacts);
     implicit_step(scene->model, state.tissue, state.contacts.constraints.data(), state.contacts.count);
     keep_multipliers(state.contacts);
