@@ -1,9 +1,11 @@
 // `vallecula trial`: one trial, in a window or headless.
 #include <spdlog/spdlog.h>
+#include <unistd.h>
 
 #include <atomic>
 #include <chrono>
 #include <csignal>
+#include <cstdio>
 #include <iostream>
 #include <memory>
 #include <stdexcept>
@@ -51,7 +53,12 @@ int run_headless(const TrialSetup& setup, bool json) {
   TrialSession session(setup);
   spdlog::info("scene built; {} with {} begins", session.scenario().id, setup.device);
   session.start();
-  while (!session.finished() && !interrupted) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  const bool show_progress = isatty(STDERR_FILENO) != 0;
+  while (!session.finished() && !interrupted) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    if (show_progress) std::fprintf(stderr, "\rtrial: %5.1f s", session.latest().time_s);
+  }
+  if (show_progress) std::fputs("\r              \r", stderr);
   if (interrupted)
     throw std::runtime_error("the trial was interrupted; what was recorded until then is in " + setup.out.string());
   const TrialOutcome outcome = session.finish("ended");

@@ -3,6 +3,7 @@
 
 #include <sstream>
 
+#include "pipeline/dicom/write_series.h"
 #include "tests/gui/block_patient.h"
 #include "tests/gui/program.h"
 
@@ -117,6 +118,35 @@ TEST(ImportCommand, WhatIsNoSeriesIsRefusedAndNothingIsLeft) {
   expect_import_refused(box, box / "empty", "empty");
   expect_import_refused(box, box / "letters", "letters");
   EXPECT_EQ(box.names("").size(), before);
+}
+
+TEST(ImportCommand, AnotherModalityOrATruncatedFileIsRefused) {
+  const Sandbox box;
+  pipeline::Grid grid;
+  grid.size = {32, 32, 12};
+  fs::create_directory(box / "series");
+  pipeline::SeriesDescription description;
+  description.unique_key = "test";
+  pipeline::write_ct_series(pipeline::Hounsfield(grid, 40), description, box / "series");
+
+  fs::copy(box / "series", box / "magnetic");
+  for (const auto& entry : fs::directory_iterator(box / "magnetic")) {
+    // (0008,0060) Modality, CS, two letters
+    std::string bytes = text_of(entry.path());
+    const std::size_t at =
+        bytes.find(std::string("\x08\x00\x60\x00"
+                               "CS\x02\x00"
+                               "CT",
+                               10));
+    ASSERT_NE(at, std::string::npos);
+    bytes.replace(at + 8, 2, "MR");
+    write_text(entry.path(), bytes);
+  }
+  expect_import_refused(box, box / "magnetic", "magnetic");
+
+  fs::copy(box / "series", box / "cut");
+  fs::resize_file(box / "cut" / "ct-0005.dcm", fs::file_size(box / "cut" / "ct-0005.dcm") / 2);
+  expect_import_refused(box, box / "cut", "ct-0005.dcm");
 }
 
 TEST(ManikinCommand, WhereNothingCanBeWrittenItSaysSo) {

@@ -1,7 +1,9 @@
 #include "tests/gui/program.h"
 
 #include <fcntl.h>
+#include <signal.h>
 #include <stdlib.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -41,7 +43,8 @@ Sandbox::~Sandbox() {
   fs::remove_all(folder_, ignored);
 }
 
-pid_t Sandbox::start(const std::vector<std::string>& arguments, const std::vector<std::string>& environment) const {
+pid_t Sandbox::start(const std::vector<std::string>& arguments, const std::vector<std::string>& environment,
+                     unsigned long file_size_limit) const {
   const std::string program = std::string(VALLECULA_BINARY_DIR) + "/vallecula";
   std::vector<char*> argv = {const_cast<char*>(program.c_str())};
   for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
@@ -58,6 +61,11 @@ pid_t Sandbox::start(const std::vector<std::string>& arguments, const std::vecto
     for (const std::string& variable : environment) {
       const std::size_t equals = variable.find('=');
       ::setenv(variable.substr(0, equals).c_str(), variable.substr(equals + 1).c_str(), 1);
+    }
+    if (file_size_limit > 0) {
+      ::signal(SIGXFSZ, SIG_IGN);  // then write() fails, as it does on a full disk
+      const rlimit limit{file_size_limit, file_size_limit};
+      ::setrlimit(RLIMIT_FSIZE, &limit);
     }
     ::execv(program.c_str(), argv.data());
     ::_exit(127);
@@ -79,6 +87,10 @@ Outcome Sandbox::wait(pid_t process) const {
 
 Outcome Sandbox::run(const std::vector<std::string>& arguments, const std::vector<std::string>& environment) const {
   return wait(start(arguments, environment));
+}
+
+Outcome Sandbox::run_on_full_disk(const std::vector<std::string>& arguments, unsigned long bytes) const {
+  return wait(start(arguments, {}, bytes));
 }
 
 std::vector<std::string> Sandbox::names(const std::string& folder) const {

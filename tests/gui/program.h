@@ -30,8 +30,11 @@ class Sandbox {
   /// `vallecula ARGUMENTS...`, without a display. `environment`: further NAME=VALUE.
   Outcome run(const std::vector<std::string>& arguments, const std::vector<std::string>& environment = {}) const;
   /// The same, not waited for: its process id, for wait().
-  pid_t start(const std::vector<std::string>& arguments, const std::vector<std::string>& environment = {}) const;
+  pid_t start(const std::vector<std::string>& arguments, const std::vector<std::string>& environment = {},
+              unsigned long file_size_limit = 0) const;
   Outcome wait(pid_t process) const;
+  /// The same on a disk that is full after `bytes` of any one file (RLIMIT_FSIZE).
+  Outcome run_on_full_disk(const std::vector<std::string>& arguments, unsigned long bytes) const;
   /// Names in FOLDER of the sandbox, sorted.
   std::vector<std::string> names(const std::string& folder) const;
 

@@ -246,6 +246,15 @@ TEST_F(TrialCommands, WhereNothingCanBeWrittenTheTrialSaysSoAndLeavesNothing) {
   EXPECT_EQ(text_of(box_ / "file"), "in the way");
 }
 
+TEST_F(TrialCommands, OnAFullDiskTheTrialSaysSoAndLeavesNothing) {
+  // The database of records (some 30 kB) still fits; the log (a megabyte) does not.
+  const Outcome outcome = box_.run_on_full_disk(trial_arguments("out"), 200000);
+  EXPECT_EQ(outcome.exit_code, 1);
+  ASSERT_EQ(outcome.messages().size(), 1u) << outcome.err;
+  EXPECT_NE(outcome.err.find("trial.vtrial"), std::string::npos) << outcome.err;
+  EXPECT_FALSE(fs::exists(box_ / "out")) << "it was made for this trial and is empty";
+}
+
 TEST_F(TrialCommands, ABadTrajectoryCurriculumOrScenarioIsNamed) {
   struct Case {
     std::string file, text, expected;
