@@ -72,8 +72,17 @@ Surface face_surface(const Segmentation& s, const AnatomyFields& f) {
   axes[0] = graded_axis(low[0], high[0], gum[0] - 20.0 * k, gum[0] + 20.0 * k, 0.55 * k, 1.5 * k);
   axes[1] = graded_axis(low[1], high[1], t_low[1] - 6.0 * k, s.airway.glottis.centre[1] + 13.0 * k, 0.55 * k, 1.5 * k);
   axes[2] = graded_axis(low[2], high[2], s.airway.glottis.centre[2] - 14.0 * k, gum[2] + 28.0 * k, 0.6 * k, 1.5 * k);
+  Grid fine;
+  fine.origin = {gum[0] - 19.0 * k, t_low[1] - 5.0 * k, s.airway.glottis.centre[2] - 13.0 * k};
+  fine.size = {2, 2, 2};
+  fine.spacing = {38.0 * k, s.airway.glottis.centre[1] + 17.0 * k - t_low[1], gum[2] + 27.0 * k - fine.origin[2]};
+  // Where samples lie further apart than the border is thick the field must be smoothed first, or the surface has
+  // steps.
+  const auto broad = smoothed(f.solid, 1.0 * k);
   const auto values = sampled(axes, [&](const Point& p) {
-    const double solid = value_at(f.solid, p);
+    const double away = std::clamp(outside_of(fine, p) / (4.0 * k), 0.0, 1.0);
+    double solid = away < 1.0 ? (1.0 - away) * value_at(f.solid, p) : 0.0;
+    if (away > 0.0) solid += away * value_at(broad, p);
     return holds(throat, p) ? std::min(solid, -value_at(f.soft, p)) : solid;
   });
   Grid mouth;  // where the operator looks
@@ -86,6 +95,8 @@ Surface face_surface(const Segmentation& s, const AnatomyFields& f) {
   options.edge_mm = [mouth, k](const Point& p) { return graded(0.85 * k, 2.6 * k, outside_of(mouth, p), 45.0 * k); };
   auto face = finished(isosurface(axes, values), options, "the face");
   face.tissue = face_tissue(face, s);
+  smooth_tissue_borders(face, 12);
+  require_solid(face, "the face");
   return face;
 }
 

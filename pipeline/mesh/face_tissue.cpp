@@ -105,4 +105,49 @@ std::vector<std::uint8_t> face_tissue(const Surface& face, const Segmentation& s
   return tissue;
 }
 
+void smooth_tissue_borders(Surface& face, int rounds) {
+  std::map<std::pair<int, int>, std::array<int, 2>> edges;
+  std::vector<std::vector<int>> around(face.points.size());
+  for (std::size_t t = 0; t < face.triangles.size(); ++t) {
+    for (int e = 0; e < 3; ++e) {
+      const int a = face.triangles[t][e];
+      const int b = face.triangles[t][(e + 1) % 3];
+      auto& pair = edges.try_emplace({std::min(a, b), std::max(a, b)}, std::array<int, 2>{-1, -1}).first->second;
+      (pair[0] < 0 ? pair[0] : pair[1]) = static_cast<int>(t);
+      around[a].push_back(static_cast<int>(t));
+    }
+  }
+  std::map<int, std::vector<int>> border;  // a point's neighbours along borders
+  for (const auto& [edge, pair] : edges) {
+    if (pair[1] < 0 || face.tissue[pair[0]] == face.tissue[pair[1]]) continue;
+    border[edge.first].push_back(edge.second);
+    border[edge.second].push_back(edge.first);
+  }
+  const auto normal_of = [&](int t) {
+    const auto& c = face.triangles[t];
+    return cross(face.points[c[1]] - face.points[c[0]], face.points[c[2]] - face.points[c[0]]);
+  };
+  for (int round = 0; round < rounds; ++round) {
+    for (const auto& [v, neighbours] : border) {
+      if (neighbours.size() != 2) continue;
+      Vector3 normal{};
+      for (const int t : around[v]) normal = normal + normal_of(t);
+      normal = unit(normal);
+      const Point start = face.points[v];
+      Vector3 step = 0.5 * (face.points[neighbours[0]] + face.points[neighbours[1]]) - start;
+      step = step - dot(step, normal) * normal;
+      std::vector<Vector3> before;
+      for (const int t : around[v]) before.push_back(normal_of(t));
+      face.points[v] = start + 0.5 * step;
+      for (std::size_t i = 0; i < around[v].size(); ++i) {
+        const auto after = normal_of(around[v][i]);
+        if (dot(unit(after), unit(before[i])) < 0.9 || norm(after) < 0.3 * norm(before[i])) {
+          face.points[v] = start;
+          break;
+        }
+      }
+    }
+  }
+}
+
 }  // namespace vallecula::pipeline

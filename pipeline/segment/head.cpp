@@ -155,6 +155,12 @@ std::vector<LipGap> close_mouth(const Mask& body, const Frame& frame, Mask& mout
   const auto middle = lip_edges(body, mid, first, s);
   if (middle.upper[1] - middle.lower[1] < 5.0 * s) return lips;
 
+  struct Slice {
+    LipGap gap;
+    std::vector<std::array<int, 2>> piece;
+    int front = 0;
+  };
+  std::vector<Slice> slices;
   for (const int side : {1, -1}) {
     auto previous = first;
     for (int x = side > 0 ? mid : mid - 1; x >= 0 && x < g.size[0]; x += side) {
@@ -165,23 +171,44 @@ std::vector<LipGap> close_mouth(const Mask& body, const Frame& frame, Mask& mout
       for (const auto& p : piece) piece_front = std::min(piece_front, p[0]);
       // Behind the corner of the mouth the slice meets the hollow of the cheek, not the lips.
       if ((piece_front - front) * g.spacing[1] > 12.0 * s) break;
-      const auto gap = lip_edges(body, x, piece, s);
-      for (const auto& p : piece) {
-        if (g.origin[1] + p[0] * g.spacing[1] >= lip_line(gap, g.origin[2] + p[1] * g.spacing[2]))
-          mouth.at(x, p[0], p[1]) = 1;
-      }
-      // Columns in front of one lip's foremost point but behind the line have no tissue on that side.
-      for (int z = 0; z < g.size[2]; ++z) {
-        const double pz = g.origin[2] + z * g.spacing[2];
-        if (pz < gap.lower[1] || pz > gap.upper[1]) continue;
-        const int from = std::max(0, static_cast<int>(std::ceil((lip_line(gap, pz) - g.origin[1]) / g.spacing[1])));
-        for (int y = from; y < std::min(g.size[1], piece_front + 1); ++y) {
-          if (body.at(x, y, z) == 0) mouth.at(x, y, z) = 1;
-        }
-      }
-      lips.push_back(gap);
+      slices.push_back({lip_edges(body, x, piece, s), piece, piece_front});
       previous = std::move(piece);
     }
+  }
+  std::sort(slices.begin(), slices.end(), [](const Slice& a, const Slice& b) { return a.gap.x < b.gap.x; });
+  // The lips are smooth from side to side; their voxels are not.
+  const double reach = 2.0 * s / g.spacing[0];
+  for (const auto& slice : slices) {
+    LipGap gap;
+    gap.x = slice.gap.x;
+    double weight = 0.0;
+    for (const auto& other : slices) {
+      const double away = (other.gap.x - slice.gap.x) / reach;
+      const double w = std::exp(-away * away);
+      for (int a = 0; a < 2; ++a) {
+        gap.upper[a] += w * other.gap.upper[a];
+        gap.lower[a] += w * other.gap.lower[a];
+      }
+      weight += w;
+    }
+    for (int a = 0; a < 2; ++a) {
+      gap.upper[a] /= weight;
+      gap.lower[a] /= weight;
+    }
+    for (const auto& p : slice.piece) {
+      if (g.origin[1] + p[0] * g.spacing[1] >= lip_line(gap, g.origin[2] + p[1] * g.spacing[2]))
+        mouth.at(gap.x, p[0], p[1]) = 1;
+    }
+    // Columns in front of one lip's foremost point but behind the line have no tissue on that side.
+    for (int z = 0; z < g.size[2]; ++z) {
+      const double pz = g.origin[2] + z * g.spacing[2];
+      if (pz < gap.lower[1] || pz > gap.upper[1]) continue;
+      const int from = std::max(0, static_cast<int>(std::ceil((lip_line(gap, pz) - g.origin[1]) / g.spacing[1])));
+      for (int y = from; y < std::min(g.size[1], slice.front + 1); ++y) {
+        if (body.at(gap.x, y, z) == 0) mouth.at(gap.x, y, z) = 1;
+      }
+    }
+    lips.push_back(gap);
   }
   return lips;
 }

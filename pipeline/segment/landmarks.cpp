@@ -47,8 +47,9 @@ Vector3 upper_gum(Segmentation& s) {
     back = p[1] + 12.0 * k;
   });
   if (!s.head.lips.empty()) {
-    low = s.head.lips.front().upper[1] - 6.0 * k;
-    high = s.head.lips.front().upper[1] + 10.0 * k;
+    const auto& middle = s.head.lips[s.head.lips.size() / 2];
+    low = middle.upper[1] - 6.0 * k;
+    high = middle.upper[1] + 10.0 * k;
   } else if (chin_top > -1e29) {
     low = chin_top + 1.0;
     high = chin_top + 25.0 * k;

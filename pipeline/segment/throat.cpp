@@ -19,12 +19,16 @@ Mask find_soft_palate(const Mask& body, const Mask& lumen, const Mask& skull, co
         p[2] > low && std::abs(p[0] - frame.mid_x) < 14.0 * s && p[1] > airway.glottis.centre[1] - 12.0 * s;
     if (!place || epiglottis.mask.voxels[i] != 0) sheet.voxels[i] = 0;
   }
+  const int behind = static_cast<int>(std::ceil(4.0 * s / g.spacing[1]));
   // Above the hard palate a thin sheet is the septum.
   for (int y = 0; y < g.size[1]; ++y) {
     for (int x = 0; x < g.size[0]; ++x) {
       bool above_bone = false;
       for (int z = 0; z < g.size[2]; ++z) {
-        above_bone = above_bone || skull.at(x, y, z) != 0;
+        // Also just behind the bone's edge, where the septum stands on the palate's root.
+        for (int ahead = 0; ahead <= behind && y - ahead >= 0; ++ahead) {
+          above_bone = above_bone || (z > 0 && skull.at(x, y - ahead, z - 1) != 0);
+        }
         if (above_bone) sheet.at(x, y, z) = 0;
       }
     }
