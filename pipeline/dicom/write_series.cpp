@@ -110,6 +110,7 @@ void set_attributes(gdcm::DataSet& data, const Hounsfield& volume, int slice, co
   set(data, 0x0008, 0x103e, gdcm::VR::LO, about.series_description);
   set(data, 0x0008, 0x0060, gdcm::VR::CS, "CT");
   set(data, 0x0008, 0x0070, gdcm::VR::LO, "Vallecula");
+  set(data, 0x0018, 0x0015, gdcm::VR::CS, "HEAD");
   set(data, 0x0018, 0x5100, gdcm::VR::CS, "HFS");
   set(data, 0x0020, 0x0011, gdcm::VR::IS, "1");
   // Image
