@@ -143,15 +143,15 @@ FaceShapes face_shapes(const Variation& v) {
       const Vec e{cs * out - sn * ey, sn * out + cs * ey, q.z - ear.v};
       double ear_d = tilted_ellipsoid(e, {1.5, 0.0, 0.0}, {3.2, 10.5 * es, 17.5 * es}, kExtension);
       ear_d = carve(ear_d, tilted_ellipsoid(e, {5.2, -1.2, 1.6}, {4.6, 7.4 * es, 13.0 * es}, kExtension), 1.4);
-      ear_d = blend(ear_d, tilted_ellipsoid(e, {2.6, -5.6, -4.0}, {1.8, 2.2, 3.2}, kExtension), 1.5);
+      ear_d = blend(ear_d, tilted_ellipsoid(e, {2.2, -7.4, -2.5}, {2.0, 2.0, 3.6}, kExtension), 3.0);
       d = blend(d, ear_d, 2.5);
     }
     return 0.95 * d;
   };
 
   const auto slit = std::make_shared<Tube>(
-      std::vector<Vec>{{9.4, 5.6, 24.0}, {13.5, 3.1, 22.4}, {18.5, 2.4, 21.6}, {23.0, 3.4, 22.2}, {27.6, 6.8, 24.2}},
-      std::vector<double>{0.05, 0.5, 0.6, 0.5, 0.05}, true);
+      std::vector<Vec>{{11.2, 5.4, 23.4}, {14.0, 3.4, 22.4}, {18.5, 2.4, 21.6}, {23.0, 3.4, 22.2}, {27.6, 6.8, 24.2}},
+      std::vector<double>{0.0, 0.4, 0.55, 0.45, 0.0}, true);
   shapes.eyelids.distance = [slit](const Vec& p) { return (*slit)(p); };
   shapes.eyelids.low = slit->low();
   shapes.eyelids.high = slit->high();
