@@ -69,7 +69,8 @@ struct ManikinScan {
   Labels labels;
 };
 
-/// Called with what is being done and the share done, 0 .. 1, never falling.
+/// Called with what is being done and the share done, 0 .. 1, never falling. Calls come one at a time, but while voxels
+/// are made from worker threads. What it throws ends the work and reaches the caller.
 using ManikinProgress = std::function<void(const std::string& stage, double fraction)>;
 
 /// Voxelises with partial volume, scanner blur and noise. The same options give the same voxels.
