@@ -76,12 +76,13 @@ device::Trajectory follow(const OperatorFrame& frame, const std::vector<Waypoint
 }
 
 // In at the right corner, over the tongue's right side, behind it, sweep to the left, tip into the vallecula, lift along
-// the handle without turning, hold while looking, and out the way it came.
+// the handle without turning, hold while looking, and out the way it came. Found on the term manikin (seed 1), by trying
+// how far along and across the line of sight the tip must come for the epiglottis to turn out of the way.
 const std::vector<Waypoint> kExpert = {
-    {0.0, {80, 20, -10}, {110, 42, -10}}, {1.0, {60, 9, -9}, {80, 24, -9}},     {2.0, {42, -2, -8}, {54, 7, -8}},
-    {3.0, {30, -11, -6}, {50, 4, -7}},    {4.0, {15, -10, -4}, {50, 5, -4}},    {5.0, {11, -8, 0.5}, {50, 5, 1}},
-    {6.0, {8, -2, 1}, {50, 5, 1.5}},      {8.0, {8, 7.5, 1}, {50, 5.6, 1.5}},   {10.5, {8, 7.5, 1}, {50, 5.6, 1.5}},
-    {11.5, {10, -4, 1}, {50, 4, 1}},      {12.3, {15, -10, -2}, {50, 5, -4}},   {13.0, {30, -11, -5}, {50, 4, -6}},
+    {0.0, {80, 20, -10}, {110, 42, -10}}, {1.0, {60, 9, -9}, {80, 24, -9}},    {2.0, {42, -2, -8}, {54, 7, -8}},
+    {3.0, {30, -11, -6}, {50, 4, -7}},    {4.0, {15, -10, -4}, {50, 5, -4}},   {5.0, {11, -8, 0}, {50, 5, 0.5}},
+    {6.0, {8, -1, 0}, {50, 5, 0.5}},      {8.0, {10, 9, 0}, {50, 9, 0.5}},     {10.5, {10, 9, 0}, {50, 9, 0.5}},
+    {11.5, {10, -4, 0}, {50, 4, 0.5}},    {12.3, {15, -10, -2}, {50, 5, -4}},  {13.0, {30, -11, -5}, {50, 4, -6}},
     {13.8, {44, -1, -8}, {56, 8, -8}},    {15.0, {80, 20, -10}, {110, 42, -10}},
 };
 
@@ -94,8 +95,8 @@ const std::vector<Waypoint> kNovice = {
     {15.0, {20, -5, 0}, {58, 0, 0}},   {16.5, {46, -2, 0}, {66, 1, 0}},      {18.0, {84, 4, -2}, {110, 4, -2}},
 };
 
-/// Presses the back of the tongue's dorsum, where it has the most room before it: start off the surface, press to 35 % of
-/// 8 mm scaled, hold, withdraw. Works in a closed mouth too, for it starts inside.
+/// Presses the back of the tongue's dorsum, where it has the most room before it: start off the surface, press 3.5 mm deep
+/// (scaled), hold, withdraw. Works in a closed mouth too, for it starts inside.
 device::Trajectory press(const PatientPackage& package, const OperatorFrame& frame) {
   constexpr double kClear = 0.0015, kDepth = 0.0035;
   std::vector<Vec3> nodes;
