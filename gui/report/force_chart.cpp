@@ -109,9 +109,7 @@ class Panel {
     painter_.setPen(QPen(colour.darker(110), em_ * 0.13, style));
     painter_.drawLine(QPointF(frame_.left(), y(value)), QPointF(frame_.right(), y(value)));
     const double top = text_above ? y(value) - 1.45 * em_ : y(value) + 0.1 * em_;
-    painter_.setPen(colour.darker(150));
-    painter_.drawText(QRectF(frame_.left(), top, frame_.width() - 0.4 * em_, 1.4 * em_),
-                      Qt::AlignRight | Qt::AlignVCenter, text);
+    label(QRectF(frame_.left(), top, frame_.width() - 0.4 * em_, 1.4 * em_), true, colour.darker(150), text);
   }
 
   void moment(double time_s, const QColor& colour, const QString& text) {
@@ -236,9 +234,9 @@ QImage draw_force_chart(const curricula::TrialLog& log, const curricula::Scenari
   force.axes(QStringLiteral("force (N)"), 8, false);
   view.axes(QStringLiteral("glottis seen (%)"), 2, true);
 
-  force.line(displayed, QPen(kDisplayed, em * 0.1, Qt::DotLine));
   force.line(gum, QPen(kGum, em * 0.16));
   force.line(tongue, QPen(kTongue, em * 0.18));
+  force.line(displayed, QPen(kDisplayed, em * 0.1, Qt::DotLine));
   const double limit_n = log.header.device_limit_n, target_n = scenario.targets.tongue_force_n;
   force.level(limit_n, kLimit, Qt::DashLine, QStringLiteral("device limit %1 N").arg(number(limit_n, 1)),
               limit_n >= target_n);
