@@ -86,12 +86,12 @@ void OperatorView::aim() {
   const engine::Vec3 forward = (at - eye).normalized();
   engine::Vec3 up = -engine::Vec3::UnitY();  // anterior is up
   up = (up - up.dot(forward) * forward).normalized();
-  const double across = framing.face_mm * std::pow(framing.mouth_mm / framing.face_mm, eased);
+  across_mm_ = framing.face_mm * std::pow(framing.mouth_mm / framing.face_mm, eased);
   auto* camera = renderer()->GetActiveCamera();
   camera->SetPosition(eye.x(), eye.y(), eye.z());
   camera->SetFocalPoint(at.x(), at.y(), at.z());
   camera->SetViewUp(up.x(), up.y(), up.z());
-  camera->SetViewAngle(vtkMath::DegreesFromRadians(2.0 * std::atan(0.5 * across / (at - eye).norm())));
+  camera->SetViewAngle(vtkMath::DegreesFromRadians(2.0 * std::atan(0.5 * across_mm_ / (at - eye).norm())));
   renderer()->ResetCameraClippingRange();
   for (const auto& actor : tissues_) set_lamp(actor, camera, tool_->bulb_mm(), tool_->beam(), kLampStrength);
 }
@@ -107,5 +107,7 @@ engine::Vec3 OperatorView::screen_right() const {
   if (!look_) return -engine::Vec3::UnitX();
   return (vec(look_->framing.mouth) - vec(look_->framing.eye)).normalized().cross(screen_up());
 }
+
+double OperatorView::mm_per_pixel() const { return across_mm_ / std::max(1, height()); }
 
 }  // namespace vallecula::gui

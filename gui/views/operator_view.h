@@ -31,6 +31,8 @@ class OperatorView : public GlView {
   /// The view's axes in patient LPS: what a hand moving right or up on the screen means in the patient.
   engine::Vec3 screen_right() const;
   engine::Vec3 screen_up() const;
+  /// Size of a pixel at the mouth, mm.
+  double mm_per_pixel() const;
 
  private:
   void aim();
@@ -39,7 +41,7 @@ class OperatorView : public GlView {
   std::unique_ptr<GhostLook> ghost_;
   std::vector<vtkSmartPointer<vtkActor>> tissues_;
   Zoom zoom_ = Zoom::automatic;
-  double closeness_ = 0.0;
+  double closeness_ = 0.0, across_mm_ = 100.0;
   bool ghost_shown_ = false, blade_in_ = false;
   QElapsedTimer since_aimed_;
 };

@@ -13,6 +13,7 @@
 #include <vtkPoints.h>
 #include <vtkPolyDataConnectivityFilter.h>
 #include <vtkPolyDataNormals.h>
+#include <vtkReverseSense.h>
 #include <vtkUnsignedCharArray.h>
 
 #include "gui/views/openness.h"
@@ -69,55 +70,44 @@ std::vector<std::vector<int>> neighbours_of(const Surface& face) {
   return neighbours;  // on a closed surface every edge is walked once each way: each neighbour once
 }
 
-// Triangle classes become colours of points, then run into each other over a few millimetres as lip does into skin.
-std::vector<Colour> blended_colours(const Surface& face, const std::vector<std::vector<int>>& neighbours) {
-  std::vector<Colour> colours(face.points.size(), Colour{0, 0, 0});
+// One value of N numbers per point from one per triangle: the mean of the triangles that meet there.
+template <std::size_t N, class OfTissue>
+std::vector<std::array<double, N>> to_points(const Surface& face, OfTissue of_tissue) {
+  std::vector<std::array<double, N>> values(face.points.size());
   std::vector<double> count(face.points.size(), 0.0);
   for (std::size_t i = 0; i < face.triangles.size(); ++i) {
-    const Colour colour = tissue_colour(i < face.tissue.size() ? static_cast<Tissue>(face.tissue[i]) : Tissue::skin);
+    const std::array<double, N> value = of_tissue(i < face.tissue.size() ? static_cast<Tissue>(face.tissue[i]) : Tissue::skin);
     for (int corner : face.triangles[i]) {
-      for (int c = 0; c < 3; ++c) colours[corner][c] += colour[c];
+      for (std::size_t c = 0; c < N; ++c) values[corner][c] += value[c];
       count[corner] += 1.0;
     }
   }
-  for (std::size_t i = 0; i < colours.size(); ++i)
-    for (double& c : colours[i]) c /= std::max(count[i], 1.0);
-  for (int pass = 0; pass < 8; ++pass) {
-    auto next = colours;
-    for (std::size_t i = 0; i < colours.size(); ++i) {
+  for (std::size_t i = 0; i < values.size(); ++i)
+    for (double& c : values[i]) c /= std::max(count[i], 1.0);
+  return values;
+}
+
+// Lets what lies side by side run into each other, as lip does into skin; each pass reaches half an edge further.
+template <std::size_t N>
+void blend(std::vector<std::array<double, N>>& values, const std::vector<std::vector<int>>& neighbours, int passes) {
+  auto next = values;
+  for (int pass = 0; pass < passes; ++pass) {
+    for (std::size_t i = 0; i < values.size(); ++i) {
       if (neighbours[i].empty()) continue;
-      Colour sum{0, 0, 0};
+      std::array<double, N> sum{};
       for (int n : neighbours[i])
-        for (int c = 0; c < 3; ++c) sum[c] += colours[n][c];
-      for (int c = 0; c < 3; ++c) next[i][c] = 0.5 * colours[i][c] + 0.5 * sum[c] / static_cast<double>(neighbours[i].size());
+        for (std::size_t c = 0; c < N; ++c) sum[c] += values[n][c];
+      for (std::size_t c = 0; c < N; ++c)
+        next[i][c] = 0.5 * values[i][c] + 0.5 * sum[c] / static_cast<double>(neighbours[i].size());
     }
-    colours.swap(next);
+    values.swap(next);
   }
-  return colours;
 }
 
-// Per point: how much it is skin (dry, matt) rather than wet lining; smooth like the colours.
-std::vector<double> wetness_of(const Surface& face, const std::vector<std::vector<int>>& neighbours) {
-  std::vector<double> wet(face.points.size(), 0.0);
-  for (std::size_t i = 0; i < face.triangles.size() && i < face.tissue.size(); ++i)
-    if (static_cast<Tissue>(face.tissue[i]) != Tissue::skin)
-      for (int corner : face.triangles[i]) wet[corner] = 1.0;
-  for (int pass = 0; pass < 4; ++pass) {
-    auto next = wet;
-    for (std::size_t i = 0; i < wet.size(); ++i) {
-      double sum = wet[i];
-      for (int n : neighbours[i]) sum += wet[n];
-      next[i] = sum / (1.0 + static_cast<double>(neighbours[i].size()));
-    }
-    wet.swap(next);
-  }
-  return wet;
-}
-
-vtkSmartPointer<vtkFloatArray> wetness_array(const std::vector<double>& wet) {
+vtkSmartPointer<vtkFloatArray> wetness_array(const std::vector<std::array<double, 1>>& wet) {
   auto array = vtkSmartPointer<vtkFloatArray>::New();
   array->SetName(kWetness);
-  for (double w : wet) array->InsertNextValue(static_cast<float>(w));
+  for (const auto& w : wet) array->InsertNextValue(static_cast<float>(w[0]));
   return array;
 }
 
@@ -141,8 +131,8 @@ Framing framing_of(const pipeline::PatientPackage& package) {
     if (high > low) width = std::clamp(high - low, 0.7 * width, 1.6 * width);
   }
   framing.face_mm = 2.9 * width;
-  framing.mouth_mm = 1.1 * width;
-  framing.inside = mix(framing.mouth, framing.glottis, 0.6);
+  framing.mouth_mm = 0.8 * width;
+  framing.inside = mix(framing.mouth, framing.glottis, 0.3);
   return framing;
 }
 
@@ -165,11 +155,24 @@ void keep_what_the_eye_can_see(vtkPolyData* face, const Framing& framing) {
   face->SetPolys(kept);
 }
 
+// A bump map of one value a point: the normal leans away from where the grain rises.
+void tilt_normal(float* normal, const std::array<double, 3>& slope, double amount) {
+  const double along = slope[0] * normal[0] + slope[1] * normal[1] + slope[2] * normal[2];
+  double size = 0.0;
+  for (int c = 0; c < 3; ++c) {
+    normal[c] -= static_cast<float>(amount * (slope[c] - along * normal[c]));
+    size += normal[c] * normal[c];
+  }
+  for (int c = 0; c < 3; ++c) normal[c] /= static_cast<float>(std::sqrt(std::max(size, 1e-12)));
+}
+
 vtkSmartPointer<vtkPolyData> make_face(const pipeline::PatientPackage& package, const Framing& framing, const Openness& openness) {
   const Surface& face = *surface(package, "face");
   const auto neighbours = neighbours_of(face);
-  const auto colours = blended_colours(face, neighbours);
-  const auto wet = wetness_of(face, neighbours);
+  auto colours = to_points<3>(face, tissue_colour);
+  auto wet = to_points<1>(face, [](Tissue tissue) { return std::array<double, 1>{tissue_wetness(tissue)}; });
+  blend(colours, neighbours, 14);
+  blend(wet, neighbours, 8);
   const Point glottis = landmark(package, "glottis_centre");
   const Surface* opening = surface(package, "glottis");
 
@@ -186,30 +189,25 @@ vtkSmartPointer<vtkPolyData> make_face(const pipeline::PatientPackage& package, 
   rgb->SetName("Colours");
   rgb->SetNumberOfComponents(3);
   rgb->SetNumberOfTuples(static_cast<vtkIdType>(face.points.size()));
+  std::vector<std::array<double, 1>> open(face.points.size());
+  for (std::size_t i = 0; i < face.points.size(); ++i) {
+    const float* n = normals->GetPointer(3 * static_cast<vtkIdType>(i));
+    open[i] = {openness.at(face.points[i], {n[0], n[1], n[2]})};
+  }
+  blend(open, neighbours, 4);  // the grid's own steps
   for (std::size_t i = 0; i < face.points.size(); ++i) {
     const auto id = static_cast<vtkIdType>(i);
     const Point& p = face.points[i];
-    float n[3];
-    normals->GetTypedTuple(id, n);
-    Colour colour = mottled(colours[i], p, 0.07 + 0.07 * wet[i]);
+    Colour colour = mottled(colours[i], p, 0.07 + 0.07 * wet[i][0]);
     const Point from_glottis = minus(p, glottis);
     if (opening != nullptr && length(from_glottis) < 14.0) {
       const double cord = 1.0 - smooth_step(0.7, 2.2, distance_to_outline(p, opening->points));
       for (int c = 0; c < 3; ++c) colour[c] += cord * (kCordColour[c] - colour[c]);
     }
-    const double open = openness.at(p, {n[0], n[1], n[2]});
-    const double light = 0.22 + 0.78 * std::min(1.0, 1.25 * open);
+    const double light = 0.22 + 0.78 * std::min(1.0, 1.25 * open[i][0]);
     for (int c = 0; c < 3; ++c)  // light that has gone through blood comes out of a crease red, not grey
       rgb->SetComponent(id, c, 255.0 * colour[c] * (c == 0 ? std::pow(light, 0.6) : light));
-    const auto slope = grain_slope(p, 1.3 + 0.9 * wet[i]);
-    const double tilt = 0.015 + 0.08 * wet[i], along = slope[0] * n[0] + slope[1] * n[1] + slope[2] * n[2];
-    double size = 0.0;
-    for (int c = 0; c < 3; ++c) {
-      n[c] -= static_cast<float>(tilt * (slope[c] - along * n[c]));
-      size += n[c] * n[c];
-    }
-    for (float& c : n) c /= static_cast<float>(std::sqrt(std::max(size, 1e-12)));
-    normals->SetTypedTuple(id, n);
+    tilt_normal(normals->GetPointer(3 * id), grain_slope(p, 1.3 + 0.9 * wet[i][0]), 0.015 + 0.07 * wet[i][0]);
   }
   result->GetPointData()->SetScalars(rgb);
   result->GetPointData()->AddArray(wetness_array(wet));
@@ -234,8 +232,10 @@ vtkSmartPointer<vtkPolyData> make_trachea(const pipeline::PatientPackage& packag
   part->SetInputConnection(clip->GetOutputPort());
   part->SetExtractionModeToClosestPointRegion();
   part->SetClosestPoint(carina.data());
+  vtkNew<vtkReverseSense> inside_out;  // it is looked into from above
+  inside_out->SetInputConnection(part->GetOutputPort());
   vtkNew<vtkPolyDataNormals> normals;
-  normals->SetInputConnection(part->GetOutputPort());
+  normals->SetInputConnection(inside_out->GetOutputPort());
   normals->SplittingOff();
   normals->ConsistencyOff();
   normals->Update();
@@ -252,16 +252,15 @@ vtkSmartPointer<vtkPolyData> make_trachea(const pipeline::PatientPackage& packag
     double p[3], n[3];
     result->GetPoint(i, p);
     direction->GetTuple(i, n);
-    // A hair inside the wall it coincides with, and facing the light that comes in from above.
-    result->GetPoints()->SetPoint(i, p[0] - 0.15 * n[0], p[1] - 0.15 * n[1], p[2] - 0.15 * n[2]);
-    direction->SetTuple3(i, -n[0], -n[1], -n[2]);
+    // A hair inside the wall it coincides with.
+    result->GetPoints()->SetPoint(i, p[0] + 0.15 * n[0], p[1] + 0.15 * n[1], p[2] + 0.15 * n[2]);
     const double depth = -dot(minus({p[0], p[1], p[2]}, glottis), cranial) / depth_of_carina;
     const double ring = 0.06 * std::sin(2.0 * 3.14159265 * depth * 14.0);  // about as many rings as a trachea has
     for (int c = 0; c < 3; ++c)
       rgb->SetComponent(i, c, 255.0 * std::clamp(kAirwayBlue[c] * (1.0 - 0.55 * std::clamp(depth, 0.0, 1.0) + ring), 0.0, 1.0));
   }
   result->GetPointData()->SetScalars(rgb);
-  result->GetPointData()->AddArray(wetness_array(std::vector<double>(result->GetNumberOfPoints(), 0.5)));
+  result->GetPointData()->AddArray(wetness_array(std::vector<std::array<double, 1>>(result->GetNumberOfPoints(), {0.5})));
   return result;
 }
 

@@ -180,10 +180,8 @@ void SagittalView::add_tool(const engine::TriangleMesh& tool) {
     auto actor = vtkSmartPointer<vtkActor>::New();
     actor->SetMapper(mapper);
     actor->GetProperty()->SetColor(red, green, blue);
-    actor->GetProperty()->SetAmbient(0.35);
-    actor->GetProperty()->SetDiffuse(0.65);
-    actor->GetProperty()->SetSpecular(0.5);
-    actor->GetProperty()->SetSpecularPower(30.0);
+    actor->GetProperty()->SetAmbient(0.3);
+    actor->GetProperty()->SetDiffuse(0.6);
     actor->GetProperty()->SetOpacity(opacity);
     actor->VisibilityOff();
     renderer()->AddActor(actor);
@@ -191,7 +189,7 @@ void SagittalView::add_tool(const engine::TriangleMesh& tool) {
   };
   const auto blade = blade_surface(tool), handle = handle_surface(tool);
   ghost_ = make(blade, 0.6, 0.6, 0.62, 0.35);
-  blade_ = make(blade, 0.80, 0.82, 0.86, 1.0);
+  blade_ = make(blade, 0.70, 0.73, 0.78, 1.0);
   handle_ = make(handle, 0.55, 0.57, 0.62, 1.0);
 }
 

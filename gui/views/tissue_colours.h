@@ -16,6 +16,8 @@ constexpr Colour kAirwayBlue{0.16, 0.42, 0.93};    ///< the paper draws the trac
 constexpr Colour kBoneColour{0.90, 0.86, 0.74};
 
 Colour tissue_colour(pipeline::Tissue tissue);
+/// 0 dry and matt .. 1 wet and glossy.
+double tissue_wetness(pipeline::Tissue tissue);
 
 /// Smooth noise of a point (mm), about -1..1, fixed for all time; `wavelength_mm` is its grain.
 double grain(const std::array<double, 3>& point_mm, double wavelength_mm);

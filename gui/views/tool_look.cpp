@@ -30,7 +30,7 @@ Extent extent_mm(const engine::TriangleMesh& tool) {
   return extent;
 }
 
-/// Where the blade ends and the handle stands: middle of the blade's last millimetres.
+/// Where the blade ends and the handle stands: on top (+z) of the blade's last millimetres, in their middle.
 engine::Vec3 heel_mm(const engine::TriangleMesh& tool) {
   const Extent all = extent_mm(tool);
   const double from = all.high.x() - 0.10 * (all.high.x() - all.low.x());
@@ -40,7 +40,7 @@ engine::Vec3 heel_mm(const engine::TriangleMesh& tool) {
       heel.low = heel.low.cwiseMin(1000.0 * p);
       heel.high = heel.high.cwiseMax(1000.0 * p);
     }
-  return {all.high.x(), 0.5 * (heel.low.y() + heel.high.y()), 0.5 * (heel.low.z() + heel.high.z())};
+  return {all.high.x(), 0.5 * (heel.low.y() + heel.high.y()), heel.high.z()};
 }
 
 /// A body of revolution about +z through `at`: radius and height pairs from below to above.
@@ -65,6 +65,26 @@ vtkSmartPointer<vtkPolyData> turned(const engine::Vec3& at, const std::vector<st
   return result;
 }
 
+/// A box with round edges: a sphere pulled apart.
+vtkSmartPointer<vtkPolyData> rounded_block(const engine::Vec3& centre, const engine::Vec3& half, double edge) {
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetRadius(1.0);
+  sphere->SetThetaResolution(32);
+  sphere->SetPhiResolution(25);
+  sphere->Update();
+  vtkSmartPointer<vtkPolyData> block = sphere->GetOutput();
+  for (vtkIdType i = 0; i < block->GetNumberOfPoints(); ++i) {
+    double p[3];
+    block->GetPoint(i, p);
+    for (int axis = 0; axis < 3; ++axis) {
+      const double flat = std::clamp(4.0 * p[axis], -1.0, 1.0);
+      p[axis] = centre[axis] + (half[axis] - edge) * flat + edge * p[axis];
+    }
+    block->GetPoints()->SetPoint(i, p);
+  }
+  return block;
+}
+
 vtkSmartPointer<vtkPolyData> with_normals(vtkPolyData* input, double edge_degrees) {
   vtkNew<vtkPolyDataNormals> normals;
   normals->SetInputData(input);
@@ -74,16 +94,19 @@ vtkSmartPointer<vtkPolyData> with_normals(vtkPolyData* input, double edge_degree
   return normals->GetOutput();
 }
 
-/// Steel shows the room: a bright lamp above, the dark beyond, warm skin below. A few lines instead of an environment map.
+/// Steel shows the room: a bright ceiling, the dark beyond, warm skin from below. A few lines instead of an environment
+/// map; the mirrored point drifts across a flat face (`vertexVC` in it), as it does in a room of finite size.
 void make_metallic(vtkActor* actor, double strength) {
   actor->GetShaderProperty()->AddFragmentShaderReplacement(
       "//VTK::Light::Impl", true,
       "//VTK::Light::Impl\n"
       "  vec3 toEye = normalize(-vertexVC.xyz);\n"
       "  vec3 mirror = reflect(-toEye, normalVCVSOutput);\n"
-      "  vec3 room = mix(vec3(0.10, 0.09, 0.10), vec3(0.93, 0.96, 1.0), smoothstep(-0.15, 0.85, mirror.y));\n"
-      "  room = mix(room, vec3(0.52, 0.30, 0.26), smoothstep(0.15, -0.75, mirror.z));\n"
-      "  room += vec3(0.55) * smoothstep(0.80, 0.97, dot(mirror, normalize(vec3(-0.35, 0.55, 0.75))));\n"
+      "  float height = mirror.y + 0.016 * vertexVC.y + 0.012 * vertexVC.x;\n"
+      "  vec3 room = mix(vec3(0.33, 0.33, 0.35), vec3(0.80, 0.83, 0.87), smoothstep(-0.55, 0.50, height));\n"
+      "  room = mix(room, vec3(0.97, 0.98, 1.0), 0.8 * smoothstep(0.55, 0.95, height));\n"
+      "  room = mix(room, vec3(0.62, 0.46, 0.43), 0.55 * smoothstep(-0.2, -0.9, mirror.z));\n"
+      "  room += vec3(0.22) * smoothstep(0.86, 0.99, dot(mirror, normalize(vec3(-0.30, 0.45, 0.84))));\n"
       "  fragOutput0.rgb = mix(fragOutput0.rgb, room, " + std::to_string(strength) + ");\n",
       false);
 }
@@ -128,10 +151,10 @@ vtkSmartPointer<vtkPolyData> blade_surface(const engine::TriangleMesh& tool) {
 vtkSmartPointer<vtkPolyData> handle_surface(const engine::TriangleMesh& tool) {
   const Extent extent = extent_mm(tool);
   const double blade = extent.high.x() - extent.low.x();
-  const double radius = std::clamp(0.14 * blade, 8.0, 13.0), long_mm = std::clamp(1.25 * blade, 85.0, 125.0);
+  const double radius = std::clamp(0.10 * blade, 7.0, 9.5), long_mm = std::clamp(1.2 * blade, 85.0, 120.0);
   engine::Vec3 foot = heel_mm(tool);
   foot.x() -= 0.35 * radius;
-  std::vector<std::array<double, 2>> profile{{0.0, -3.0},           {0.42 * radius, -3.0},  {0.46 * radius, -2.2},
+  std::vector<std::array<double, 2>> profile{{0.0, -1.0},           {0.42 * radius, -1.0},  {0.46 * radius, -0.2},
                                              {0.46 * radius, 9.0},  {0.60 * radius, 10.5},  {0.92 * radius, 11.5},
                                              {radius, 13.0},        {radius, 20.0},         {0.95 * radius, 21.0}};
   const double grip_from = 22.0, grip_to = long_mm - 9.0;
@@ -142,24 +165,28 @@ vtkSmartPointer<vtkPolyData> handle_surface(const engine::TriangleMesh& tool) {
     profile.push_back({0.95 * radius, height + 2.6});
   }
   profile.insert(profile.end(), {{radius, grip_to + 1.0}, {radius, long_mm - 2.0}, {0.85 * radius, long_mm}, {0.0, long_mm}});
-  return with_normals(turned(foot, profile), 40.0);
+  vtkNew<vtkAppendPolyData> whole;
+  whole->AddInputData(with_normals(turned(foot, profile), 40.0));
+  whole->AddInputData(rounded_block(foot + engine::Vec3(0.1 * radius, 0.0, 1.0), {0.75 * radius, 0.62 * radius, 2.6}, 1.2));
+  whole->Update();
+  return whole->GetOutput();
 }
 
 ToolLook::ToolLook(const engine::TriangleMesh& tool) {
   const auto blade = actor_of(blade_surface(tool));
-  blade->GetProperty()->SetColor(0.72, 0.74, 0.77);
+  blade->GetProperty()->SetColor(0.80, 0.82, 0.85);
   blade->GetProperty()->SetAmbient(0.12);
   blade->GetProperty()->SetDiffuse(0.6);
   blade->GetProperty()->SetSpecular(0.9);
   blade->GetProperty()->SetSpecularPower(48.0);
-  make_metallic(blade, 0.55);
+  make_metallic(blade, 0.7);
   const auto handle = actor_of(handle_surface(tool));
   handle->GetProperty()->SetColor(0.55, 0.57, 0.61);
   handle->GetProperty()->SetAmbient(0.12);
   handle->GetProperty()->SetDiffuse(0.6);
   handle->GetProperty()->SetSpecular(0.6);
   handle->GetProperty()->SetSpecularPower(30.0);
-  make_metallic(handle, 0.45);
+  make_metallic(handle, 0.55);
 
   const Extent extent = extent_mm(tool);
   const double blade_mm = extent.high.x() - extent.low.x();
@@ -170,7 +197,7 @@ ToolLook::ToolLook(const engine::TriangleMesh& tool) {
     if (std::abs(1000.0 * p.x() - bulb_.x()) < 0.08 * blade_mm) floor = std::min(floor, 1000.0 * p.z());
   bulb_.z() = floor - 0.6;
   vtkNew<vtkSphereSource> ball;
-  ball->SetRadius(1.1);
+  ball->SetRadius(0.7);
   ball->SetCenter(bulb_.data());
   ball->SetThetaResolution(16);
   ball->SetPhiResolution(12);

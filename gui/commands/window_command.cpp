@@ -1,0 +1,37 @@
+// The trainer's window: without a subcommand, and for `vallecula trial` without --headless.
+#include <stdexcept>
+#include <string>
+
+#include "gui/commands/commands.h"
+#include "gui/pages/main_window.h"
+#include "gui/pages/window_application.h"
+#include "gui/session/user_paths.h"
+
+namespace vallecula::gui {
+
+int run_window_command() {
+  const curricula::Curriculum curriculum = curricula::load_curriculum(default_curriculum());
+  WindowApplication application;
+  MainWindow window;
+  window.show_start(curriculum);
+  window.show();
+  return application.qt().exec();
+}
+
+int run_window_trial(const TrialSetup& setup) {
+  WindowApplication application;
+  MainWindow window;
+  bool finished = false;
+  std::string failure;
+  QObject::connect(&window, &MainWindow::trial_finished, [&](const TrialOutcome&) { finished = true; });
+  QObject::connect(&window, &MainWindow::trial_failed, [&](const QString& message) { failure = message.toStdString(); });
+  window.show();
+  window.prepare(setup, setup.device != "mouse");  // a person presses Start; a script waits for nobody
+  application.qt().exec();
+  if (!failure.empty()) throw std::runtime_error(failure);
+  if (!finished)
+    throw std::runtime_error("the window was closed before the trial ended; what was recorded until then is in " + setup.out.string());
+  return 0;
+}
+
+}  // namespace vallecula::gui

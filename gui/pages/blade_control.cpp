@@ -1,0 +1,111 @@
+#include "gui/pages/blade_control.h"
+
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QWheelEvent>
+
+#include "gui/views/operator_view.h"
+
+namespace vallecula::gui {
+namespace {
+
+constexpr double kTurnPerPixel = 0.004;      // rad: a drag across a quarter of the view turns about 45 degrees
+constexpr double kAdvancePerNotch = 0.0015;  // m
+constexpr double kKeySpeed = 0.030;          // m/s while a key is held
+constexpr double kFineShare = 0.25;          // with Shift
+constexpr double kKeyTurn = 0.6;             // rad/s
+
+std::array<double, 3> plain(const engine::Vec3& v) { return {v.x(), v.y(), v.z()}; }
+
+}  // namespace
+
+BladeControl::BladeControl(OperatorView* view) : QObject(view), view_(view) { view->installEventFilter(this); }
+
+void BladeControl::steer(device::MouseDevice* device) {
+  release_all();
+  device_ = device;
+  if (device_ == nullptr) return;
+  const engine::Vec3 right = view_->screen_right(), up = view_->screen_up();
+  device_->set_view_axes(plain(right), plain(up), plain(up.cross(right)));
+}
+
+void BladeControl::release_all() {
+  held_.clear();
+  if (device_ != nullptr) device_->set_lift(0.0);
+}
+
+bool BladeControl::key(QKeyEvent* event, bool pressed) {
+  switch (event->key()) {
+    case Qt::Key_Space:
+    case Qt::Key_Backspace:
+    case Qt::Key_Left:
+    case Qt::Key_Right:
+    case Qt::Key_Up:
+    case Qt::Key_Down:
+    case Qt::Key_PageUp:
+    case Qt::Key_PageDown:
+    case Qt::Key_W:
+    case Qt::Key_S:
+    case Qt::Key_A:
+    case Qt::Key_D:
+    case Qt::Key_Q:
+    case Qt::Key_E:
+    case Qt::Key_Shift: break;
+    default: return false;
+  }
+  if (event->isAutoRepeat()) return true;
+  if (pressed)
+    held_.insert(event->key());
+  else
+    held_.erase(event->key());
+  if (device_ != nullptr)
+    device_->set_lift((held_.count(Qt::Key_Space) ? 1.0 : 0.0) - (held_.count(Qt::Key_Backspace) ? 1.0 : 0.0));
+  return event->key() != Qt::Key_Shift;
+}
+
+void BladeControl::advance(double seconds) {
+  if (device_ == nullptr || held_.empty()) return;
+  const auto axis = [&](int plus, int minus) { return (held_.count(plus) ? 1.0 : 0.0) - (held_.count(minus) ? 1.0 : 0.0); };
+  const double share = seconds * (held_.count(Qt::Key_Shift) ? kFineShare : 1.0), way = kKeySpeed * share, turn = kKeyTurn * share;
+  device_->move(way * axis(Qt::Key_Right, Qt::Key_Left), way * axis(Qt::Key_Up, Qt::Key_Down));
+  device_->advance(way * axis(Qt::Key_PageUp, Qt::Key_PageDown));
+  // W raises the handle's end: about the tool's +y that is a negative pitch.
+  const double pitch = turn * axis(Qt::Key_S, Qt::Key_W), yaw = turn * axis(Qt::Key_D, Qt::Key_A), roll = turn * axis(Qt::Key_E, Qt::Key_Q);
+  if (pitch != 0.0 || yaw != 0.0 || roll != 0.0) device_->turn(pitch, yaw, roll);
+}
+
+QString BladeControl::help() {
+  return "Drag: move the blade   |   right-drag or W A S D: turn it (Q E: roll)   |   wheel or PgUp PgDn: deeper, back   |   "
+         "arrows: move (Shift: fine)   |   hold Space: lift along the handle, Backspace: lower";
+}
+
+bool BladeControl::eventFilter(QObject*, QEvent* event) {
+  if (device_ == nullptr) return false;
+  switch (event->type()) {
+    case QEvent::MouseButtonPress:
+      last_ = static_cast<QMouseEvent*>(event)->pos();
+      return true;
+    case QEvent::MouseMove: {
+      auto* mouse = static_cast<QMouseEvent*>(event);
+      const QPoint moved = mouse->pos() - last_;
+      last_ = mouse->pos();
+      const double fine = mouse->modifiers() & Qt::ShiftModifier ? kFineShare : 1.0;
+      if (mouse->buttons() & Qt::LeftButton) {
+        const double metres = fine * 1e-3 * view_->mm_per_pixel();
+        device_->move(metres * moved.x(), -metres * moved.y());
+      } else if (mouse->buttons() & Qt::RightButton) {
+        device_->turn(fine * kTurnPerPixel * moved.y(), fine * kTurnPerPixel * moved.x(), 0.0);
+      }
+      return true;
+    }
+    case QEvent::Wheel: {
+      auto* wheel = static_cast<QWheelEvent*>(event);
+      const double fine = wheel->modifiers() & Qt::ShiftModifier ? kFineShare : 1.0;
+      device_->advance(fine * kAdvancePerNotch * wheel->angleDelta().y() / 120.0);
+      return true;
+    }
+    default: return false;
+  }
+}
+
+}  // namespace vallecula::gui

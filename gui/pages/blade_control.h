@@ -1,0 +1,43 @@
+// Mouse and keyboard in the window -> the mouse device. Drag, wheel and held keys, all in the axes of the picture.
+#pragma once
+
+#include <QObject>
+#include <QPoint>
+#include <set>
+
+#include "device/drivers/mouse_device.h"
+
+class QKeyEvent;
+class QMouseEvent;
+class QWheelEvent;
+
+namespace vallecula::gui {
+
+class OperatorView;
+
+class BladeControl : public QObject {
+  Q_OBJECT
+ public:
+  explicit BladeControl(OperatorView* view);
+  /// nullptr: nothing is steered. The device must outlive its use here.
+  void steer(device::MouseDevice* device);
+  bool steering() const { return device_ != nullptr; }
+  /// Moves what held keys move; to be called once a frame with the time since the last one.
+  void advance(double seconds);
+  /// True when the key is one of the blade's.
+  bool key(QKeyEvent* event, bool pressed);
+  void release_all();
+  /// One line for the screen.
+  static QString help();
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  OperatorView* view_;
+  device::MouseDevice* device_ = nullptr;
+  QPoint last_;
+  std::set<int> held_;
+};
+
+}  // namespace vallecula::gui

@@ -1,0 +1,212 @@
+#include "gui/pages/main_window.h"
+
+#include <QCloseEvent>
+#include <QDateTime>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QSettings>
+#include <QStackedWidget>
+#include <QVBoxLayout>
+#include <stdexcept>
+
+#include "gui/pages/background.h"
+#include "gui/pages/result_page.h"
+#include "gui/pages/trial_page.h"
+#include "gui/session/builtin_patient.h"
+#include "gui/session/user_paths.h"
+#include "gui/views/patient_look.h"
+
+namespace vallecula::gui {
+namespace {
+
+struct Prepared {
+  std::shared_ptr<TrialSession> session;
+  std::shared_ptr<PatientLook> look;
+};
+
+/// Thrown through a progress report to leave work that nobody waits for any more.
+struct Cancelled : std::runtime_error {
+  Cancelled() : std::runtime_error("cancelled") {}
+};
+
+std::unique_ptr<QSettings> settings() {
+  const QString file = QString::fromStdString((user_data_folder() / "settings.ini").string());
+  return std::make_unique<QSettings>(file, QSettings::IniFormat);
+}
+
+}  // namespace
+
+MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
+  setWindowTitle("Vallecula");
+  pages_ = new QStackedWidget(this);
+  start_ = new StartPage(pages_);
+  prepare_page_ = make_prepare_page();
+  trial_ = new TrialPage(pages_);
+  result_ = new ResultPage(pages_);
+  for (QWidget* page : {static_cast<QWidget*>(start_), prepare_page_, static_cast<QWidget*>(trial_), static_cast<QWidget*>(result_)})
+    pages_->addWidget(page);
+  setCentralWidget(pages_);
+  resize(1280, 800);
+  connect(start_, &StartPage::chosen, this, &MainWindow::prepare_choice);
+  connect(trial_, &TrialPage::left, this, [this] {
+    trial_->close_trial();
+    back_to_start();
+  });
+  connect(trial_, &TrialPage::finished, this, [this](const TrialOutcome& outcome) {
+    result_->show_outcome(outcome, scenario_);
+    pages_->setCurrentWidget(result_);
+    emit trial_finished(outcome);
+  });
+  connect(trial_, &TrialPage::failed, this, &MainWindow::show_failure);
+  connect(result_, &ResultPage::again, this, [this] {
+    if (again_) again_();
+  });
+  connect(result_, &ResultPage::left, this, &MainWindow::back_to_start);
+}
+
+MainWindow::~MainWindow() {
+  cancelled_ = true;
+  if (worker_) worker_->wait();
+}
+
+QWidget* MainWindow::make_prepare_page() {
+  auto* page = new QWidget(pages_);
+  auto* title = new QLabel("Preparing the patient", page);
+  title->setObjectName("title");
+  prepare_stage_ = new QLabel(page);
+  prepare_bar_ = new QProgressBar(page);
+  prepare_bar_->setRange(0, 1000);
+  prepare_bar_->setTextVisible(false);
+  auto* cancel = new QPushButton("Cancel", page);
+  connect(cancel, &QPushButton::clicked, this, [this] {
+    cancelled_ = true;
+    prepare_stage_->setText("Stopping ...");
+  });
+  auto* column = new QVBoxLayout(page);
+  column->setContentsMargins(220, 0, 220, 0);
+  column->setSpacing(14);
+  column->addStretch(1);
+  column->addWidget(title);
+  column->addWidget(prepare_stage_);
+  column->addWidget(prepare_bar_);
+  column->addWidget(cancel, 0, Qt::AlignRight);
+  column->addStretch(2);
+  return page;
+}
+
+void MainWindow::show_start(const curricula::Curriculum& curriculum) {
+  has_start_ = true;
+  start_->set_curriculum(curriculum);
+  const auto kept = settings();
+  start_->select(kept->value("scenario").toString(), kept->value("device", "mouse").toString());
+  const std::filesystem::path patient = kept->value("patient").toString().toStdString();
+  if (!patient.empty() && std::filesystem::exists(patient / "patient.yaml")) start_->add_patient(patient, true);
+  back_to_start();
+}
+
+void MainWindow::prepare_choice(const Choice& choice) {
+  TrialSetup setup;
+  setup.curriculum = choice.curriculum;
+  setup.scenario = choice.scenario.id;
+  setup.device = choice.device.toStdString();
+  const auto kept = settings();
+  kept->setValue("scenario", QString::fromStdString(choice.scenario.id));
+  kept->setValue("device", choice.device);
+  kept->setValue("patient", QString::fromStdString(choice.patient.string()));
+  again_ = [this, choice] { prepare_choice(choice); };
+  const std::string moment = QDateTime::currentDateTime().toString("yyyyMMdd-HHmmss").toStdString();
+  setup.out = user_data_folder() / "trials" / (moment + "-" + choice.scenario.id);
+  const auto manikin = choice.scenario.manikin;
+  const auto chosen = choice.patient;
+  prepare(
+      setup,
+      [this, manikin, chosen] {
+        if (!chosen.empty()) return chosen;
+        return builtin_patient(manikin, [this](const std::string& stage, double fraction) { report_progress(stage, 0.9 * fraction); });
+      },
+      false);
+}
+
+void MainWindow::prepare(const TrialSetup& setup, bool start_at_once) {
+  again_ = [this, setup, start_at_once] { prepare(setup, start_at_once); };
+  prepare(setup, [patient = setup.patient] { return patient; }, start_at_once);
+}
+
+void MainWindow::prepare(TrialSetup setup, std::function<std::filesystem::path()> patient, bool start_at_once) {
+  if (worker_) return;
+  start_->set_message("");
+  cancelled_ = false;
+  prepare_stage_->setText("Looking for the patient ...");
+  prepare_bar_->setValue(0);
+  pages_->setCurrentWidget(prepare_page_);
+  worker_ = run_in_background<Prepared>(
+      this,
+      [this, setup, patient] {
+        TrialSetup whole = setup;
+        whole.patient = patient();
+        report_progress("Building the scene", 0.92);
+        Prepared prepared;
+        prepared.session = std::make_shared<TrialSession>(whole);
+        report_progress("Light and colour", 0.96);
+        prepared.look = make_patient_look(prepared.session->package());
+        report_progress("Ready", 1.0);
+        return prepared;
+      },
+      [this, start_at_once](Prepared ready) {
+        scenario_ = ready.session->scenario();
+        pages_->setCurrentWidget(trial_);
+        try {
+          trial_->open(ready.session, ready.look);
+        } catch (const std::exception& error) {
+          show_failure(QString::fromUtf8(error.what()));
+          return;
+        }
+        emit prepared();
+        if (start_at_once) trial_->start();
+      },
+      [this](const QString& message) {
+        if (cancelled_)
+          back_to_start();
+        else
+          show_failure(message);
+      });
+}
+
+void MainWindow::report_progress(const std::string& stage, double fraction) {
+  if (cancelled_) throw Cancelled();
+  QMetaObject::invokeMethod(
+      this,
+      [this, text = QString::fromStdString(stage), value = static_cast<int>(1000.0 * fraction)] {
+        if (cancelled_) return;
+        prepare_stage_->setText(text);
+        prepare_bar_->setValue(value);
+      },
+      Qt::QueuedConnection);
+}
+
+void MainWindow::show_failure(const QString& message) {
+  start_->set_message(message);
+  back_to_start();
+  emit trial_failed(message);
+}
+
+void MainWindow::back_to_start() {
+  if (has_start_)
+    pages_->setCurrentWidget(start_);
+  else
+    close();  // opened for one trial only
+}
+
+QString MainWindow::page_name() const {
+  const QWidget* page = pages_->currentWidget();
+  return page == start_ ? "start" : page == prepare_page_ ? "prepare" : page == trial_ ? "trial" : "result";
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+  cancelled_ = true;
+  trial_->close_trial();
+  QMainWindow::closeEvent(event);
+}
+
+}  // namespace vallecula::gui

@@ -1,0 +1,68 @@
+// The trainer's window: choose, prepare, try, look at what came of it.
+#pragma once
+
+#include <QMainWindow>
+#include <QPointer>
+#include <QThread>
+#include <atomic>
+#include <functional>
+#include <memory>
+
+#include "gui/pages/start_page.h"
+#include "gui/session/trial_session.h"
+
+class QLabel;
+class QProgressBar;
+class QStackedWidget;
+
+namespace vallecula::gui {
+
+class ResultPage;
+class TrialPage;
+
+class MainWindow : public QMainWindow {
+  Q_OBJECT
+ public:
+  explicit MainWindow(QWidget* parent = nullptr);
+  ~MainWindow() override;
+
+  /// First page, with a curriculum; what was chosen last time is chosen again.
+  void show_start(const curricula::Curriculum& curriculum);
+  /// Prepares this trial (on a thread of its own) and opens it; `start_at_once` for a scripted hand.
+  void prepare(const TrialSetup& setup, bool start_at_once);
+  TrialPage& trial_page() { return *trial_; }
+  StartPage& start_page() { return *start_; }
+  QString page_name() const;   ///< "start", "prepare", "trial", "result"
+
+ signals:
+  void prepared();
+  void trial_finished(const vallecula::gui::TrialOutcome& outcome);
+  void trial_failed(const QString& message);
+
+ protected:
+  void closeEvent(QCloseEvent* event) override;
+
+ private:
+  void prepare_choice(const Choice& choice);
+  /// `patient`: gives the package's folder; runs on the preparing thread.
+  void prepare(TrialSetup setup, std::function<std::filesystem::path()> patient, bool start_at_once);
+  void report_progress(const std::string& stage, double fraction);
+  void show_failure(const QString& message);
+  void back_to_start();
+  QWidget* make_prepare_page();
+
+  QStackedWidget* pages_;
+  StartPage* start_;
+  QWidget* prepare_page_;
+  QLabel* prepare_stage_;
+  QProgressBar* prepare_bar_;
+  TrialPage* trial_;
+  ResultPage* result_;
+  QPointer<QThread> worker_;
+  std::atomic<bool> cancelled_{false};
+  curricula::Scenario scenario_;
+  std::function<void()> again_;
+  bool has_start_ = false;
+};
+
+}  // namespace vallecula::gui

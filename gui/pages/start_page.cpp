@@ -1,0 +1,147 @@
+#include "gui/pages/start_page.h"
+
+#include <QComboBox>
+#include <QFileDialog>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QListWidget>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+namespace vallecula::gui {
+
+StartPage::StartPage(QWidget* parent) : QWidget(parent) {
+  auto* title = new QLabel("Vallecula", this);
+  title->setObjectName("title");
+  auto* sub = new QLabel("Practise neonatal laryngoscopy, and see what your hand did. A training tool, not a medical device.", this);
+  sub->setObjectName("faint");
+  curriculum_title_ = new QLabel(this);
+  curriculum_title_->setObjectName("heading");
+  list_ = new QListWidget(this);
+  list_->setAccessibleName("Scenarios");
+  briefing_ = new QLabel(this);
+  briefing_->setWordWrap(true);
+  briefing_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+  briefing_->setMinimumWidth(380);
+  patient_ = new QComboBox(this);
+  patient_->addItem("Built-in manikin, made for the scenario", QString());
+  device_ = new QComboBox(this);
+  device_->addItem("Mouse and keyboard", "mouse");
+  device_->addItem("Watch a scripted expert", "scripted:expert");
+  device_->addItem("Watch a scripted novice", "scripted:novice");
+  auto* browse = new QPushButton("Other patient ...", this);
+  connect(browse, &QPushButton::clicked, this, &StartPage::browse);
+  go_ = new QPushButton("Prepare the trial", this);
+  go_->setObjectName("primary");
+  go_->setDefault(true);
+  message_ = new QLabel(this);
+  message_->setWordWrap(true);
+  message_->setStyleSheet("color: #e69f00;");
+  message_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+
+  auto* left = new QVBoxLayout;
+  left->addWidget(curriculum_title_);
+  left->addWidget(list_, 1);
+  auto* patient_row = new QHBoxLayout;
+  patient_row->addWidget(patient_, 1);
+  patient_row->addWidget(browse);
+  auto* form = new QFormLayout;
+  form->setVerticalSpacing(12);
+  form->addRow("Patient", patient_row);
+  form->addRow("Device", device_);
+  auto* right_panel = new QFrame(this);
+  right_panel->setObjectName("panel");
+  auto* right = new QVBoxLayout(right_panel);
+  right->setContentsMargins(18, 16, 18, 16);
+  auto* briefing_title = new QLabel("Briefing", this);
+  briefing_title->setObjectName("heading");
+  right->addWidget(briefing_title);
+  right->addWidget(briefing_, 1);
+  right->addLayout(form);
+  right->addSpacing(12);
+  right->addWidget(go_);
+  auto* columns = new QHBoxLayout;
+  columns->setSpacing(14);
+  columns->addLayout(left, 10);
+  columns->addWidget(right_panel, 14);
+  auto* all = new QVBoxLayout(this);
+  all->setContentsMargins(26, 20, 26, 18);
+  all->addWidget(title);
+  all->addWidget(sub);
+  all->addSpacing(10);
+  all->addLayout(columns, 1);
+  all->addWidget(message_);
+
+  connect(list_, &QListWidget::currentRowChanged, this, &StartPage::show_scenario);
+  connect(list_, &QListWidget::itemActivated, this, [this] { go_->click(); });
+  connect(go_, &QPushButton::clicked, this, [this] {
+    if (list_->currentRow() >= 0) emit chosen(choice());
+  });
+  go_->setEnabled(false);
+}
+
+void StartPage::set_curriculum(const curricula::Curriculum& curriculum) {
+  const int row = std::max(0, list_->currentRow());
+  curriculum_ = curriculum;
+  curriculum_title_->setText(QString::fromStdString(curriculum.title));
+  list_->clear();
+  for (const auto& scenario : curriculum.scenarios) list_->addItem(QString::fromStdString(scenario.title));
+  if (list_->count() > 0) list_->setCurrentRow(std::min(row, list_->count() - 1));
+  go_->setEnabled(list_->count() > 0);
+}
+
+void StartPage::show_scenario(int row) {
+  if (row < 0 || row >= static_cast<int>(curriculum_.scenarios.size())) return;
+  const auto& scenario = curriculum_.scenarios[static_cast<std::size_t>(row)];
+  briefing_->setText(QString::fromStdString(scenario.briefing) +
+                     QString("\nPasses with: at most %1 N on the tongue and %2 N on the upper gum, at least %3 % of the glottis seen, "
+                             "within %4 s.")
+                         .arg(scenario.pass.peak_tongue_force_n, 0, 'f', 1)
+                         .arg(scenario.pass.peak_gum_force_n, 0, 'f', 1)
+                         .arg(scenario.pass.glottis_visible_percent, 0, 'f', 0)
+                         .arg(scenario.pass.attempt_time_s, 0, 'f', 0));
+}
+
+void StartPage::add_patient(const std::filesystem::path& package, bool choose) {
+  const QString path = QString::fromStdString(package.string());
+  int index = patient_->findData(path);
+  if (index < 0) {
+    patient_->addItem(QString::fromStdString(package.filename().string()), path);
+    index = patient_->count() - 1;
+    patient_->setItemData(index, path, Qt::ToolTipRole);
+  }
+  if (choose) patient_->setCurrentIndex(index);
+}
+
+void StartPage::browse() {
+  const QString folder = QFileDialog::getExistingDirectory(this, "Choose a patient package (a folder NAME.patient)");
+  if (folder.isEmpty()) return;
+  if (!std::filesystem::exists(std::filesystem::path(folder.toStdString()) / "patient.yaml")) {
+    set_message(folder + " is not a patient package (it holds no patient.yaml); make one with `vallecula import`.");
+    return;
+  }
+  set_message("");
+  add_patient(folder.toStdString(), true);
+}
+
+void StartPage::set_message(const QString& message) { message_->setText(message); }
+
+bool StartPage::select(const QString& scenario, const QString& device) {
+  bool found = false;
+  for (std::size_t i = 0; i < curriculum_.scenarios.size(); ++i)
+    if (curriculum_.scenarios[i].id == scenario.toStdString()) {
+      list_->setCurrentRow(static_cast<int>(i));
+      found = true;
+    }
+  const int index = device_->findData(device);
+  if (index >= 0) device_->setCurrentIndex(index);
+  return found && index >= 0;
+}
+
+Choice StartPage::choice() const {
+  return {curriculum_.file, curriculum_.scenarios.at(static_cast<std::size_t>(std::max(0, list_->currentRow()))),
+          patient_->currentData().toString().toStdString(), device_->currentData().toString()};
+}
+
+}  // namespace vallecula::gui

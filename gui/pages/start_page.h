@@ -1,0 +1,48 @@
+// The first page: which scenario, on which patient, with which device.
+#pragma once
+
+#include <QWidget>
+#include <filesystem>
+#include <vector>
+
+#include "curricula/scenario.h"
+
+class QComboBox;
+class QLabel;
+class QListWidget;
+class QPushButton;
+
+namespace vallecula::gui {
+
+struct Choice {
+  std::filesystem::path curriculum;
+  curricula::Scenario scenario;
+  std::filesystem::path patient;   ///< empty: the built-in manikin that the scenario asks for
+  QString device;                  ///< as `vallecula trial --device` takes it
+};
+
+class StartPage : public QWidget {
+  Q_OBJECT
+ public:
+  explicit StartPage(QWidget* parent = nullptr);
+  /// Replaces the list of scenarios; keeps the last choice where it is still to be had.
+  void set_curriculum(const curricula::Curriculum& curriculum);
+  void add_patient(const std::filesystem::path& package, bool choose);
+  void set_message(const QString& message);
+  bool select(const QString& scenario, const QString& device);
+  Choice choice() const;
+
+ signals:
+  void chosen(const vallecula::gui::Choice& choice);
+
+ private:
+  void show_scenario(int row);
+  void browse();
+  curricula::Curriculum curriculum_;
+  QListWidget* list_;
+  QLabel *curriculum_title_, *briefing_, *message_;
+  QComboBox *patient_, *device_;
+  QPushButton* go_;
+};
+
+}  // namespace vallecula::gui

@@ -1,0 +1,84 @@
+// One trial on the screen: the views, the bars, the figures, and the buttons. The session does the work; this shows it.
+#pragma once
+
+#include <QElapsedTimer>
+#include <QTimer>
+#include <QWidget>
+#include <functional>
+#include <memory>
+
+#include "gui/session/trial_session.h"
+#include "gui/views/patient_look.h"
+
+class QLabel;
+class QPushButton;
+
+namespace vallecula::gui {
+
+class BladeControl;
+class ForceBars;
+class OperatorView;
+class SagittalView;
+class TrialReadings;
+
+class TrialPage : public QWidget {
+  Q_OBJECT
+ public:
+  explicit TrialPage(QWidget* parent = nullptr);
+  ~TrialPage() override;
+
+  /// Shows the patient of a session that was built and not started.
+  void open(std::shared_ptr<TrialSession> session, std::shared_ptr<PatientLook> look);
+  void start();
+  /// Stops and scores off the window's thread; finished() or failed() follows.
+  void end(const QString& how);
+  void reset();
+  /// Lets the session go without a result (its log stays as interrupted when it was running).
+  void close_trial();
+  bool running() const { return running_; }
+
+  /// Of the open session. Throws std::logic_error when none is.
+  const curricula::Scenario& scenario() const;
+  const pipeline::PatientPackage& patient() const;
+  OperatorView& operator_view() { return *operator_view_; }
+  SagittalView& sagittal_view() { return *sagittal_view_; }
+  /// Called after each frame of a running trial with the snapshot that was drawn.
+  void set_frame_hook(std::function<void(const engine::Snapshot&)> hook) { frame_hook_ = std::move(hook); }
+  /// Frames drawn since start(), a second.
+  double frames_per_second() const;
+
+ signals:
+  void finished(const vallecula::gui::TrialOutcome& outcome);
+  void failed(const QString& message);
+  void left();
+
+ protected:
+  void keyPressEvent(QKeyEvent* event) override;
+  void keyReleaseEvent(QKeyEvent* event) override;
+  void focusOutEvent(QFocusEvent* event) override;
+  void showEvent(QShowEvent* event) override;
+
+ private:
+  void frame();
+  void show_buttons();
+  void show_banner(const QString& text);
+  QWidget* make_side();
+  QWidget* make_foot();
+
+  std::shared_ptr<TrialSession> session_;
+  std::shared_ptr<PatientLook> look_;
+  OperatorView* operator_view_;
+  SagittalView* sagittal_view_;
+  ForceBars* bars_;
+  TrialReadings* readings_;
+  BladeControl* control_;
+  QLabel *title_, *banner_, *help_;
+  QPushButton *start_, *end_, *reset_, *leave_, *zoom_;
+  QTimer timer_;
+  QElapsedTimer since_frame_, since_sagittal_, since_start_;
+  std::function<void(const engine::Snapshot&)> frame_hook_;
+  bool running_ = false, ending_ = false;
+  int frames_ = 0;
+};
+
+}  // namespace vallecula::gui

@@ -1,0 +1,101 @@
+#include "gui/session/builtin_patient.h"
+
+#include <cstdio>
+#include <cstdlib>
+#include <stdexcept>
+#include <system_error>
+
+#include <unistd.h>
+
+#include "gui/session/files.h"
+#include "pipeline/import.h"
+#include "pipeline/manikin/manikin.h"
+#include "pipeline/package/patient_package.h"
+
+namespace vallecula::gui {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kScanShare = 0.25;  // of the whole work, by the clock on a term manikin
+
+const char* set_variable(const char* name) {
+  const char* value = std::getenv(name);
+  return value != nullptr && *value != '\0' ? value : nullptr;
+}
+
+fs::path cache_folder() {
+  if (const char* home = set_variable("VALLECULA_HOME")) return fs::path(home) / "cache";
+  if (const char* cache = set_variable("XDG_CACHE_HOME")) return fs::path(cache) / "vallecula";
+  if (const char* home = set_variable("HOME")) return fs::path(home) / ".cache" / "vallecula";
+  throw std::runtime_error("no folder for the user's cache is known: set VALLECULA_HOME to one");
+}
+
+bool readable(const fs::path& package) {
+  if (!fs::exists(package / "patient.yaml")) return false;
+  try {
+    pipeline::read_package(package);
+    return true;
+  } catch (const pipeline::PackageError&) {
+    return false;  // damaged, or of another schema: it can be made anew
+  }
+}
+
+/// A folder that is gone with this object, whatever happens.
+class WorkFolder {
+ public:
+  explicit WorkFolder(fs::path folder) : folder_(std::move(folder)) {
+    std::error_code error;
+    fs::remove_all(folder_, error);
+    fs::create_directories(folder_, error);
+    if (error)
+      throw std::runtime_error(folder_.parent_path().string() + ": cannot be written (" + error.message() +
+                               "); set VALLECULA_HOME to a folder you may write to");
+  }
+  ~WorkFolder() {
+    std::error_code ignored;
+    fs::remove_all(folder_, ignored);
+  }
+  WorkFolder(const WorkFolder&) = delete;
+  WorkFolder& operator=(const WorkFolder&) = delete;
+  const fs::path& path() const { return folder_; }
+
+ private:
+  fs::path folder_;
+};
+
+}  // namespace
+
+fs::path make_manikin_patient(const curricula::ManikinSpec& manikin, const fs::path& folder, const PatientProgress& progress) {
+  pipeline::ManikinOptions options;
+  options.weight_kg = manikin.weight_kg;
+  options.seed = manikin.seed;
+  pipeline::write_manikin(options, folder / "ct", [&](const std::string& stage, double fraction) {
+    if (progress) progress("manikin: " + stage, kScanShare * fraction);
+  });
+  pipeline::ImportOptions import;
+  import.series = folder / "ct";
+  import.out = folder / "manikin.patient";
+  pipeline::import_series(import, [&](const std::string& stage, double fraction) {
+    if (progress) progress("import: " + stage, kScanShare + (1.0 - kScanShare) * fraction);
+  });
+  return import.out;
+}
+
+fs::path builtin_patient(const curricula::ManikinSpec& manikin, const PatientProgress& progress) {
+  // Another build may make another patient of the same weight and seed.
+  char name[64];
+  std::snprintf(name, sizeof name, "manikin-%.2fkg-%u-", manikin.weight_kg, manikin.seed);
+  const fs::path kept = cache_folder() / "patients" / (name + sha256_of_program().substr(0, 12) + ".patient");
+  if (readable(kept)) return kept;
+  const WorkFolder work(kept.string() + ".making-" + std::to_string(getpid()));
+  const fs::path made = make_manikin_patient(manikin, work.path(), progress);
+  std::error_code error;
+  fs::remove_all(kept, error);
+  fs::rename(made, kept, error);
+  if (error && !readable(kept))  // another program may have been quicker with the same
+    throw std::runtime_error(kept.string() + ": cannot be written (" + error.message() + ")");
+  return kept;
+}
+
+}  // namespace vallecula::gui

@@ -1,0 +1,132 @@
+#include "gui/views/trial_readings.h"
+
+#include <QGridLayout>
+#include <QLabel>
+#include <QPainter>
+#include <algorithm>
+
+#include "gui/views/theme.h"
+
+namespace vallecula::gui {
+
+/// How much of the glottis is seen now, the best so far, and from where on it counts.
+class SightBar : public QWidget {
+ public:
+  explicit SightBar(QWidget* parent) : QWidget(parent) { setMinimumHeight(16); }
+  void show_percent(double now, double best, double counts_from) {
+    now_ = now;
+    best_ = best;
+    from_ = counts_from;
+    update();
+  }
+
+ protected:
+  void paintEvent(QPaintEvent*) override {
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const QRectF track(0.5, 2.5, width() - 1.0, height() - 5.0);
+    const auto at = [&](double percent) { return track.left() + track.width() * std::clamp(percent / 100.0, 0.0, 1.0); };
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(theme::kTrack);
+    painter.drawRoundedRect(track, 4, 4);
+    painter.setBrush(QColor(41, 107, 237));  // the blue the trachea has in the view
+    if (now_ > 0.0) painter.drawRoundedRect(QRectF(track.left(), track.top(), at(now_) - track.left(), track.height()), 3, 3);
+    painter.setPen(QPen(theme::kText, 1.5));
+    if (best_ > 0.0) painter.drawLine(QPointF(at(best_), track.top()), QPointF(at(best_), track.bottom()));
+    painter.setPen(QPen(theme::kTarget, 2.0));
+    painter.drawLine(QPointF(at(from_), track.top() - 2.0), QPointF(at(from_), track.bottom() + 2.0));
+  }
+
+ private:
+  double now_ = 0.0, best_ = 0.0, from_ = 25.0;
+};
+
+StateWords words_for(engine::HapticState state, bool device_invalid) {
+  switch (state) {
+    case engine::HapticState::tracking: return {"following your hand", ""};
+    case engine::HapticState::limited:
+      return {"at the device limit",
+              "Device limit reached: the device cannot push back harder, so the blade stays where it is. The grey blade shows "
+              "your hand."};
+    case engine::HapticState::lost:
+      return {"lost", device_invalid ? "The device stopped answering. No force is shown until it is back."
+                                     : "The device stayed over its limit too long and let go. Bring the grey blade back to the "
+                                       "steel one to take hold again."};
+    case engine::HapticState::recovering:
+      return {"taking hold again", "Taking hold again: the force returns gently."};
+  }
+  return {};
+}
+
+TrialReadings::TrialReadings(QWidget* parent) : QWidget(parent) {
+  auto* grid = new QGridLayout(this);
+  grid->setContentsMargins(12, 8, 12, 8);
+  grid->setVerticalSpacing(4);
+  const auto caption = [&](const QString& text, int row, int column) {
+    auto* label = new QLabel(text, this);
+    label->setObjectName("faint");
+    grid->addWidget(label, row, column);
+  };
+  const auto figure = [&](double points, int row, int column) {
+    auto* label = new QLabel(this);
+    QFont font = label->font();
+    font.setPointSizeF(points);
+    font.setBold(true);
+    label->setFont(font);
+    grid->addWidget(label, row, column);
+    return label;
+  };
+  caption("Time", 0, 0);
+  caption("Glottis visible", 0, 1);
+  clock_ = figure(22.0, 1, 0);
+  seen_ = figure(22.0, 1, 1);
+  limit_ = new QLabel(this);
+  limit_->setObjectName("faint");
+  grid->addWidget(limit_, 2, 0);
+  sight_ = new SightBar(this);
+  grid->addWidget(sight_, 2, 1);
+  caption("Device", 3, 0);
+  state_ = new QLabel(this);
+  grid->addWidget(state_, 3, 1);
+  caption("Loop", 4, 0);
+  loop_ = new QLabel(this);
+  grid->addWidget(loop_, 4, 1);
+  grid->setColumnStretch(1, 1);
+  grid->setColumnMinimumWidth(0, 130);
+  clear();
+}
+
+void TrialReadings::set_scenario(const curricula::Scenario& scenario) {
+  sight_percent_ = scenario.sight_percent;
+  attempt_limit_s_ = scenario.pass.attempt_time_s;
+  limit_->setText(QString("of %1 s for an attempt").arg(attempt_limit_s_, 0, 'f', 0));
+  clear();
+}
+
+void TrialReadings::clear() {
+  best_percent_ = 0.0;
+  clock_->setText("0.0 s");
+  seen_->setText("0 %");
+  sight_->show_percent(0.0, 0.0, sight_percent_);
+  state_->setText("ready");
+  loop_->setText("not running");
+}
+
+void TrialReadings::show_snapshot(const engine::Snapshot& snapshot) {
+  const double percent = 100.0 * snapshot.glottis_visible;
+  best_percent_ = std::max(best_percent_, percent);
+  clock_->setText(QString("%1 s").arg(snapshot.time_s, 0, 'f', 1));
+  clock_->setStyleSheet(snapshot.time_s > attempt_limit_s_ ? QString("color: %1").arg(theme::kOver.name()) : QString());
+  seen_->setText(QString("%1 %").arg(percent, 0, 'f', 0));
+  sight_->show_percent(percent, best_percent_, sight_percent_);
+  const bool invalid = (snapshot.faults & engine::kFaultDeviceInvalid) != 0;
+  state_->setText(words_for(snapshot.state, invalid).name);
+  state_->setStyleSheet(snapshot.state == engine::HapticState::tracking ? QString()
+                                                                        : QString("color: %1").arg(theme::kDevice.name()));
+  loop_->setText(QString("%1 Hz, %2 late of %3")
+                     .arg(snapshot.loop_rate_hz, 0, 'f', 0)
+                     .arg(snapshot.deadline_misses)
+                     .arg(snapshot.ticks));
+}
+
+}  // namespace vallecula::gui

@@ -1,0 +1,36 @@
+// The figures beside the views: clock, how much of the glottis is seen, what the device does, whether the loop keeps time.
+#pragma once
+
+#include <QWidget>
+
+#include "curricula/scenario.h"
+#include "engine/snapshot.h"
+
+class QLabel;
+class QProgressBar;
+
+namespace vallecula::gui {
+
+/// Plain words for a state of the hand's bond with the scene. `banner` is empty while everything is as it should be; a
+/// device limit is told as the device's, never as tissue giving way.
+struct StateWords {
+  QString name, banner;
+};
+StateWords words_for(engine::HapticState state, bool device_invalid);
+
+class TrialReadings : public QWidget {
+  Q_OBJECT
+ public:
+  explicit TrialReadings(QWidget* parent = nullptr);
+  void set_scenario(const curricula::Scenario& scenario);
+  /// `seconds`: since the trial began.
+  void show_snapshot(const engine::Snapshot& snapshot);
+  void clear();
+
+ private:
+  QLabel *clock_, *limit_, *seen_, *state_, *loop_;
+  class SightBar* sight_;
+  double sight_percent_ = 25.0, best_percent_ = 0.0, attempt_limit_s_ = 30.0;
+};
+
+}  // namespace vallecula::gui
