@@ -1,5 +1,6 @@
 #include "pipeline/import.h"
 
+#include <stdlib.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -85,7 +86,8 @@ void check_out(const fs::path& out) {
   // Before minutes of work: can it be written at all?
   auto parent = dir.parent_path();
   while (!parent.empty() && !fs::exists(parent) && parent != parent.parent_path()) parent = parent.parent_path();
-  if (::access(parent.c_str(), W_OK) != 0) {
+  std::string probe = (parent / ".vallecula-XXXXXX").string();
+  if (::mkdtemp(probe.data()) == nullptr || ::rmdir(probe.c_str()) != 0) {
     throw ImportError("package " + out.string() + ": the folder " + parent.string() +
                       " cannot be written; choose another with --out");
   }

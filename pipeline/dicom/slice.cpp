@@ -13,6 +13,7 @@
 #include <set>
 
 #include "pipeline/dicom/read_series.h"
+#include "pipeline/dicom/whole_file.h"
 
 namespace vallecula::pipeline {
 namespace {
@@ -129,6 +130,9 @@ std::optional<SliceHeader> read_slice_header(const std::filesystem::path& file) 
   const bool marked = has_dicom_marker(file);
   const bool named = lower(file.extension().string()) == ".dcm";
   if (!marked && !named) return {};
+  if (const auto fault = fault_of_dicom_file(file); !fault.empty()) {
+    fail(file, "is no whole DICOM file (" + fault + "); copy it again or take it out of the folder");
+  }
   gdcm::Reader reader;
   reader.SetFileName(file.c_str());
   // Reading up to the pixels without descending into private data is enough to sort files into series.

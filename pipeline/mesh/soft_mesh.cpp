@@ -29,9 +29,21 @@ void name_tissue(const Segmentation& s, TetMesh& mesh) {
   }
 }
 
-/// Nodes of the surface that do not border air are held: by the hyoid near it, by the larynx at the leaf's foot, else
-/// by the jaw.
-void name_anchors(const Segmentation& s, const AnatomyFields& f, std::size_t surface_points, TetMesh& mesh) {
+/// Unit normals of the points, area weighted.
+std::vector<Vector3> normals_of(const Surface& surface, const std::vector<Point>& points) {
+  std::vector<Vector3> normals(surface.points.size(), Vector3{});
+  for (const auto& t : surface.triangles) {
+    const auto n = cross(points[t[1]] - points[t[0]], points[t[2]] - points[t[0]]);
+    for (const int v : t) normals[v] = normals[v] + n;
+  }
+  for (auto& n : normals) n = unit(n);
+  return normals;
+}
+
+/// Nodes of the underside that lie against tissue are held: by the hyoid near it, by the larynx at the leaf's foot,
+/// else by the jaw. Nodes that border air are free, and so is the back of a tongue that only lies against the palate of
+/// a closed mouth.
+void name_anchors(const Segmentation& s, const AnatomyFields& f, const Surface& surface, TetMesh& mesh) {
   const double k = s.frame.scale;
   const Point hyoid = s.landmarks.at("hyoid");
   std::vector<std::uint8_t> in_leaf(mesh.points.size(), 0);
@@ -43,7 +55,9 @@ void name_anchors(const Segmentation& s, const AnatomyFields& f, std::size_t sur
   for (std::size_t v = 0; v < mesh.points.size(); ++v) {
     if (in_leaf[v] != 0) foot = std::min(foot, mesh.points[v][2]);
   }
-  for (std::size_t v = 0; v < surface_points; ++v) {
+  const auto normals = normals_of(surface, mesh.points);
+  std::vector<std::pair<double, std::size_t>> held;  // by distance from the hyoid
+  for (std::size_t v = 0; v < surface.points.size(); ++v) {
     const auto& p = mesh.points[v];
     if (in_leaf[v] != 0 && p[2] < foot + 2.0 * k) {
       mesh.anchor[v] = static_cast<std::uint8_t>(Anchor::larynx);
@@ -52,8 +66,16 @@ void name_anchors(const Segmentation& s, const AnatomyFields& f, std::size_t sur
     if (in_tongue[v] == 0) continue;
     // Against tissue the border comes from the partition (soft is zero there), against air from the grey values.
     const bool against_tissue = value_at(f.soft, p) < 0.35 * k && value_at(f.solid, p) > 0.25;
-    if (!against_tissue) continue;
-    mesh.anchor[v] = static_cast<std::uint8_t>(distance(p, hyoid) < 9.0 * k ? Anchor::hyoid : Anchor::mandible);
+    const bool upper_side = normals[v][2] > 0.2 || (normals[v][2] > -0.3 && normals[v][1] > 0.5);
+    if (against_tissue && !upper_side) held.emplace_back(distance(p, hyoid), v);
+  }
+  std::sort(held.begin(), held.end());
+  // The hyoid holds what lies within its reach; a tongue whose root was not grown that far hangs on it by the nearest
+  // tenth.
+  const std::size_t at_least = held.size() / 10;
+  for (std::size_t i = 0; i < held.size(); ++i) {
+    const bool near = held[i].first < 9.0 * k || i < at_least;
+    mesh.anchor[held[i].second] = static_cast<std::uint8_t>(near ? Anchor::hyoid : Anchor::mandible);
   }
 }
 
@@ -70,7 +92,7 @@ TetMesh soft_mesh(const Segmentation& s, const AnatomyFields& f) {
       auto mesh = tetrahedralized(soft.mesh, options);
       optimize_points(mesh, soft.mesh.points.size(), soft.fine, 20);
       name_tissue(s, mesh);
-      name_anchors(s, f, soft.mesh.points.size(), mesh);
+      name_anchors(s, f, soft.mesh, mesh);
       return mesh;
     } catch (const TetrahedralizeError&) {
       if (attempt + 1 == kFactors.size()) throw;

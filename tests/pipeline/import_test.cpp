@@ -1,0 +1,264 @@
+// The whole import: from files of a series to a package that can be played, and what a person is told when it cannot be
+// done.
+#include "pipeline/import.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <set>
+#include <sstream>
+
+#include "pipeline/manikin/manikin.h"
+#include "pipeline/mesh/surface_check.h"
+#include "pipeline/mesh/tet_quality.h"
+#include "pipeline/package/label_map.h"
+#include "tests/pipeline/dicom_file.h"
+
+namespace vallecula::pipeline {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path scratch() { return fs::temp_directory_path() / ("vallecula-import-test-" + std::to_string(::getpid())); }
+
+std::string text_of(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::ostringstream all;
+  all << in.rdbuf();
+  return all.str();
+}
+
+/// One import of the term manikin serves all questions about a good package.
+class ImportManikin : public ::testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    fs::remove_all(scratch());
+    fs::create_directories(scratch());
+    ManikinOptions options;
+    write_manikin(options, series());
+    ImportOptions import;
+    import.series = series();
+    import.out = scratch() / "term.patient";
+    report_ = new ImportReport(import_series(import, [](const std::string& stage, double done) {
+      stages_.push_back(stage);
+      done_.push_back(done);
+    }));
+    package_ = new PatientPackage(read_package(import.out));
+  }
+  static void TearDownTestSuite() {
+    delete report_;
+    delete package_;
+    fs::remove_all(scratch());
+  }
+  static fs::path series() { return scratch() / "series"; }
+  static const Surface& face() { return package_->surfaces.at("face"); }
+
+  static ImportReport* report_;
+  static PatientPackage* package_;
+  static std::vector<std::string> stages_;
+  static std::vector<double> done_;
+};
+
+ImportReport* ImportManikin::report_ = nullptr;
+PatientPackage* ImportManikin::package_ = nullptr;
+std::vector<std::string> ImportManikin::stages_;
+std::vector<double> ImportManikin::done_;
+
+TEST_F(ImportManikin, ProgressRisesThroughTheStages) {
+  ASSERT_FALSE(done_.empty());
+  EXPECT_TRUE(std::is_sorted(done_.begin(), done_.end()));
+  EXPECT_NEAR(done_.back(), 1.0, 1e-9);
+  EXPECT_EQ(std::set<std::string>(stages_.begin(), stages_.end()),
+            (std::set<std::string>{"read", "segment", "surfaces", "tetrahedra", "write"}));
+  ASSERT_EQ(report_->stages.size(), 5u);
+}
+
+TEST_F(ImportManikin, LeavesNothingButThePackage) {
+  std::set<std::string> names;
+  for (const auto& entry : fs::directory_iterator(scratch())) names.insert(entry.path().filename().string());
+  EXPECT_EQ(names, (std::set<std::string>{"series", "term.patient"}));
+}
+
+TEST_F(ImportManikin, SurfacesAreClosedAndLookOutwards) {
+  for (const auto& [name, surface] : package_->surfaces) {
+    if (name == "glottis") continue;
+    const auto f = facts_of(surface);
+    EXPECT_TRUE(f.closed && f.manifold && f.finite) << name << ": " << f.fault;
+    EXPECT_EQ(f.parts, 1) << name;
+    EXPECT_GT(f.volume_mm3, 0.0) << name;
+  }
+  EXPECT_LT(face().triangles.size(), 120000u);
+}
+
+TEST_F(ImportManikin, SurfacesHoldTheVolumeOfTheTruth) {
+  const auto truth = read_label_map(series() / "truth.nrrd");
+  const auto volume = [&](std::set<int> labels) {
+    double n = 0.0;
+    for (const auto v : truth.voxels) n += labels.count(v) != 0 ? 1.0 : 0.0;
+    return n * truth.grid.voxel_mm3();
+  };
+  const auto ratio = [&](const char* name, double expected) {
+    return facts_of(package_->surfaces.at(name)).volume_mm3 / expected;
+  };
+  EXPECT_NEAR(ratio("mandible", volume({kMandible})), 1.0, 0.03) << "smoothing must not shrink";
+  EXPECT_NEAR(ratio("airway", volume({kAirway})), 1.0, 0.05);
+  EXPECT_NEAR(ratio("face", volume({kSkin, kSkull, kMandible, kLarynx, kOesophagus, kSoftPalate, kSpine})), 1.0, 0.02);
+  EXPECT_NEAR(quality_of(package_->tongue).volume_mm3 / volume({kTongue, kEpiglottis}), 1.0, 0.03);
+}
+
+TEST_F(ImportManikin, EveryTissueIsOnTheFaceWhereItBelongs) {
+  std::map<int, double> area;
+  const Point gum = package_->landmarks.at("upper_gum_midline");
+  for (std::size_t t = 0; t < face().triangles.size(); ++t) {
+    const auto& c = face().triangles[t];
+    Point p{};
+    for (const int v : c) {
+      for (int a = 0; a < 3; ++a) p[a] += face().points[v][a] / 3.0;
+    }
+    ++area[face().tissue[t]];
+    const double away = std::hypot(p[0] - gum[0], p[1] - gum[1], p[2] - gum[2]);
+    if (face().tissue[t] != static_cast<int>(Tissue::skin)) {
+      EXPECT_LT(away, 130.0) << "no mucosa on the scalp";
+    }
+    if (face().tissue[t] == static_cast<int>(Tissue::lip)) {
+      EXPECT_LT(away, 40.0);
+    }
+  }
+  for (int tissue = 0; tissue < 6; ++tissue) EXPECT_GT(area[tissue], 100.0) << "tissue " << tissue;
+}
+
+TEST_F(ImportManikin, TetrahedraAreWellShapedAndHeld) {
+  const auto& m = package_->tongue;
+  const auto q = quality_of(m);
+  EXPECT_GT(q.smallest_dihedral_deg, 10.0);
+  EXPECT_LT(q.largest_dihedral_deg, 165.0);
+  EXPECT_GE(m.tets.size(), 2500u);
+  EXPECT_LE(m.tets.size(), 6000u);
+  // The leaf hangs on the tongue: they share nodes, and every node is used.
+  std::vector<int> of(m.points.size(), 0);
+  std::size_t leaf = 0;
+  for (std::size_t t = 0; t < m.tets.size(); ++t) {
+    leaf += m.tissue[t];
+    for (const int v : m.tets[t]) of[v] |= 1 << m.tissue[t];
+  }
+  EXPECT_GT(leaf, 150u);
+  EXPECT_GT(std::count(of.begin(), of.end(), 3), 10);
+  EXPECT_EQ(std::count(of.begin(), of.end(), 0), 0);
+  std::map<int, int> held;
+  const Point hyoid = package_->landmarks.at("hyoid");
+  const Point tip = package_->landmarks.at("epiglottis_tip");
+  for (std::size_t v = 0; v < m.points.size(); ++v) {
+    ++held[m.anchor[v]];
+    const auto away = [&](const Point& p) {
+      return std::hypot(m.points[v][0] - p[0], m.points[v][1] - p[1], m.points[v][2] - p[2]);
+    };
+    if (m.anchor[v] == static_cast<int>(Anchor::hyoid)) {
+      EXPECT_LT(away(hyoid), 10.0);
+    }
+    if (away(tip) < 4.0) {
+      EXPECT_EQ(m.anchor[v], static_cast<int>(Anchor::free)) << "the leaf's tip is free";
+    }
+  }
+  for (int anchor = 1; anchor < 4; ++anchor) EXPECT_GT(held[anchor], 8) << anchor;
+  EXPECT_GT(held[0], static_cast<int>(m.points.size() / 2));
+}
+
+TEST_F(ImportManikin, GlottisOutlineIsTheTrueOpening) {
+  const auto truth = Manikin().glottis_outline();
+  const auto& found = package_->surfaces.at("glottis").points;
+  ASSERT_GE(found.size(), 12u);
+  double worst = 0.0;
+  for (const auto& p : found) {
+    double best = 1e9;
+    for (std::size_t i = 0; i < truth.size(); ++i) {
+      const auto& a = truth[i];
+      const auto& b = truth[(i + 1) % truth.size()];
+      for (int s = 0; s <= 20; ++s) {
+        const double f = s / 20.0;
+        best = std::min(best, std::hypot(a[0] + f * (b[0] - a[0]) - p[0], a[1] + f * (b[1] - a[1]) - p[1],
+                                         a[2] + f * (b[2] - a[2]) - p[2]));
+      }
+    }
+    worst = std::max(worst, best);
+  }
+  EXPECT_LT(worst, 1.6);
+}
+
+TEST_F(ImportManikin, NothingIdentifiesTheSource) {
+  for (const auto& entry : fs::directory_iterator(scratch() / "term.patient")) {
+    const auto text = text_of(entry.path());
+    for (const char* word : {"Manikin^", "MANIKIN-", "2.25.", "1.2.826", "/tmp", "series"}) {
+      EXPECT_EQ(text.find(word), std::string::npos) << word << " in " << entry.path().filename();
+    }
+  }
+}
+
+TEST_F(ImportManikin, TheSameSeriesGivesTheSamePackage) {
+  ImportOptions again;
+  again.series = series();
+  again.out = scratch() / "again" / "term.patient";
+  import_series(again);
+  for (const auto& entry : fs::directory_iterator(scratch() / "term.patient")) {
+    EXPECT_EQ(text_of(entry.path()), text_of(again.out / entry.path().filename())) << entry.path().filename();
+  }
+  fs::remove_all(scratch() / "again");
+}
+
+class ImportErrors : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    dir_ = fs::temp_directory_path() / ("vallecula-import-errors-" + std::to_string(::getpid()));
+    fs::remove_all(dir_);
+    fs::create_directories(dir_ / "series");
+  }
+  void TearDown() override { fs::remove_all(dir_); }
+  std::string message(const fs::path& out) const {
+    ImportOptions options;
+    options.series = dir_ / "series";
+    options.out = out;
+    try {
+      import_series(options);
+    } catch (const ImportError& e) {
+      return e.what();
+    }
+    return "no error";
+  }
+  fs::path dir_;
+};
+
+TEST_F(ImportErrors, SayWhatWhereAndHowAndLeaveNothing) {
+  EXPECT_NE(message(dir_ / "a.patient").find("empty"), std::string::npos);
+  EXPECT_NE(message(dir_ / "a").find(".patient"), std::string::npos);
+  std::ofstream(dir_ / "taken.patient") << "a file";
+  EXPECT_NE(message(dir_ / "taken.patient").find("not a patient package"), std::string::npos);
+  fs::remove(dir_ / "taken.patient");
+  if (::geteuid() != 0) {
+    fs::permissions(dir_ / "series", fs::perms::owner_read | fs::perms::owner_exec);
+    EXPECT_NE(message(dir_ / "series" / "a.patient").find("cannot be written"), std::string::npos);
+    fs::permissions(dir_ / "series", fs::perms::owner_all);
+  }
+  EXPECT_NE(message("/proc/a.patient").find("cannot be written"), std::string::npos) << message("/proc/a.patient");
+  EXPECT_EQ(std::distance(fs::directory_iterator(dir_), fs::directory_iterator()), 1);
+}
+
+TEST_F(ImportErrors, AHeadlessSeriesIsNotAPatient) {
+  for (int k = 0; k < 30; ++k) {
+    test::DicomSlice d;
+    d.columns = d.rows = 48;
+    d.position = "0\\0\\" + std::to_string(2 * k);
+    d.instance = std::to_string(k + 1);
+    for (int i = 0; i < 48 * 48; ++i) d.stored.push_back(i % 48 < 24 ? 1064 : 24);
+    test::write_dicom(d, dir_ / "series" / (std::to_string(k) + ".dcm"));
+  }
+  const auto text = message(dir_ / "a.patient");
+  EXPECT_NE(text.find("series"), std::string::npos) << text;
+  EXPECT_NE(text.find("must show"), std::string::npos) << text;
+  EXPECT_FALSE(fs::exists(dir_ / "a.patient"));
+}
+
+}  // namespace
+}  // namespace vallecula::pipeline

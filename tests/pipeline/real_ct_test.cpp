@@ -1,0 +1,152 @@
+// A real adult head-and-neck CT with closed mouth, mask, couch and metal: reference points read by hand from the
+// pictures.
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+
+#include "pipeline/dicom/read_series.h"
+#include "pipeline/import.h"
+#include "pipeline/mesh/surface_check.h"
+#include "pipeline/mesh/tet_quality.h"
+#include "pipeline/package/label_map.h"
+#include "pipeline/segment/volume_ops.h"
+
+namespace vallecula::pipeline {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path series() {
+  const char* data = std::getenv("VALLECULA_DATA");
+  const fs::path root = data != nullptr ? fs::path(data) : fs::path(VALLECULA_SOURCE_DIR) / ".." / "shared" / "data";
+  return root / "cerr_head_neck_ct" / "dicom";
+}
+
+const Point kTongueCentre{244, -341, -138};
+
+class RealCt : public ::testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    if (!fs::exists(series())) return;
+    out_ = fs::temp_directory_path() / ("vallecula-real-ct-test-" + std::to_string(::getpid())) / "adult.patient";
+    ImportOptions options;
+    options.series = series();
+    options.out = out_;
+    options.seeds["tongue"] = kTongueCentre;
+    import_series(options);
+    package_ = new PatientPackage(read_package(out_));
+    labels_ = new Labels(read_label_map(out_ / "labels.nrrd"));
+  }
+  static void TearDownTestSuite() {
+    delete package_;
+    delete labels_;
+    if (!out_.empty()) fs::remove_all(out_.parent_path());
+  }
+  void SetUp() override {
+    if (package_ == nullptr)
+      GTEST_SKIP() << "outside data absent: cerr_head_neck_ct is looked for in $VALLECULA_DATA, else in ../shared/data";
+  }
+  static int label_at(const Point& p) {
+    const auto c = labels_->grid.nearest(p);
+    return labels_->at(c[0], c[1], c[2]);
+  }
+  static fs::path out_;
+  static PatientPackage* package_;
+  static Labels* labels_;
+};
+
+fs::path RealCt::out_;
+PatientPackage* RealCt::package_ = nullptr;
+Labels* RealCt::labels_ = nullptr;
+
+TEST_F(RealCt, ReferencePointsHaveTheirLabels) {
+  EXPECT_EQ(label_at(kTongueCentre), kTongue);
+  for (const Point& p : {Point{242, -305, -111}, Point{243, -309, -162}, Point{242, -308, -201}, Point{239, -312, -219},
+                         Point{235, -309, -252}, Point{232, -304, -261}}) {
+    EXPECT_EQ(label_at(p), kAirway) << p[0] << ' ' << p[1] << ' ' << p[2];
+  }
+  EXPECT_EQ(label_at({244, -372, -141}), kMandible);
+  EXPECT_EQ(label_at({1, -511, -267}), kBackground);
+}
+
+TEST_F(RealCt, AirwayIsOnePieceAndTheGasInTheOesophagusIsNot) {
+  const auto airway = where(*labels_, [](std::uint8_t v) { return v == kAirway; });
+  const auto parts = components(airway);
+  ASSERT_EQ(parts.sizes.size(), 2u) << "one 6-connected component";
+  EXPECT_NEAR(static_cast<double>(parts.sizes[1]), 29786.0, 600.0) << "voxels below -400 HU between nose and trachea";
+  // The gas behind the trachea: below -400 HU in its box, not 6-connected to the trachea.
+  const auto hu = read_ct_series(series()).hu;
+  const auto gas = components(where(hu, [](std::int16_t v) { return v < -400; }));
+  const int trachea = gas.id.at(234, 202, 5);
+  std::size_t pocket = 0;
+  for (int z = 0; z <= 4; ++z) {
+    for (int y = 216; y <= 233; ++y) {
+      for (int x = 227; x <= 262; ++x) {
+        if (gas.id.at(x, y, z) == 0 || gas.id.at(x, y, z) == trachea) continue;
+        ++pocket;
+        EXPECT_NE(labels_->at(x, y, z), kAirway) << "gas pocket";
+      }
+    }
+  }
+  EXPECT_GT(pocket, 50u);
+}
+
+TEST_F(RealCt, CouchAndMaskFrameAreOutside) {
+  // The couch lies at y > -150 below the neck; the frame's feet beside the head.
+  for (const Point& p :
+       {Point{100, -143, -177}, Point{350, -143, -177}, Point{171, -153, -177}, Point{328, -153, -132}}) {
+    EXPECT_EQ(label_at(p), kBackground) << p[0] << ' ' << p[1] << ' ' << p[2];
+  }
+}
+
+TEST_F(RealCt, TongueStaysWithinItsLimits) {
+  const auto hu = read_ct_series(series()).hu;
+  std::size_t tongue = 0;
+  std::size_t soft = 0;
+  for (std::size_t i = 0; i < hu.voxels.size(); ++i) {
+    if (labels_->voxels[i] != kTongue) continue;
+    ++tongue;
+    soft += hu.voxels[i] > -150 && hu.voxels[i] < 250 ? 1 : 0;
+    const auto p = hu.grid.position(i);
+    ASSERT_LT(std::hypot(p[0] - kTongueCentre[0], p[1] - kTongueCentre[1], p[2] - kTongueCentre[2]), 60.0);
+  }
+  const double ml = static_cast<double>(tongue) * hu.grid.voxel_mm3() / 1000.0;
+  EXPECT_GT(ml, 15.0);
+  EXPECT_LT(ml, 130.0);
+  EXPECT_GT(static_cast<double>(soft) / static_cast<double>(tongue), 0.95) << "no bone, no air";
+}
+
+TEST_F(RealCt, PackageCanBePlayed) {
+  for (const auto& [name, surface] : package_->surfaces) {
+    if (name == "glottis") continue;
+    EXPECT_EQ(facts_of(surface).fault, "") << name;
+  }
+  EXPECT_GT(quality_of(package_->tongue).smallest_dihedral_deg, 5.0);
+  const Point glottis = package_->landmarks.at("glottis_centre");
+  EXPECT_LT(std::hypot(glottis[0] - 239, glottis[1] + 312, glottis[2] + 219), 6.0) << "two slices of 3 mm";
+  bool said = false;
+  for (const auto& q : package_->quality)
+    said = said || (q.name == "inferred" && q.note.find("carina") != std::string::npos);
+  EXPECT_TRUE(said) << "the carina lies below the scan, and the report says so";
+}
+
+TEST_F(RealCt, WithoutASeedTheClosedMouthIsSaid) {
+  ImportOptions options;
+  options.series = series();
+  options.out = out_.parent_path() / "other.patient";
+  try {
+    import_series(options);
+    FAIL() << "there is no air over this tongue";
+  } catch (const ImportError& e) {
+    EXPECT_NE(std::string(e.what()).find("--seed tongue=x,y,z"), std::string::npos) << e.what();
+  }
+  EXPECT_FALSE(fs::exists(options.out));
+  options.seeds["tongue"] = {0, 0, 0};
+  EXPECT_THROW(import_series(options), ImportError);
+}
+
+}  // namespace
+}  // namespace vallecula::pipeline
