@@ -93,9 +93,10 @@ Surface face_surface(const Segmentation& s, const AnatomyFields& f) {
   RemeshOptions options;
   options.rounds = 4;
   options.edge_mm = [mouth, k](const Point& p) { return graded(0.85 * k, 2.6 * k, outside_of(mouth, p), 45.0 * k); };
-  auto face = finished(isosurface(axes, values), options, "the face");
+  const auto rough = isosurface(axes, values);
+  auto face = finished(rough, options, "the face");
   face.tissue = face_tissue(face, s);
-  smooth_tissue_borders(face, 12);
+  smooth_tissue_borders(face, rough, 8);
   require_solid(face, "the face");
   return face;
 }

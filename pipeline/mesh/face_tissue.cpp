@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "pipeline/mesh/projector.h"
 #include "pipeline/mesh/vector3.h"
 
 namespace vallecula::pipeline {
@@ -105,7 +106,8 @@ std::vector<std::uint8_t> face_tissue(const Surface& face, const Segmentation& s
   return tissue;
 }
 
-void smooth_tissue_borders(Surface& face, int rounds) {
+void smooth_tissue_borders(Surface& face, const Surface& reference, int rounds) {
+  const Projector projector(reference);
   std::map<std::pair<int, int>, std::array<int, 2>> edges;
   std::vector<std::vector<int>> around(face.points.size());
   for (std::size_t t = 0; t < face.triangles.size(); ++t) {
@@ -127,25 +129,47 @@ void smooth_tissue_borders(Surface& face, int rounds) {
     const auto& c = face.triangles[t];
     return cross(face.points[c[1]] - face.points[c[0]], face.points[c[2]] - face.points[c[0]]);
   };
+  // The points beside a border follow, so that no triangle there becomes a needle.
+  std::map<int, std::vector<int>> beside;
+  for (const auto& [edge, pair] : edges) {
+    (void)pair;
+    for (const auto& [v, n] : {edge, std::pair{edge.second, edge.first}}) {
+      if (border.count(n) != 0 && border.count(v) == 0) beside[v];
+    }
+  }
+  for (const auto& [edge, pair] : edges) {
+    (void)pair;
+    for (const auto& [v, n] : {edge, std::pair{edge.second, edge.first}}) {
+      if (const auto found = beside.find(v); found != beside.end()) found->second.push_back(n);
+    }
+  }
+  const auto move = [&](int v, const Point& target) {
+    Vector3 normal{};
+    std::vector<Vector3> before;
+    for (const int t : around[v]) {
+      before.push_back(normal_of(t));
+      normal = normal + before.back();
+    }
+    normal = unit(normal);
+    const Point start = face.points[v];
+    const Vector3 step = target - start;
+    face.points[v] = projector.nearest(start + 0.5 * (step - dot(step, normal) * normal));
+    for (std::size_t i = 0; i < around[v].size(); ++i) {
+      const auto after = normal_of(around[v][i]);
+      if (dot(unit(after), unit(before[i])) < 0.9 || norm(after) < 0.5 * norm(before[i])) {
+        face.points[v] = start;
+        return;
+      }
+    }
+  };
   for (int round = 0; round < rounds; ++round) {
     for (const auto& [v, neighbours] : border) {
-      if (neighbours.size() != 2) continue;
-      Vector3 normal{};
-      for (const int t : around[v]) normal = normal + normal_of(t);
-      normal = unit(normal);
-      const Point start = face.points[v];
-      Vector3 step = 0.5 * (face.points[neighbours[0]] + face.points[neighbours[1]]) - start;
-      step = step - dot(step, normal) * normal;
-      std::vector<Vector3> before;
-      for (const int t : around[v]) before.push_back(normal_of(t));
-      face.points[v] = start + 0.5 * step;
-      for (std::size_t i = 0; i < around[v].size(); ++i) {
-        const auto after = normal_of(around[v][i]);
-        if (dot(unit(after), unit(before[i])) < 0.9 || norm(after) < 0.3 * norm(before[i])) {
-          face.points[v] = start;
-          break;
-        }
-      }
+      if (neighbours.size() == 2) move(v, 0.5 * (face.points[neighbours[0]] + face.points[neighbours[1]]));
+    }
+    for (const auto& [v, neighbours] : beside) {
+      Vector3 sum{};
+      for (const int n : neighbours) sum = sum + face.points[n];
+      move(v, (1.0 / static_cast<double>(neighbours.size())) * sum);
     }
   }
 }

@@ -9,8 +9,8 @@ namespace vallecula::pipeline {
 /// single triangles among others are taken along with their neighbours.
 std::vector<std::uint8_t> face_tissue(const Surface& face, const Segmentation& s);
 
-/// Moves the points on a border between two tissues along the surface until the border runs smoothly (the red of the
+/// Moves the points on a border between two tissues along `reference` until the border runs smoothly (the red of the
 /// lips has no teeth).
-void smooth_tissue_borders(Surface& face, int rounds);
+void smooth_tissue_borders(Surface& face, const Surface& reference, int rounds);
 
 }  // namespace vallecula::pipeline

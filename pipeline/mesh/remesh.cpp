@@ -1,11 +1,11 @@
 #include "pipeline/mesh/remesh.h"
 
 #include <vtkNew.h>
-#include <vtkStaticCellLocator.h>
 #include <vtkWindowedSincPolyDataFilter.h>
 
 #include <algorithm>
 
+#include "pipeline/mesh/projector.h"
 #include "pipeline/mesh/to_vtk.h"
 #include "pipeline/mesh/vector3.h"
 
@@ -70,7 +70,7 @@ class Mesh {
     }
   }
 
-  void relax(vtkStaticCellLocator* reference) {
+  void relax(const Projector& reference) {
     std::vector<Point> moved = points_;
     for (std::size_t v = 0; v < points_.size(); ++v) {
       if (around_[v].empty()) continue;
@@ -90,8 +90,7 @@ class Mesh {
       normal = unit(normal);
       Vector3 step = (1.0 / weight) * centre - points_[v];
       step = step - dot(step, normal) * normal;
-      moved[v] = points_[v] + 0.6 * step;
-      project(reference, moved[v]);
+      moved[v] = reference.nearest(points_[v] + 0.6 * step);
     }
     for (std::size_t v = 0; v < points_.size(); ++v) {
       if (around_[v].empty() || !keeps_normals(static_cast<int>(v), moved[v])) continue;
@@ -120,15 +119,6 @@ class Mesh {
   }
 
  private:
-  static void project(vtkStaticCellLocator* reference, Point& p) {
-    Point closest{};
-    vtkIdType cell = -1;
-    int sub = 0;
-    double d2 = 0.0;
-    reference->FindClosestPoint(p.data(), closest.data(), cell, sub, d2);
-    if (cell >= 0) p = closest;
-  }
-
   double length(int a, int b) const { return distance(points_[a], points_[b]); }
   double wanted(int a, int b) const { return std::min(target_[a], target_[b]); }
 
@@ -313,10 +303,7 @@ class Mesh {
 }  // namespace
 
 Surface remeshed(const Surface& surface, const RemeshOptions& options) {
-  const auto data = to_vtk(surface);
-  vtkNew<vtkStaticCellLocator> reference;
-  reference->SetDataSet(data);
-  reference->BuildLocator();
+  const Projector reference(surface);
   Mesh mesh(surface, options);
   for (int round = 0; round < options.rounds; ++round) {
     mesh.split_long();

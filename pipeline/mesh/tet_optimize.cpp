@@ -1,13 +1,10 @@
 #include "pipeline/mesh/tet_optimize.h"
 
-#include <vtkNew.h>
-#include <vtkStaticCellLocator.h>
-
 #include <algorithm>
 #include <numeric>
 
+#include "pipeline/mesh/projector.h"
 #include "pipeline/mesh/tet_quality.h"
-#include "pipeline/mesh/to_vtk.h"
 #include "pipeline/mesh/vector3.h"
 
 namespace vallecula::pipeline {
@@ -35,14 +32,11 @@ double sine_quality(const std::array<Point, 4>& p) {
 class Optimizer {
  public:
   Optimizer(TetMesh& mesh, std::size_t surface_points, const Surface& surface)
-      : mesh_(mesh), surface_points_(surface_points) {
+      : mesh_(mesh), surface_points_(surface_points), reference_(surface) {
     around_.resize(mesh.points.size());
     for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
       for (const int v : mesh.tets[t]) around_[v].push_back(static_cast<int>(t));
     }
-    data_->ShallowCopy(to_vtk(surface));
-    locator_->SetDataSet(data_);
-    locator_->BuildLocator();
   }
 
   double worst_at(int v) const {
@@ -71,7 +65,7 @@ class Optimizer {
     Point best = start;
     double best_quality = before;
     const auto attempt = [&](Point p) {
-      if (static_cast<std::size_t>(v) < surface_points_) project(p);
+      if (static_cast<std::size_t>(v) < surface_points_) p = reference_.nearest(p);
       mesh_.points[v] = p;
       const double q = worst_at(v);
       if (q > best_quality + 1e-4) {
@@ -104,20 +98,11 @@ class Optimizer {
     const auto& c = mesh_.tets[t];
     return sine_quality({mesh_.points[c[0]], mesh_.points[c[1]], mesh_.points[c[2]], mesh_.points[c[3]]});
   }
-  void project(Point& p) {
-    Point closest{};
-    vtkIdType cell = -1;
-    int sub = 0;
-    double d2 = 0.0;
-    locator_->FindClosestPoint(p.data(), closest.data(), cell, sub, d2);
-    if (cell >= 0) p = closest;
-  }
 
   TetMesh& mesh_;
   std::size_t surface_points_;
   std::vector<std::vector<int>> around_;
-  vtkNew<vtkPolyData> data_;
-  vtkNew<vtkStaticCellLocator> locator_;
+  Projector reference_;
 };
 
 }  // namespace
