@@ -1,6 +1,7 @@
 // `vallecula demo`: the whole main job without a person, from CT to score, in a window of its own.
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <cmath>
 #include <csignal>
 #include <cstdio>
@@ -11,6 +12,7 @@
 #include <system_error>
 #include <thread>
 
+#include <QHBoxLayout>
 #include <QTimer>
 #include <unistd.h>
 
@@ -27,6 +29,7 @@
 #include "gui/session/user_paths.h"
 #include "gui/session/virtual_display.h"
 #include "gui/views/operator_view.h"
+#include "gui/views/patient_look.h"
 #include "gui/views/sagittal_view.h"
 
 namespace vallecula::gui {
@@ -118,10 +121,11 @@ const curricula::Scenario& scenario_for(const curricula::Curriculum& curriculum,
 
 struct Pictures {
   std::map<std::string, QImage> by_name;   ///< file name -> picture
-  void take(TrialPage& page, const std::string& moment, const engine::Snapshot& snapshot, double sight_percent) {
-    page.sagittal_view().update_from(snapshot, sight_percent);
-    by_name["operator-" + moment + ".png"] = page.operator_view().picture();
-    by_name["sagittal-" + moment + ".png"] = page.sagittal_view().picture();
+  void take(OperatorView& operator_view, SagittalView& sagittal_view, const std::string& moment, const engine::Snapshot& snapshot,
+            double sight_percent) {
+    sagittal_view.update_from(snapshot, sight_percent);
+    by_name["operator-" + moment + ".png"] = operator_view.picture();
+    by_name["sagittal-" + moment + ".png"] = sagittal_view.picture();
   }
   void write(const fs::path& folder) const {
     for (const auto& [name, picture] : by_name)
@@ -158,7 +162,7 @@ Done play_expert(WindowApplication& application, MainWindow& window, const Trial
     done.frames_per_second = page.frames_per_second();
     for (const std::string& moment : moments->at(snapshot)) {
       say("  at " + std::to_string(snapshot.time_s).substr(0, 4) + " s: " + moment.substr(2));
-      pictures.take(page, moment, snapshot, done.scenario.sight_percent);
+      pictures.take(page.operator_view(), page.sagittal_view(), moment, snapshot, done.scenario.sight_percent);
       if (moment == "5-best-sight") whole_window = window.grab().toImage();
     }
   });
@@ -187,13 +191,45 @@ Done play_expert(WindowApplication& application, MainWindow& window, const Trial
   return done;
 }
 
-/// The scripted novice without a window, as fast as it goes.
-TrialOutcome run_novice(const TrialSetup& setup) {
+/// The scripted novice as fast as it goes, nothing drawn but a picture where it went wrong.
+TrialOutcome run_novice(WindowApplication& application, const TrialSetup& setup) {
   TrialSession session(setup);
+  const curricula::Scenario scenario = session.scenario();
+  QWidget darkroom;
+  QHBoxLayout row(&darkroom);
+  OperatorView operator_view(&darkroom);
+  SagittalView sagittal_view(&darkroom);
+  row.addWidget(&operator_view, 17);
+  row.addWidget(&sagittal_view, 10);
+  darkroom.resize(1280, 640);
+  const std::shared_ptr<PatientLook> look = make_patient_look(session.package());
+  operator_view.show_patient(look, session.scene().tool.surface);
+  sagittal_view.show_patient(look, session.scene().tool.surface);
+  operator_view.set_zoom(OperatorView::Zoom::mouth);
+  darkroom.show();
+  Pictures pictures;
+  double gum_n = scenario.pass.peak_gum_force_n;
+  bool limited = false;
   session.start();
-  while (!session.finished() && interrupted == 0) std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  while (!session.finished() && interrupted == 0) {
+    application.qt().processEvents(QEventLoop::AllEvents, 20);
+    const engine::Snapshot& now = session.latest();
+    const double on_gum_n = now.loads[static_cast<std::size_t>(engine::Structure::gum)].force_n.norm();
+    operator_view.update_from(now);
+    if (!limited && now.state == engine::HapticState::limited) {
+      limited = true;
+      pictures.take(operator_view, sagittal_view, "1-device-limit", now, scenario.sight_percent);
+    } else if (on_gum_n > 1.3 * gum_n) {
+      gum_n = on_gum_n;
+      pictures.take(operator_view, sagittal_view, "2-levering-on-the-gum", now, scenario.sight_percent);
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
   stop_when_interrupted();
-  return session.finish("finished");
+  TrialOutcome outcome = session.finish("finished");
+  pictures.write(setup.out);
+  write_report(setup.out, curricula::read_trial_log(outcome.log), scenario, outcome.score);
+  return outcome;
 }
 
 std::string score_line(const curricula::Score& score) {
@@ -240,6 +276,7 @@ int run_demo(const DemoOptions& options) {
   setup.scenario = scenario.id;
   setup.device = "scripted:expert";
   setup.out = folder.path();
+  setup.final_out = folder.final_path();
   say("2 of 4  scripted expert, \"" + scenario.title + "\", in real time at 1 kHz");
   Done expert;
   {
@@ -255,8 +292,9 @@ int run_demo(const DemoOptions& options) {
   say("3 of 4  scripted novice, without a window");
   setup.device = "scripted:novice";
   setup.out = folder.path() / "novice";
+  setup.final_out = folder.final_path() / "novice";
   setup.realtime = false;
-  const TrialOutcome novice = run_novice(setup);
+  const TrialOutcome novice = run_novice(application, setup);
   say("  " + score_line(novice.score));
 
   say("4 of 4  putting the results in place");

@@ -7,7 +7,10 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include <array>
+#include <map>
 #include <stdexcept>
+#include <string>
 
 #include "device/drivers/mouse_device.h"
 #include "gui/pages/background.h"
@@ -136,7 +139,9 @@ void TrialPage::open(std::shared_ptr<TrialSession> session, std::shared_ptr<Pati
   operator_view_->show_patient(look_, session_->scene().tool.surface);
   sagittal_view_->show_patient(look_, session_->scene().tool.surface);
   bars_->set_marks({scenario.targets.tongue_force_n, scenario.targets.gum_force_n, session_->scene().haptics.device_limit_n});
-  readings_->set_scenario(scenario);
+  std::map<std::string, std::array<double, 3>> landmarks_m;
+  for (const auto& [name, point] : look_->package.landmarks) landmarks_m[name] = {1e-3 * point[0], 1e-3 * point[1], 1e-3 * point[2]};
+  readings_->set_scenario(scenario, curricula::mouth_from_landmarks(landmarks_m));
   auto* mouse = dynamic_cast<device::MouseDevice*>(&session_->device());
   control_->steer(mouse);
   help_->setText(mouse != nullptr ? BladeControl::help() : "A scripted hand holds the blade. Esc ends the trial.");
@@ -251,8 +256,8 @@ void TrialPage::frame() {
       since_sagittal_.restart();
       sagittal_view_->update_from(snapshot, session_->scenario().sight_percent);
       sagittal_view_->draw();
-      readings_->show_snapshot(snapshot);
     }
+    readings_->show_snapshot(snapshot);
     bars_->show_forces(load(snapshot, engine::Structure::tongue), load(snapshot, engine::Structure::gum));
     show_banner(words_for(snapshot.state, (snapshot.faults & engine::kFaultDeviceInvalid) != 0).banner);
     ++frames_;

@@ -37,7 +37,7 @@ void ForceBars::clear() {
 }
 
 void ForceBars::paint_bar(QPainter& painter, const QRectF& place, const QString& name, const Bar& bar, bool with_limit) const {
-  const double label = 62.0, figures = 74.0;
+  const double label = 84.0, figures = 72.0;
   const QRectF track(place.left() + label, place.top() + 16.0, place.width() - label - figures, place.height() - 22.0);
   const auto at = [&](double newton) { return track.left() + track.width() * std::clamp(newton / scale_, 0.0, 1.0); };
   QFont font = painter.font();

@@ -38,8 +38,11 @@ void GlView::draw() {
 }
 
 QImage GlView::picture() {
+  renderer_->UseFXAAOn();  // smooth edges: worth a pass for a still, not for every frame
   draw();
-  return grabFramebuffer();
+  const QImage image = grabFramebuffer();
+  renderer_->UseFXAAOff();
+  return image;
 }
 
 bool GlView::event(QEvent* event) {

@@ -82,11 +82,12 @@ void OperatorView::aim() {
   const double eased = closeness_ * closeness_ * (3.0 - 2.0 * closeness_);
 
   const engine::Vec3 eye = vec(framing.eye);
-  const engine::Vec3 at = vec(framing.mouth) + eased * (vec(framing.inside) - vec(framing.mouth));
+  across_mm_ = framing.face_mm * std::pow(framing.mouth_mm / framing.face_mm, eased);
+  // Close to, the view is centred on the opening as it is seen, not on the nose below it.
+  const engine::Vec3 at = vec(framing.mouth) + eased * (vec(framing.inside) - vec(framing.mouth) + 0.10 * across_mm_ * screen_up());
   const engine::Vec3 forward = (at - eye).normalized();
   engine::Vec3 up = -engine::Vec3::UnitY();  // anterior is up
   up = (up - up.dot(forward) * forward).normalized();
-  across_mm_ = framing.face_mm * std::pow(framing.mouth_mm / framing.face_mm, eased);
   auto* camera = renderer()->GetActiveCamera();
   camera->SetPosition(eye.x(), eye.y(), eye.z());
   camera->SetFocalPoint(at.x(), at.y(), at.z());

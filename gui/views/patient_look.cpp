@@ -204,9 +204,9 @@ vtkSmartPointer<vtkPolyData> make_face(const pipeline::PatientPackage& package, 
       const double cord = 1.0 - smooth_step(0.7, 2.2, distance_to_outline(p, opening->points));
       for (int c = 0; c < 3; ++c) colour[c] += cord * (kCordColour[c] - colour[c]);
     }
-    const double light = 0.22 + 0.78 * std::min(1.0, 1.25 * open[i][0]);
+    const double light = 0.30 + 0.70 * std::min(1.0, 1.25 * open[i][0]);
     for (int c = 0; c < 3; ++c)  // light that has gone through blood comes out of a crease red, not grey
-      rgb->SetComponent(id, c, 255.0 * colour[c] * (c == 0 ? std::pow(light, 0.6) : light));
+      rgb->SetComponent(id, c, 255.0 * colour[c] * (c == 0 ? std::pow(light, 0.7) : light));
     tilt_normal(normals->GetPointer(3 * id), grain_slope(p, 1.3 + 0.9 * wet[i][0]), 0.015 + 0.07 * wet[i][0]);
   }
   result->GetPointData()->SetScalars(rgb);

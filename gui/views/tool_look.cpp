@@ -102,7 +102,7 @@ void make_metallic(vtkActor* actor, double strength) {
       "//VTK::Light::Impl\n"
       "  vec3 toEye = normalize(-vertexVC.xyz);\n"
       "  vec3 mirror = reflect(-toEye, normalVCVSOutput);\n"
-      "  float height = mirror.y + 0.016 * vertexVC.y + 0.012 * vertexVC.x;\n"
+      "  float height = mirror.y + 0.030 * vertexVC.y + 0.018 * vertexVC.x;\n"
       "  vec3 room = mix(vec3(0.33, 0.33, 0.35), vec3(0.80, 0.83, 0.87), smoothstep(-0.55, 0.50, height));\n"
       "  room = mix(room, vec3(0.97, 0.98, 1.0), 0.8 * smoothstep(0.55, 0.95, height));\n"
       "  room = mix(room, vec3(0.62, 0.46, 0.43), 0.55 * smoothstep(-0.2, -0.9, mirror.z));\n"
@@ -167,7 +167,7 @@ vtkSmartPointer<vtkPolyData> handle_surface(const engine::TriangleMesh& tool) {
   profile.insert(profile.end(), {{radius, grip_to + 1.0}, {radius, long_mm - 2.0}, {0.85 * radius, long_mm}, {0.0, long_mm}});
   vtkNew<vtkAppendPolyData> whole;
   whole->AddInputData(with_normals(turned(foot, profile), 40.0));
-  whole->AddInputData(rounded_block(foot + engine::Vec3(0.1 * radius, 0.0, 1.0), {0.75 * radius, 0.62 * radius, 2.6}, 1.2));
+  whole->AddInputData(rounded_block(foot + engine::Vec3(0.1 * radius, 0.0, 1.6), {0.70 * radius, 0.55 * radius, 2.0}, 1.0));
   whole->Update();
   return whole->GetOutput();
 }

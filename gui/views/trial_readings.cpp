@@ -76,7 +76,7 @@ TrialReadings::TrialReadings(QWidget* parent) : QWidget(parent) {
     grid->addWidget(label, row, column);
     return label;
   };
-  caption("Time", 0, 0);
+  caption("Attempt", 0, 0);
   caption("Glottis visible", 0, 1);
   clock_ = figure(22.0, 1, 0);
   seen_ = figure(22.0, 1, 1);
@@ -96,16 +96,19 @@ TrialReadings::TrialReadings(QWidget* parent) : QWidget(parent) {
   clear();
 }
 
-void TrialReadings::set_scenario(const curricula::Scenario& scenario) {
+void TrialReadings::set_scenario(const curricula::Scenario& scenario, const std::optional<curricula::Mouth>& mouth) {
+  mouth_ = mouth;
   sight_percent_ = scenario.sight_percent;
   attempt_limit_s_ = scenario.pass.attempt_time_s;
-  limit_->setText(QString("of %1 s for an attempt").arg(attempt_limit_s_, 0, 'f', 0));
+  limit_->setText(QString("at most %1 s").arg(attempt_limit_s_, 0, 'f', 0));
   clear();
 }
 
 void TrialReadings::clear() {
   best_percent_ = 0.0;
+  attempt_start_s_ = mouth_ ? -1.0 : 0.0;
   clock_->setText("0.0 s");
+  clock_->setStyleSheet(QString());
   seen_->setText("0 %");
   sight_->show_percent(0.0, 0.0, sight_percent_);
   state_->setText("ready");
@@ -115,8 +118,11 @@ void TrialReadings::clear() {
 void TrialReadings::show_snapshot(const engine::Snapshot& snapshot) {
   const double percent = 100.0 * snapshot.glottis_visible;
   best_percent_ = std::max(best_percent_, percent);
-  clock_->setText(QString("%1 s").arg(snapshot.time_s, 0, 'f', 1));
-  clock_->setStyleSheet(snapshot.time_s > attempt_limit_s_ ? QString("color: %1").arg(theme::kOver.name()) : QString());
+  const engine::Vec3& tip = snapshot.proxy_pose.position;
+  if (attempt_start_s_ < 0.0 && mouth_->holds({tip.x(), tip.y(), tip.z()})) attempt_start_s_ = snapshot.time_s;
+  const double attempt_s = attempt_start_s_ < 0.0 ? 0.0 : snapshot.time_s - attempt_start_s_;
+  clock_->setText(QString("%1 s").arg(attempt_s, 0, 'f', 1));
+  clock_->setStyleSheet(attempt_s > attempt_limit_s_ ? QString("color: %1").arg(theme::kOver.name()) : QString());
   seen_->setText(QString("%1 %").arg(percent, 0, 'f', 0));
   sight_->show_percent(percent, best_percent_, sight_percent_);
   const bool invalid = (snapshot.faults & engine::kFaultDeviceInvalid) != 0;

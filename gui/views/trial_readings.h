@@ -2,8 +2,10 @@
 #pragma once
 
 #include <QWidget>
+#include <optional>
 
 #include "curricula/scenario.h"
+#include "curricula/score/mouth.h"
 #include "engine/snapshot.h"
 
 class QLabel;
@@ -22,12 +24,15 @@ class TrialReadings : public QWidget {
   Q_OBJECT
  public:
   explicit TrialReadings(QWidget* parent = nullptr);
-  void set_scenario(const curricula::Scenario& scenario);
-  /// `seconds`: since the trial began.
+  /// `mouth`: where an attempt begins (as the score takes it); without one the clock counts from the start.
+  void set_scenario(const curricula::Scenario& scenario, const std::optional<curricula::Mouth>& mouth);
+  /// To be called for every frame: the attempt's clock starts with the first snapshot whose tip is in the mouth.
   void show_snapshot(const engine::Snapshot& snapshot);
   void clear();
 
  private:
+  std::optional<curricula::Mouth> mouth_;
+  double attempt_start_s_ = -1.0;
   QLabel *clock_, *limit_, *seen_, *state_, *loop_;
   class SightBar* sight_;
   double sight_percent_ = 25.0, best_percent_ = 0.0, attempt_limit_s_ = 30.0;
