@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <ostream>
 #include <random>
 #include <regex>
 
@@ -117,6 +118,10 @@ struct Case {
   char mark;
   bool allowed;
 };
+
+void PrintTo(const Case& c, std::ostream* out) {
+  *out << c.header << (c.allowed ? " allowed in " : " refused in ") << c.folder << "/";
+}
 
 class Judgement : public testing::TestWithParam<Case> {};
 
