@@ -56,7 +56,10 @@ std::unique_ptr<device::HapticDevice> make_device(const std::string& name, const
     mouse->place(start.position_m, start.rotation_wxyz);
     return mouse;
   }
-  const device::HandSettings hand;
+  // A script cannot look and correct itself as a person does, so its hand is firm: 1 N moves it by a third of a
+  // millimetre (assumed).
+  device::HandSettings hand;
+  hand.stiffness_n_m = 3000.0;
   if (is_csv(device.argument)) {
     return std::make_unique<device::ScriptedDevice>(device::Trajectory(device::read_trajectory_csv(device.argument)),
                                                     hand);

@@ -21,7 +21,9 @@ constexpr double kMetres = 0.001;  // the one conversion from the package's mill
 // found; these give that share on the term manikin (figures in engine/README.md) and scale with the infant's size.
 constexpr double kTermSize = 0.0503;         // m, upper gum to vallecula of the term manikin
 constexpr double kHyoidStiffness = 80.0;    // N/m
+constexpr double kLarynxStiffness = 35.0;    // N/m
 constexpr double kMandibleStiffness = 0.6;   // N m/rad about the condyles
+constexpr double kLigamentYoung = 6000.0;    // Pa, thyroepiglottic ligament at the small strains of a hinge (assumed)
 constexpr double kBodyDampingRatio = 1.0;    // critically damped (assumed)
 constexpr double kHyoidMass = 0.010;         // kg, with the muscles that hang on it (assumed)
 constexpr double kMandibleMass = 0.030;      // kg (assumed)
@@ -78,6 +80,15 @@ engine::SoftBodyDescription soft_body(const PatientPackage& package, const curri
   }
   if (scenario.tongue_young_pa > 0) soft.materials[0].young_pa = scenario.tongue_young_pa;
 
+  // The epiglottis hangs on the larynx by the thyroepiglottic ligament, a hinge, not by its cartilage: the tetrahedra at
+  // that anchor are ligament, as soft as the tongue. Clamped cartilage would not turn forward under a right lift.
+  soft.materials.push_back({kLigamentYoung, soft.materials[1].poisson, soft.materials[1].density_kg_m3});
+  for (std::size_t t = 0; t < soft.tets.size(); ++t)
+    for (int v : soft.tets[t])
+      if (soft.tet_structure[t] == engine::Structure::epiglottis &&
+          static_cast<Anchor>(package.tongue.anchor[v]) == Anchor::larynx)
+        soft.tet_material[t] = 2;
+
   const Vec3 condyles = landmark(package, "condyle_axis");
   const double size = (landmark(package, "vallecula") - landmark(package, "upper_gum_midline")).norm() / kTermSize;
   const double stiffer = soft.materials[0].young_pa / 6000.0;  // a stiffer tongue is taken to hang in stiffer muscles
@@ -96,7 +107,13 @@ engine::SoftBodyDescription soft_body(const PatientPackage& package, const curri
   hyoid.motion = engine::SprungBody::Motion::translation;
   hyoid.stiffness = kHyoidStiffness * stiffer * size;
   hyoid.inertia = kHyoidMass * size * size * size;
-  soft.bodies = {damped(mandible), damped(hyoid), engine::SprungBody{}};  // the larynx stands still so far
+  // The larynx follows a little: where the epiglottis hangs on it, it gives way. Its own surfaces and the glottis stay
+  // where they were imaged: a simplification of this version.
+  engine::SprungBody larynx;
+  larynx.motion = engine::SprungBody::Motion::translation;
+  larynx.stiffness = kLarynxStiffness * stiffer * size;
+  larynx.inertia = kHyoidMass * size * size * size;
+  soft.bodies = {damped(mandible), damped(hyoid), damped(larynx)};
   for (std::uint8_t anchor : package.tongue.anchor) {
     switch (static_cast<Anchor>(anchor)) {
       case Anchor::free: soft.node_anchor.push_back(-1); break;
