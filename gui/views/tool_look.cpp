@@ -94,7 +94,7 @@ vtkSmartPointer<vtkPolyData> with_normals(vtkPolyData* input, double edge_degree
   return normals->GetOutput();
 }
 
-/// Steel shows the room: a bright ceiling, the dark beyond, warm skin from below. A few lines instead of an environment
+/// Steel shows the room: lamps and the dark between them, a bright ceiling, warm skin from below. A few lines instead of an environment
 /// map; the mirrored point drifts across a flat face (`vertexVC` in it), as it does in a room of finite size.
 void make_metallic(vtkActor* actor, double strength) {
   actor->GetShaderProperty()->AddFragmentShaderReplacement(
@@ -103,9 +103,9 @@ void make_metallic(vtkActor* actor, double strength) {
       "  vec3 toEye = normalize(-vertexVC.xyz);\n"
       "  vec3 mirror = reflect(-toEye, normalVCVSOutput);\n"
       "  float height = mirror.y + 0.030 * vertexVC.y + 0.018 * vertexVC.x;\n"
-      "  vec3 room = mix(vec3(0.33, 0.33, 0.35), vec3(0.80, 0.83, 0.87), smoothstep(-0.55, 0.50, height));\n"
-      "  room = mix(room, vec3(0.97, 0.98, 1.0), 0.8 * smoothstep(0.55, 0.95, height));\n"
-      "  room = mix(room, vec3(0.62, 0.46, 0.43), 0.55 * smoothstep(-0.2, -0.9, mirror.z));\n"
+      "  vec3 room = mix(vec3(0.36, 0.36, 0.38), vec3(0.84, 0.86, 0.90), 0.5 + 0.5 * sin(2.3 * height + 0.4));\n"
+      "  room = mix(room, vec3(0.97, 0.98, 1.0), 0.6 * smoothstep(0.60, 1.2, mirror.y));\n"
+      "  room = mix(room, vec3(0.66, 0.50, 0.47), 0.45 * smoothstep(-0.2, -0.9, mirror.z));\n"
       "  room += vec3(0.22) * smoothstep(0.86, 0.99, dot(mirror, normalize(vec3(-0.30, 0.45, 0.84))));\n"
       "  fragOutput0.rgb = mix(fragOutput0.rgb, room, " + std::to_string(strength) + ");\n",
       false);
