@@ -57,9 +57,9 @@ class Walker {
       return true;
     }
     const std::string vr(bytes_, at + 4, 2);
-    for (const char c : vr) {
-      if (c < 'A' || c > 'Z') return false;
-    }
+    static const std::string kKnown =
+        "AE AS AT CS DA DS DT FL FD IS LO LT OB OD OF OL OV OW PN SH SL SQ SS ST SV TM UC UI UL UN UR US UT UV ";
+    if (kKnown.find(vr + " ") == std::string::npos) return false;
     static const std::string kLong = "OB OW OF OD OL OV SQ UN UC UR UT SV UV ";
     if (kLong.find(vr + " ") == std::string::npos) {
       length = number(at + 6, 2);
