@@ -38,11 +38,11 @@ double head(const Point& p) {
 }
 
 double cavity(const Point& p) {
-  double d = capsule(p, {0, -12, -10}, {0, 12, -9}, 10.5, 11, 1.45);
-  d = both(d, capsule(p, {0, 12, -9}, {0, 34, -22}, 11, 8, 1.3), 3);
+  double d = capsule(p, {0, -12, -8}, {0, 12, -7}, 13, 13, 1.3);
+  d = both(d, capsule(p, {0, 12, -7}, {0, 34, -22}, 13, 10, 1.2), 3);
   d = both(d, capsule(p, {0, 34, -22}, {0, 36, -43}, 8, 5), 3);
-  d = std::min(d, capsule(p, {0, 36, -43}, {0, 34, -52}, 4, 2.6));
-  return std::min(d, capsule(p, {0, 34, -52}, {0, 47.6, -95.8}, 2.6, 2.6));
+  d = std::min(d, capsule(p, {0, 36, -43}, {0, 34, -52}, 5, 3.5));
+  return std::min(d, capsule(p, {0, 34, -52}, {0, 47.6, -95.8}, 3.5, 3.5));
 }
 
 double tongue(const Point& p) {
@@ -141,7 +141,7 @@ pipeline::PatientPackage coarse_patient() {
   package.landmarks = {{"upper_gum_midline", {0, 0, 0}},       {"lower_gum_midline", {0, 4, -22}},
                        {"vallecula", {0, 28.5, -40}},          {"glottis_centre", {0, 34.5, -49}},
                        {"glottis_normal", {0, -0.259, 0.966}}, {"carina", {0, 47.6, -95.8}},
-                       {"operator_eye", {0, -200, 250}},       {"hyoid", {0, 22.5, -41.5}},
+                       {"operator_eye", {0, -225, 232}},       {"hyoid", {0, 22.5, -41.5}},
                        {"epiglottis_tip", {0, 36.5, -34.8}},   {"condyle_axis", {0, 46.7, -6.3}}};
   package.materials = {{"tongue", {6000, 0.45, 1040}}, {"epiglottis", {1e5, 0.45, 1080}}};
   package.tongue = tets_of_soft(1.6);

@@ -1,0 +1,104 @@
+// `vallecula demo` as a person starts it, on a machine without a screen.
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include <QFile>
+#include <QImage>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+
+#include "tests/gui/block_patient.h"
+#include "tests/gui/program.h"
+#include "tests/gui/window_screen.h"
+
+namespace vallecula::gui::window_test {
+namespace {
+
+namespace fs = std::filesystem;
+const std::vector<std::string> kNoScreen = {"DISPLAY=", "WAYLAND_DISPLAY="};
+
+QJsonObject json_of(const fs::path& file) {
+  QFile in(QString::fromStdString(file.string()));
+  EXPECT_TRUE(in.open(QIODevice::ReadOnly)) << file;
+  return QJsonDocument::fromJson(in.readAll()).object();
+}
+
+TEST(Demo, RefusesAFolderThatIsNotItsOwn) {
+  const test::Sandbox box;
+  fs::create_directory(box / "mine");
+  test::write_text(box / "mine" / "thesis.txt", "years of work");
+  const test::Outcome outcome = box.run({"demo", "--out", (box / "mine").string()}, kNoScreen);
+  EXPECT_EQ(outcome.exit_code, 1);
+  ASSERT_EQ(outcome.messages().size(), 1u) << outcome.err;
+  EXPECT_NE(outcome.err.find("mine"), std::string::npos);
+  EXPECT_EQ(box.names("mine"), std::vector<std::string>{"thesis.txt"});
+}
+
+TEST(Demo, WithoutXvfbSaysWhatToInstallAndLeavesNothing) {
+  const test::Sandbox box;
+  std::vector<std::string> environment = kNoScreen;
+  environment.push_back("PATH=/nonexistent");
+  const test::Outcome outcome = box.run({"demo", "--out", (box / "deep" / "out").string()}, environment);
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_NE(outcome.err.find("install xvfb"), std::string::npos) << outcome.err;
+  EXPECT_FALSE(fs::exists(box / "deep"));
+}
+
+TEST(Demo, WrongWeightIsWrongUsage) {
+  const test::Sandbox box;
+  EXPECT_EQ(box.run({"demo", "--weight", "12"}, kNoScreen).exit_code, 2);
+}
+
+TEST(DemoRealTime, FromCtToScoreTheExpertPassesAndTheNoviceDoesNot) {
+  const test::Sandbox box;
+  const fs::path out = box / "results";
+  const test::Outcome outcome = box.run({"demo", "--out", out.string()}, kNoScreen);
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find(out.string()), std::string::npos) << "says where the results are";
+  for (const char* name : {"trial.vtrial", "score.json", "report.html", "force.png", "manikin.patient", "ct"})
+    EXPECT_TRUE(fs::exists(out / name)) << name;
+  for (const char* name : {"trial.vtrial", "score.json", "report.html", "force.png"})
+    EXPECT_TRUE(fs::exists(out / "novice" / name)) << name;
+  for (const auto& entry : fs::directory_iterator(box.folder()))
+    EXPECT_EQ(entry.path().string().find(".part"), std::string::npos) << entry.path();
+
+  int blue_at_best = 0;
+  int operators = 0, sagittals = 0;
+  for (const auto& entry : fs::directory_iterator(out)) {
+    const std::string name = entry.path().filename().string();
+    const bool by_operator = name.rfind("operator-", 0) == 0, sagittal = name.rfind("sagittal-", 0) == 0;
+    if (!by_operator && !sagittal) continue;
+    (by_operator ? operators : sagittals) += 1;
+    const QImage picture(QString::fromStdString(entry.path().string()));
+    EXPECT_GT(colours_in(picture), by_operator ? 40 : 5) << name;
+    if (name == "operator-5-best-sight.png")
+      blue_at_best = find_pixels(picture, [](QRgb c, int, int) { return is_airway_blue(c); }).pixels;
+  }
+  EXPECT_EQ(operators, 6);
+  EXPECT_EQ(sagittals, 6);
+  EXPECT_GT(blue_at_best, 300) << "the airway is to be seen";
+
+  const QJsonObject expert = json_of(out / "score.json"), novice = json_of(out / "novice" / "score.json");
+  for (const char* key : {"peak_tongue_force_n", "time_to_trachea_visible_s", "glottis_visible_max_percent", "peak_gum_force_n",
+                          "attempt_time_s", "time_over_force_limit_s", "time_over_target_s", "loop_rate_hz", "deadline_misses",
+                          "ticks", "passed", "reasons"}) {
+    EXPECT_TRUE(expert.contains(key)) << key;
+    EXPECT_TRUE(novice.contains(key)) << key;
+  }
+  EXPECT_TRUE(expert["passed"].toBool()) << outcome.out;
+  EXPECT_FALSE(novice["passed"].toBool());
+  QString reasons;
+  for (const auto& reason : novice["reasons"].toArray()) reasons += reason.toString() + "\n";
+  EXPECT_TRUE(reasons.contains("gum")) << reasons.toStdString();
+  EXPECT_TRUE(reasons.contains("force limit")) << reasons.toStdString();
+  EXPECT_GT(expert["loop_rate_hz"].toDouble(), 950.0);
+
+  // It is a trial like any other: it can be replayed from where it lies, and done again in the same place.
+  EXPECT_EQ(box.run({"replay", out.string(), "--verify"}, kNoScreen).exit_code, 0);
+  EXPECT_EQ(box.run({"replay", (out / "novice").string(), "--verify"}, kNoScreen).exit_code, 0);
+}
+
+}  // namespace
+}  // namespace vallecula::gui::window_test

@@ -1,0 +1,225 @@
+// What the views show, judged on the pictures themselves.
+#include <cmath>
+#include <map>
+#include <thread>
+
+#include "gui/views/force_bars.h"
+#include "gui/views/operator_view.h"
+#include "gui/views/patient_look.h"
+#include "gui/views/sagittal_view.h"
+#include "gui/views/theme.h"
+#include "gui/views/trial_readings.h"
+#include "tests/gui/window_patient.h"
+#include "tests/gui/window_screen.h"
+
+namespace vallecula::gui::window_test {
+namespace {
+
+std::vector<float> rest_metres(const pipeline::TetMesh& mesh, const engine::Vec3& shift_m = engine::Vec3::Zero()) {
+  std::vector<float> points;
+  for (const auto& p : mesh.points)
+    for (int axis = 0; axis < 3; ++axis) points.push_back(static_cast<float>(1e-3 * p[axis] + shift_m[axis]));
+  return points;
+}
+
+engine::Snapshot at_rest(const pipeline::PatientPackage& package, const engine::Vec3& tip_m) {
+  engine::Snapshot snapshot = lifted_snapshot(package, 0.0, 0.0);
+  snapshot.proxy_pose.position = snapshot.device_pose.position = tip_m;
+  return snapshot;
+}
+
+class Views : public Screen {
+ protected:
+  static const pipeline::PatientPackage& patient() {
+    static const pipeline::PatientPackage package = coarse_patient();
+    return package;
+  }
+  template <class View>
+  static void show(View& view, int width, int height) {
+    view.resize(width, height);
+    view.show_patient(make_patient_look(patient()), plain_blade());
+    view.show();
+    QApplication::processEvents();
+    ASSERT_TRUE(view.isValid()) << "OpenGL did not start";
+  }
+};
+
+TEST(SoftSurface, IsClosedFollowsItsNodesAndKeepsThemInPlace) {
+  const auto mesh = coarse_patient().tongue;
+  SoftSurface surface(mesh, 2);
+  auto* poly = surface.surface();
+  std::map<std::array<vtkIdType, 2>, int> edges;
+  for (vtkIdType i = 0; i < poly->GetNumberOfCells(); ++i) {
+    vtkIdType count = 0;
+    const vtkIdType* ids = nullptr;
+    poly->GetCellPoints(i, count, ids);
+    for (int c = 0; c < 3; ++c) ++edges[{ids[c], ids[(c + 1) % 3]}];
+  }
+  // Every directed edge has its opposite as often: closed, and all triangles face the same way.
+  for (const auto& [edge, count] : edges) ASSERT_EQ(count, (edges[{edge[1], edge[0]}]));
+
+  const engine::Vec3 shift(0.003, -0.002, 0.005);
+  const vtkIdType points = poly->GetNumberOfPoints();
+  std::vector<std::array<double, 3>> before(static_cast<std::size_t>(points));
+  surface.update(rest_metres(mesh));
+  for (vtkIdType i = 0; i < points; ++i) poly->GetPoint(i, before[static_cast<std::size_t>(i)].data());
+  surface.update(rest_metres(mesh, shift));
+  for (vtkIdType i = 0; i < points; ++i)
+    for (int axis = 0; axis < 3; ++axis)
+      ASSERT_NEAR(poly->GetPoint(i)[axis], before[static_cast<std::size_t>(i)][axis] + 1000.0 * shift[axis], 1e-3);
+
+  // The engine's own nodes are drawn where the engine has them: refining only adds points between.
+  SoftSurface coarse(mesh, 0);
+  coarse.update(rest_metres(mesh, shift));
+  for (vtkIdType i = 0; i < coarse.surface()->GetNumberOfPoints(); ++i)
+    for (int axis = 0; axis < 3; ++axis) ASSERT_FLOAT_EQ(poly->GetPoint(i)[axis], coarse.surface()->GetPoint(i)[axis]);
+
+  surface.update({1.0f, 2.0f, 3.0f});  // another patient's snapshot: not taken
+  EXPECT_NEAR(poly->GetPoint(0)[0], before[0][0] + 3.0, 1e-3);
+}
+
+TEST(PatientLook, NamesWhatIsMissing) {
+  auto package = coarse_patient();
+  package.landmarks.erase("operator_eye");
+  try {
+    make_patient_look(package);
+    FAIL() << "drawn without an eye";
+  } catch (const std::runtime_error& error) {
+    EXPECT_NE(std::string(error.what()).find("operator_eye"), std::string::npos) << error.what();
+  }
+}
+
+TEST_F(Views, OperatorSeesThePatientsRightOnTheRightAndTheFrontAtTheTop) {
+  OperatorView view;
+  show(view, 500, 420);
+  view.set_zoom(OperatorView::Zoom::face);
+  const auto picture = [&](const engine::Vec3& tip) {
+    view.update_from(at_rest(patient(), tip));
+    return view.picture();
+  };
+  const QImage away = picture({0, 0, 5});  // far behind the operator
+  EXPECT_GT(colours_in(away), 40);
+  const engine::Vec3 front(0.0, -0.040, 0.020);
+  const Spot patients_right = difference(away, picture(front + engine::Vec3(-0.02, 0, 0)));
+  const Spot patients_left = difference(away, picture(front + engine::Vec3(0.02, 0, 0)));
+  ASSERT_GT(patients_right.pixels, 200);
+  EXPECT_GT(patients_right.x, patients_left.x + 30);
+  const Spot anterior = difference(away, picture(front + engine::Vec3(0, -0.012, 0)));
+  const Spot posterior = difference(away, picture(front + engine::Vec3(0, 0.012, 0)));
+  EXPECT_LT(anterior.y, posterior.y - 10);
+  EXPECT_GT(view.screen_right().dot(-engine::Vec3::UnitX()), 0.99);
+  EXPECT_GT(view.screen_up().dot(-engine::Vec3::UnitY()), 0.5);
+}
+
+TEST_F(Views, TheBlueAirwayComesIntoSightWhenTheTongueGoes) {
+  OperatorView view;
+  show(view, 500, 420);
+  view.set_zoom(OperatorView::Zoom::mouth);
+  auto snapshot = at_rest(patient(), {0, 0, 5});
+  ASSERT_TRUE(wait_for([&] {
+    view.update_from(snapshot);
+    return view.closeness() == 1.0;
+  }, 5000));
+  const Spot hidden = find_pixels(view.picture(), [](QRgb c, int, int) { return is_airway_blue(c); });
+  snapshot.soft_points = rest_metres(patient().tongue, {0, -0.5, 0});  // out of the picture altogether
+  view.update_from(snapshot);
+  const Spot open = find_pixels(view.picture(), [](QRgb c, int, int) { return is_airway_blue(c); });
+  EXPECT_EQ(hidden.pixels, 0);
+  EXPECT_GT(open.pixels, 20);
+}
+
+TEST_F(Views, TheGhostIsThereOnlyWhereHandAndBladePart) {
+  OperatorView view;
+  show(view, 500, 420);
+  view.set_zoom(OperatorView::Zoom::face);
+  auto snapshot = at_rest(patient(), {0.0, -0.04, 0.03});
+  view.update_from(snapshot);
+  EXPECT_FALSE(view.ghost_shown());
+  const QImage together = view.picture();
+  snapshot.device_pose.position.x() += 0.0004;
+  view.update_from(snapshot);
+  EXPECT_FALSE(view.ghost_shown()) << "0.4 mm is within the coupling's play";
+  snapshot.device_pose.position.x() += 0.02;
+  view.update_from(snapshot);
+  EXPECT_TRUE(view.ghost_shown());
+  EXPECT_GT(difference(together, view.picture()).pixels, 200);
+}
+
+TEST_F(Views, TheViewGoesCloserWithTheBladeInAndBackWithItOut) {
+  OperatorView view;
+  show(view, 300, 260);
+  auto in = lifted_snapshot(patient(), 1.0, 0.0), out = lifted_snapshot(patient(), 0.0, 0.0);
+  view.update_from(out);
+  const double wide = view.mm_per_pixel();
+  EXPECT_DOUBLE_EQ(view.closeness(), 0.0);
+  ASSERT_TRUE(wait_for([&] {
+    view.update_from(in);
+    return view.closeness() == 1.0;
+  }, 5000));
+  EXPECT_LT(view.mm_per_pixel(), 0.6 * wide);
+  ASSERT_TRUE(wait_for([&] {
+    view.update_from(out);
+    return view.closeness() == 0.0;
+  }, 5000));
+  EXPECT_NEAR(view.mm_per_pixel(), wide, 1e-9);
+}
+
+TEST_F(Views, SagittalCutHasTheFrontOnTheLeftAndFollowsTheTongue) {
+  SagittalView view;
+  show(view, 400, 360);
+  auto rest = at_rest(patient(), {0, -5, 0});  // the blade far in front
+  view.update_from(rest, 25.0);
+  const QImage before = view.picture();
+  const auto ground = [](QRgb c, int, int) { return qRed(c) < 40 && qGreen(c) < 40 && qBlue(c) < 45; };
+  EXPECT_LT(find_pixels(before, ground).x, 160) << "the room in front of the face";
+  const auto blue = find_pixels(before, [](QRgb c, int, int) { return is_airway_blue(c); });
+  EXPECT_GT(blue.pixels, 100);
+  EXPECT_GT(blue.y, 180) << "the windpipe is below";
+
+  auto lifted = rest;
+  lifted.soft_points = rest_metres(patient().tongue, {0, -0.008, 0.0});
+  view.update_from(lifted, 25.0);
+  const Spot moved = difference(before, view.picture());
+  EXPECT_GT(moved.pixels, 300);
+
+  const auto green = [](QRgb c, int, int) { return qGreen(c) > qRed(c) + 50 && qGreen(c) > qBlue(c) + 30; };
+  EXPECT_EQ(find_pixels(before, green).pixels, 0);
+  rest.glottis_visible = 0.30;
+  view.update_from(rest, 25.0);
+  EXPECT_GT(find_pixels(view.picture(), green).pixels, 30) << "the sight line is green from the scenario's share on";
+}
+
+TEST_F(Views, BarsTurnOverTheTargetAndKeepThePeak) {
+  ForceBars bars;
+  bars.resize(420, 132);
+  bars.set_marks({5.0, 2.0, 7.9});
+  const auto over = [](QRgb c, int, int) { return QColor(c) == theme::kOver; };
+  bars.show_forces(4.9, 0.0);
+  const QImage below = bars.grab().toImage();
+  EXPECT_EQ(find_pixels(below, over).pixels, 0);
+  const auto within = [](QRgb c, int, int) { return QColor(c) == theme::kWithin; };
+  const int at_4_9 = find_pixels(below, within).pixels;
+  bars.show_forces(5.1, 0.0);
+  EXPECT_GT(find_pixels(bars.grab().toImage(), over).pixels, 500);
+  bars.show_forces(2.45, 0.0);
+  EXPECT_NEAR(find_pixels(bars.grab().toImage(), within).pixels, 0.5 * at_4_9, 0.03 * at_4_9) << "length is force";
+  EXPECT_DOUBLE_EQ(bars.tongue_peak_n(), 5.1);
+  bars.show_forces(0.0, 2.5);
+  EXPECT_DOUBLE_EQ(bars.gum_peak_n(), 2.5);
+  bars.clear();
+  EXPECT_DOUBLE_EQ(bars.tongue_peak_n(), 0.0);
+}
+
+TEST(StateWords, ALimitIsTheDevicesAndNeverTissueGivingWay) {
+  EXPECT_TRUE(words_for(engine::HapticState::tracking, false).banner.isEmpty());
+  for (const auto state : {engine::HapticState::limited, engine::HapticState::lost, engine::HapticState::recovering}) {
+    const QString banner = words_for(state, false).banner;
+    EXPECT_FALSE(banner.isEmpty());
+    EXPECT_FALSE(banner.contains("tissue", Qt::CaseInsensitive)) << banner.toStdString();
+  }
+  EXPECT_TRUE(words_for(engine::HapticState::limited, false).banner.contains("device limit", Qt::CaseInsensitive));
+  EXPECT_NE(words_for(engine::HapticState::lost, false).banner, words_for(engine::HapticState::lost, true).banner);
+}
+
+}  // namespace
+}  // namespace vallecula::gui::window_test
