@@ -216,6 +216,12 @@ TissueState::TissueState(const TissueModel& model) {
     v->resize(unknowns);
   inverse_diagonal.resize(unknowns);
   pressure.resize(model.pressure_lambda.size());
+  const std::size_t size = 6 * static_cast<std::size_t>(model.coarse_groups);
+  coarse.centre.resize(model.coarse_groups);
+  coarse.arm.resize(model.coarse_nodes.size());
+  coarse.base.resize(size * size);
+  coarse.factor.resize(size * size);
+  coarse.vector.resize(size);
   set_rest(model);
 }
 
@@ -230,6 +236,7 @@ void TissueState::set_rest(const TissueModel& model) {
   std::fill(solution.begin(), solution.end(), Float4{});
   std::fill(external.begin(), external.end(), Float4{});
   refresh_at = 0;
+  steps = 0;
   assemble_stiffness(model, *this);
 }
 

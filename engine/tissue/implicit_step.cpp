@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/tissue/coarse_space.h"
 #include "engine/tissue/elasticity.h"
 
 namespace vallecula::engine {
@@ -12,6 +13,7 @@ namespace {
 constexpr int kContactPasses = 1;       // the active set is judged anew before each; one a tick suffices at h = 1 ms
 constexpr int kIterationsPerPass = 10;   // of conjugate gradients; little moves in a tick, and each starts warm
 constexpr float kTolerance = 1e-4f;      // relative residual at which a pass may stop early
+constexpr int kCoarseRefreshSteps = 8;
 constexpr int kRefreshShare = 8;         // at most one tetrahedron in 8 gets new stiffness blocks a tick
 
 using Motion = SprungBody::Motion;
@@ -149,12 +151,13 @@ double dot(const std::vector<Float4>& a, const std::vector<Float4>& b) {
   return sum;
 }
 
-void precondition(const TissueState& state, const std::vector<Float4>& r, std::vector<Float4>& z) {
+void precondition(const TissueModel& model, TissueState& state, const std::vector<Float4>& r, std::vector<Float4>& z) {
   for (std::size_t i = 0; i < r.size(); ++i) {
     const F4 v = r[i].v;
     const Block3& d = state.inverse_diagonal[i];
     z[i].v = d.column[0] * splat(v[0]) + d.column[1] * splat(v[1]) + d.column[2] * splat(v[2]);
   }
+  add_coarse_correction(model, state, r, z);
 }
 
 float gap_after(const ContactConstraint& contact, const Float4* du) {
@@ -183,7 +186,7 @@ int solve(const TissueModel& model, TissueState& state, const ContactConstraint*
   double scale = 0.0;
   for (std::size_t i = 0; i < r.size(); ++i) scale += dot3(r[i].v, r[i].v);
   for (std::size_t i = 0; i < r.size(); ++i) r[i].v -= q[i].v;
-  precondition(state, r, z);
+  precondition(model, state, r, z);
   p = z;
   double rz = dot(r, z);
   int iteration = 0;
@@ -198,7 +201,7 @@ int solve(const TissueModel& model, TissueState& state, const ContactConstraint*
       x[i].v += alpha * p[i].v;
       r[i].v -= alpha * q[i].v;
     }
-    precondition(state, r, z);
+    precondition(model, state, r, z);
     const double next = dot(r, z);
     const F4 beta = splat(static_cast<float>(next / rz));
     for (std::size_t i = 0; i < p.size(); ++i) p[i].v = z[i].v + beta * p[i].v;
@@ -243,12 +246,18 @@ StepStatistics implicit_step(const TissueModel& model, TissueState& state, Conta
 
   std::fill(state.external.begin(), state.external.end(), Float4{});
 
+  if (state.steps % kCoarseRefreshSteps == 0)
+    refresh_coarse(model, state, (1.0f + TissueModel::kMassDamping * static_cast<float>(h)) / static_cast<float>(h * h),
+                   1.0f + TissueModel::kStiffnessDamping / static_cast<float>(h));
+  ++state.steps;
+
   StepStatistics statistics;
   // The last increment is the first guess: the hand goes on much as it did a millisecond ago.
   for (int pass = 0; pass < (contact_count > 0 ? kContactPasses : 1); ++pass) {
     for (int c = 0; c < contact_count; ++c)
       contacts[c].active = contacts[c].multiplier - contacts[c].stiffness * gap_after(contacts[c], state.solution.data()) > 0;
     build_preconditioner(model, state, contacts, contact_count);
+    factor_coarse(model, state, contacts, contact_count);
     statistics.iterations += solve(model, state, contacts, contact_count, &statistics.relative_residual);
   }
   for (int c = 0; c < contact_count; ++c) {

@@ -92,6 +92,50 @@ TissueModel::TissueModel(const SoftBodyDescription& soft, double step) {
     const Vec3 arm = body.axis.normalized().cross(rest[i] - body.pivot);
     anchored.push_back({i, anchor[i], from_vec3(arm)});
   }
+  build_coarse_space(soft);
+}
+
+void TissueModel::build_coarse_space(const SoftBodyDescription& soft) {
+  constexpr double kStiff = 4.0;          // times the softest material: there block Jacobi alone is too slow
+  constexpr std::size_t kGroupSize = 40;  // nodes: small enough to bend as a chain of rigid groups
+  coarse_index.assign(nodes, -1);
+  double softest = soft.materials[soft.tet_material[0]].young_pa;
+  for (std::uint8_t m : soft.tet_material) softest = std::min(softest, soft.materials[m].young_pa);
+  std::set<int> stiff;
+  for (int t = 0; t < tets; ++t)
+    if (soft.materials[soft.tet_material[t]].young_pa >= kStiff * softest)
+      for (int v : soft.tets[t])
+        if (anchor[v] < 0) stiff.insert(v);
+  if (stiff.empty()) return;
+  std::vector<std::vector<int>> groups = {std::vector<int>(stiff.begin(), stiff.end())};
+  for (std::size_t g = 0; g < groups.size();) {
+    if (groups[g].size() <= kGroupSize) {
+      ++g;
+      continue;
+    }
+    Vec3 low = rest[groups[g][0]], high = low;
+    for (int v : groups[g]) {
+      low = low.cwiseMin(rest[v]);
+      high = high.cwiseMax(rest[v]);
+    }
+    int axis = 0;
+    (high - low).maxCoeff(&axis);
+    std::sort(groups[g].begin(), groups[g].end(), [&](int a, int b) {
+      return rest[a][axis] != rest[b][axis] ? rest[a][axis] < rest[b][axis] : a < b;
+    });
+    const auto half = groups[g].begin() + static_cast<std::ptrdiff_t>(groups[g].size() / 2);
+    std::vector<int> upper(half, groups[g].end());
+    groups[g].erase(half, groups[g].end());
+    groups.push_back(std::move(upper));
+  }
+  coarse_groups = static_cast<int>(groups.size());
+  for (int g = 0; g < coarse_groups; ++g) {
+    coarse_count.push_back(static_cast<std::int32_t>(groups[g].size()));
+    for (int v : groups[g]) {
+      coarse_index[v] = static_cast<std::int32_t>(coarse_nodes.size());
+      coarse_nodes.push_back({v, g});
+    }
+  }
 }
 
 }  // namespace vallecula::engine

@@ -46,9 +46,22 @@ struct TissueModel {
   };
   std::vector<AnchoredNode> anchored;
 
+  /// Coarse space of the preconditioner (coarse_space.h): free nodes of the stiff tissue in groups of neighbours. Empty
+  /// for a body of one material.
+  struct CoarseNode {
+    std::int32_t node, group;
+  };
+  std::vector<CoarseNode> coarse_nodes;
+  std::vector<std::int32_t> coarse_index;  ///< per node: its place in coarse_nodes, -1 none
+  std::vector<std::int32_t> coarse_count;  ///< per group: nodes
+  int coarse_groups = 0;
+
   /// Rayleigh damping, D = alpha M + beta K: light, so that a released tongue settles within about 0.2 s (assumed).
   static constexpr float kMassDamping = 4.0f;        // 1/s
   static constexpr float kStiffnessDamping = 0.0005f;  // s
+
+ private:
+  void build_coarse_space(const SoftBodyDescription& soft);
 };
 
 }  // namespace vallecula::engine

@@ -20,6 +20,15 @@ struct PackState {
   F4 assembled_rotation[9];  ///< the rotation the stiffness blocks were last built with
 };
 
+/// Second level of the preconditioner (coarse_space.h).
+struct CoarseState {
+  std::vector<Vec3> centre;              ///< per group, m
+  std::vector<Vec3> arm;                 ///< per coarse node, from its group's centre, m
+  std::vector<double> base, factor;      ///< 6 groups squared, row major
+  std::vector<double> vector;
+  bool usable = false;
+};
+
 struct TissueState {
   explicit TissueState(const TissueModel& model);
 
@@ -30,6 +39,9 @@ struct TissueState {
   std::vector<PackState> packs;
   std::vector<Block3> stiffness;    ///< assembled K by block row
   std::int32_t refresh_at = 0;      ///< where the next tick's stiffness refresh begins
+
+  CoarseState coarse;
+  std::int64_t steps = 0;           ///< implicit steps taken since rest
 
   // Work space of a step: node vectors with the bodies' unknowns appended.
   std::vector<Float4> external;     ///< forces from outside in this tick, N; cleared by the step that used them
