@@ -234,7 +234,7 @@ TrialOutcome run_novice(WindowApplication& application, const TrialSetup& setup)
 
 std::string score_line(const curricula::Score& score) {
   char line[240];
-  std::snprintf(line, sizeof line, "%s: tongue %.2f N, upper gum %.2f N, glottis %.0f %%, attempt %.1f s, over the device limit %.2f s",
+  std::snprintf(line, sizeof line, "%s: tongue %.2f N, gum %.2f N, glottis %.0f %%, attempt %.1f s, over the device limit %.2f s",
                 score.passed ? "passed" : "not passed", score.peak_tongue_force_n, score.peak_gum_force_n,
                 score.glottis_visible_max_percent, score.attempt_time_s, score.time_over_force_limit_s);
   return line;

@@ -54,7 +54,7 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
     back_to_start();
   });
   connect(trial_, &TrialPage::finished, this, [this](const TrialOutcome& outcome) {
-    result_->show_outcome(outcome, scenario_);
+    result_->show_outcome(outcome, scenario_, results_);
     pages_->setCurrentWidget(result_);
     emit trial_finished(outcome);
   });
@@ -135,6 +135,7 @@ void MainWindow::prepare(const TrialSetup& setup, bool start_at_once) {
 
 void MainWindow::prepare(TrialSetup setup, std::function<std::filesystem::path()> patient, bool start_at_once) {
   if (worker_) return;
+  results_ = setup.final_out.empty() ? setup.out : setup.final_out;
   start_->set_message("");
   cancelled_ = false;
   prepare_stage_->setText("Looking for the patient ...");

@@ -61,6 +61,7 @@ class MainWindow : public QMainWindow {
   QPointer<QThread> worker_;
   std::atomic<bool> cancelled_{false};
   curricula::Scenario scenario_;
+  std::filesystem::path results_;
   std::function<void()> again_;
   bool has_start_ = false;
 };

@@ -72,7 +72,7 @@ ResultPage::ResultPage(QWidget* parent) : QWidget(parent) {
   all->addLayout(foot);
 }
 
-void ResultPage::show_outcome(const TrialOutcome& outcome, const curricula::Scenario& scenario) {
+void ResultPage::show_outcome(const TrialOutcome& outcome, const curricula::Scenario& scenario, const std::filesystem::path& folder) {
   const auto& score = outcome.score;
   title_->setText(QString::fromStdString(scenario.title));
   verdict_->setText(score.passed ? "PASSED" : "NOT PASSED");
@@ -84,7 +84,7 @@ void ResultPage::show_outcome(const TrialOutcome& outcome, const curricula::Scen
   for (const auto& reason : score.reasons) list += "<li style='margin-bottom:5px'>" + QString::fromStdString(reason).toHtmlEscaped() + "</li>";
   reasons_->setText(list.isEmpty() ? QString() : "<b>Reasons</b><ul style='margin-left:-22px'>" + list + "</ul>");
   report_ = outcome.report;
-  where_->setText("Results: " + QString::fromStdString(outcome.report.parent_path().string()));
+  where_->setText("Results: " + QString::fromStdString(folder.string()));
   plot_picture_ = QPixmap(QString::fromStdString(outcome.force_plot.string()));
   fit_plot();
   setFocus();
@@ -117,7 +117,7 @@ void ResultPage::show_figures(const TrialOutcome& outcome, const curricula::Scen
   const auto number = [](double value, int digits, const char* unit) { return QString("%1 %2").arg(value, 0, 'f', digits).arg(unit); };
   add("Peak force, tongue", number(score.peak_tongue_force_n, 1, "N"), "at most " + number(pass.peak_tongue_force_n, 1, "N"), true,
       score.peak_tongue_force_n <= pass.peak_tongue_force_n);
-  add("Peak force, upper gum", number(score.peak_gum_force_n, 1, "N"), "at most " + number(pass.peak_gum_force_n, 1, "N"), true,
+  add("Peak force, gum", number(score.peak_gum_force_n, 1, "N"), "at most " + number(pass.peak_gum_force_n, 1, "N"), true,
       score.peak_gum_force_n <= pass.peak_gum_force_n);
   add("Glottis visible, best", number(score.glottis_visible_max_percent, 0, "%"), "at least " + number(pass.glottis_visible_percent, 0, "%"),
       true, score.glottis_visible_max_percent >= pass.glottis_visible_percent);

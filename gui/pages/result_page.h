@@ -16,7 +16,8 @@ class ResultPage : public QWidget {
   Q_OBJECT
  public:
   explicit ResultPage(QWidget* parent = nullptr);
-  void show_outcome(const TrialOutcome& outcome, const curricula::Scenario& scenario);
+  /// `folder`: where a person will find the results.
+  void show_outcome(const TrialOutcome& outcome, const curricula::Scenario& scenario, const std::filesystem::path& folder);
 
  signals:
   void again();

@@ -95,7 +95,7 @@ void StartPage::show_scenario(int row) {
   if (row < 0 || row >= static_cast<int>(curriculum_.scenarios.size())) return;
   const auto& scenario = curriculum_.scenarios[static_cast<std::size_t>(row)];
   briefing_->setText(QString::fromStdString(scenario.briefing) +
-                     QString("\nPasses with: at most %1 N on the tongue and %2 N on the upper gum, at least %3 % of the glottis seen, "
+                     QString("\nPasses with: at most %1 N on the tongue and %2 N on the gum, at least %3 % of the glottis seen, "
                              "within %4 s.")
                          .arg(scenario.pass.peak_tongue_force_n, 0, 'f', 1)
                          .arg(scenario.pass.peak_gum_force_n, 0, 'f', 1)

@@ -37,7 +37,7 @@ void ForceBars::clear() {
 }
 
 void ForceBars::paint_bar(QPainter& painter, const QRectF& place, const QString& name, const Bar& bar, bool with_limit) const {
-  const double label = 84.0, figures = 72.0;
+  const double label = 64.0, figures = 72.0;
   const QRectF track(place.left() + label, place.top() + 16.0, place.width() - label - figures, place.height() - 22.0);
   const auto at = [&](double newton) { return track.left() + track.width() * std::clamp(newton / scale_, 0.0, 1.0); };
   QFont font = painter.font();
@@ -93,7 +93,7 @@ void ForceBars::paintEvent(QPaintEvent*) {
   painter.setRenderHint(QPainter::Antialiasing);
   const double half = 0.5 * height();
   paint_bar(painter, QRectF(0, 2, width(), half - 4), "Tongue", tongue_, true);
-  paint_bar(painter, QRectF(0, half + 2, width(), half - 4), "Upper gum", gum_, false);
+  paint_bar(painter, QRectF(0, half + 2, width(), half - 4), "Gum", gum_, false);
 }
 
 }  // namespace vallecula::gui

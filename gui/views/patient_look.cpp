@@ -4,9 +4,11 @@
 #include <cmath>
 #include <stdexcept>
 #include <vtkCellArray.h>
+#include <vtkCleanPolyData.h>
 #include <vtkClipPolyData.h>
 #include <vtkFloatArray.h>
 #include <vtkIdList.h>
+#include <vtkLoopSubdivisionFilter.h>
 #include <vtkNew.h>
 #include <vtkPlane.h>
 #include <vtkPointData.h>
@@ -14,6 +16,7 @@
 #include <vtkPolyDataConnectivityFilter.h>
 #include <vtkPolyDataNormals.h>
 #include <vtkReverseSense.h>
+#include <vtkTriangleFilter.h>
 #include <vtkUnsignedCharArray.h>
 
 #include "gui/views/openness.h"
@@ -232,8 +235,20 @@ vtkSmartPointer<vtkPolyData> make_trachea(const pipeline::PatientPackage& packag
   part->SetInputConnection(clip->GetOutputPort());
   part->SetExtractionModeToClosestPointRegion();
   part->SetClosestPoint(carina.data());
+  part->Update();
+  if (part->GetOutput()->GetNumberOfCells() == 0) return result;
+  vtkNew<vtkCleanPolyData> clean;
+  clean->SetInputConnection(part->GetOutputPort());
+  clean->SetTolerance(0.002);  // slivers that the plane left
+  vtkNew<vtkTriangleFilter> triangles;
+  triangles->SetInputConnection(clean->GetOutputPort());
+  triangles->PassLinesOff();
+  triangles->PassVertsOff();
+  vtkNew<vtkLoopSubdivisionFilter> round;  // its rim is looked at from near
+  round->SetInputConnection(triangles->GetOutputPort());
+  round->SetNumberOfSubdivisions(2);
   vtkNew<vtkReverseSense> inside_out;  // it is looked into from above
-  inside_out->SetInputConnection(part->GetOutputPort());
+  inside_out->SetInputConnection(round->GetOutputPort());
   vtkNew<vtkPolyDataNormals> normals;
   normals->SetInputConnection(inside_out->GetOutputPort());
   normals->SplittingOff();

@@ -197,7 +197,7 @@ ToolLook::ToolLook(const engine::TriangleMesh& tool) {
     if (std::abs(1000.0 * p.x() - bulb_.x()) < 0.08 * blade_mm) floor = std::min(floor, 1000.0 * p.z());
   bulb_.z() = floor - 0.6;
   vtkNew<vtkSphereSource> ball;
-  ball->SetRadius(0.7);
+  ball->SetRadius(0.45);
   ball->SetCenter(bulb_.data());
   ball->SetThetaResolution(16);
   ball->SetPhiResolution(12);
