@@ -127,6 +127,7 @@ void SagittalView::add_static_cuts() {
 
 void SagittalView::add_soft_cut() {
   const auto& mesh = look_->package.tongue;
+  soft_.clear();
   soft_points_ = vtkSmartPointer<vtkPoints>::New();
   soft_points_->SetDataTypeToFloat();
   for (const auto& p : mesh.points) soft_points_->InsertNextPoint(p.data());
@@ -139,7 +140,8 @@ void SagittalView::add_soft_cut() {
       const vtkIdType ids[4] = {mesh.tets[i][0], mesh.tets[i][1], mesh.tets[i][2], mesh.tets[i][3]};
       grid->InsertNextCell(VTK_TETRA, 4, ids);
     }
-    soft_[tissue] = grid;
+    if (grid->GetNumberOfCells() == 0) continue;  // a CT in which no epiglottis was found
+    soft_.push_back(grid);
     vtkNew<vtkCutter> fill;  // a cut tetrahedron is a filled triangle or quadrangle: no outline has to be closed
     fill->SetInputData(grid);
     fill->SetCutFunction(sagittal_plane(look_->framing.midline_x_mm));

@@ -1,8 +1,8 @@
 // The live mid-sagittal cut, as in textbooks: anterior to the left, the head up. Parallel projection, flat colours.
 #pragma once
 
-#include <array>
 #include <memory>
+#include <vector>
 
 #include <vtkActor.h>
 #include <vtkPoints.h>
@@ -35,7 +35,7 @@ class SagittalView : public GlView {
 
   std::shared_ptr<PatientLook> look_;
   vtkSmartPointer<vtkPoints> soft_points_;
-  std::array<vtkSmartPointer<vtkUnstructuredGrid>, 2> soft_;  ///< tongue, epiglottis
+  std::vector<vtkSmartPointer<vtkUnstructuredGrid>> soft_;  ///< tongue and, where there is one, epiglottis
   vtkSmartPointer<vtkActor> blade_, handle_, ghost_, sight_;
   double height_mm_ = 100.0, width_mm_ = 100.0, centre_y_ = 0.0, centre_z_ = 0.0;
 };
