@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
 
 #include "pipeline/manikin/manikin.h"
@@ -58,7 +60,12 @@ TEST_P(SegmentManikin, FindsEveryStructureWithoutAHumanSeed) {
   EXPECT_GE(label_dice(scan.labels, found, kOesophagus), 0.5);
   EXPECT_GE(label_dice(scan.labels, found, kSpine), 0.7);
 
+  std::printf("[ figures  ] %.1f kg seed %llu:", options.weight_kg, static_cast<unsigned long long>(options.seed));
+  for (const auto& label : kLabelNames)
+    std::printf(" %s %.3f", label.name, label_dice(scan.labels, found, label.value));
+
   const auto truth = Manikin(options.weight_kg, options.seed).landmarks();
+  double worst = 0.0;
   for (const auto* name : kLandmarks) {
     const auto& a = s.landmarks.at(name);
     const auto& b = truth.at(name);
@@ -69,7 +76,9 @@ TEST_P(SegmentManikin, FindsEveryStructureWithoutAHumanSeed) {
                            : std::string(name) == "glottis_normal" ? 0.1
                                                                    : 2.0;
     EXPECT_LE(off, allowed) << name;
+    if (std::string(name) != "operator_eye") worst = std::max(worst, off);
   }
+  std::printf(" | worst landmark %.2f mm\n", worst);
   EXPECT_TRUE(s.inferred.empty()) << s.inferred.front();
 }
 
