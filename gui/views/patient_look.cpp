@@ -246,7 +246,7 @@ vtkSmartPointer<vtkPolyData> make_trachea(const pipeline::PatientPackage& packag
   triangles->PassVertsOff();
   vtkNew<vtkLoopSubdivisionFilter> round;  // its rim is looked at from near
   round->SetInputConnection(triangles->GetOutputPort());
-  round->SetNumberOfSubdivisions(2);
+  round->SetNumberOfSubdivisions(1);
   vtkNew<vtkReverseSense> inside_out;  // it is looked into from above
   inside_out->SetInputConnection(round->GetOutputPort());
   vtkNew<vtkPolyDataNormals> normals;
