@@ -25,7 +25,7 @@ SignedDistanceGrid::SignedDistanceGrid(const TriangleMesh& mesh, const Vec3& low
   const TriangleBvh bvh(mesh);
   constexpr float kUnknown = std::numeric_limits<float>::infinity();
   values_.assign(static_cast<std::size_t>(cells), kUnknown);
-  if (!triangle_class.empty()) classes_.assign(values_.size(), 0);
+  if (!triangle_class.empty()) classes_.assign(values_.size(), kNoClass);
 
   // Only samples within the band of some triangle are worth an exact query: mark them by the triangles' boxes.
   for (const auto& tri : mesh.triangles) {
@@ -126,7 +126,7 @@ double SignedDistanceGrid::distance(const Vec3& p) const noexcept { return sampl
 std::uint8_t SignedDistanceGrid::class_at(const Vec3& p) const noexcept {
   int c[3];
   double f[3];
-  if (classes_.empty() || !locate(p, c, f)) return 0;
+  if (classes_.empty() || !locate(p, c, f)) return kNoClass;
   return classes_[index(c[0] + (f[0] > 0.5), c[1] + (f[1] > 0.5), c[2] + (f[2] > 0.5))];
 }
 

@@ -9,6 +9,9 @@ namespace vallecula::engine {
 
 class SignedDistanceGrid {
  public:
+  /// class_at() where no triangle lies within the band.
+  static constexpr std::uint8_t kNoClass = 255;
+
   struct Sample {
     double distance;      ///< m, negative inside; +-band beyond the band
     Vec3 gradient;        ///< unit where it is defined, else zero

@@ -27,9 +27,10 @@ void for_each_rigid_contact(const SignedDistanceGrid& rigid, const std::vector<V
     const Vec3 world = tool.position + arm;
     const SignedDistanceGrid::Sample s = rigid.sample(world);
     if (!(s.distance < 0)) continue;
-    const auto structure = static_cast<Structure>(rigid.class_at(world));
-    if (structure == Structure::other) continue;
-    visit(arm, s.gradient, -s.distance, structure);
+    // Deeper than the field's band nothing is known of what is touched or which way is out.
+    const std::uint8_t structure = rigid.class_at(world);
+    if (structure >= kLoadedStructures) continue;
+    visit(arm, s.gradient, -s.distance, static_cast<Structure>(structure));
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "engine/mesh/soft_mesh.h"
@@ -95,53 +96,75 @@ const std::vector<Waypoint> kNovice = {
     {15.0, {20, -5, 0}, {58, 0, 0}},   {16.5, {46, -2, 0}, {66, 1, 0}},      {18.0, {84, 4, -2}, {110, 4, -2}},
 };
 
-/// Presses the back of the tongue's dorsum, where it has the most room before it: start off the surface, press 3.5 mm deep
-/// (scaled), hold, withdraw. Works in a closed mouth too, for it starts inside.
+/// How much of a blade with this pose would begin inside something: points along both edges that lie in the tongue (which
+/// count double) or in anatomy that stops the blade.
+int points_inside(const engine::TriangleBvh& tongue, const engine::TriangleBvh& face, const std::vector<std::uint8_t>& classes,
+                  const Vec3& tip, const Mat3& axes) {
+  constexpr double kLength = 0.075, kHalfWidth = 0.005, kSpacing = 0.003, kDeep = 0.03, kWeb = 0.006,
+                   kNear = 0.0005;
+  int inside = 0;
+  for (double x = kSpacing; x < kLength; x += kSpacing)
+    for (const auto& [y, z] : {std::pair{-kHalfWidth, 0.0}, {kHalfWidth, 0.0}, {-kHalfWidth, -kWeb}}) {
+      const Vec3 p = tip + axes * Vec3(x, y, z);
+      if (tongue.signed_distance(p, kDeep) < kNear) inside += 2;
+      engine::TriangleBvh::Hit hit;
+      if (face.signed_distance(p, kDeep, &hit) < 0 && hit.triangle >= 0) {
+        const auto tissue = static_cast<pipeline::Tissue>(classes[hit.triangle]);
+        inside += tissue == pipeline::Tissue::gum || tissue == pipeline::Tissue::palate || tissue == pipeline::Tissue::larynx;
+      }
+    }
+  return inside;
+}
+
+/// Presses the tongue's dorsum with the blade's tip where it has room to: start off the surface, press 3.5 mm deep
+/// (scaled), hold, withdraw. Works in a closed mouth too, for it starts inside: of all free places on the dorsum and all
+/// ways to hold the blade there it takes one that begins inside as little as can be.
 device::Trajectory press(const PatientPackage& package, const OperatorFrame& frame) {
   constexpr double kClear = 0.0015, kDepth = 0.0035;
-  std::vector<Vec3> nodes;
-  for (const auto& p : package.tongue.points) nodes.push_back(Vec3(p[0], p[1], p[2]) * kMetres);
+  constexpr double kFacesBack = -0.75;       // cosine between a dorsal normal and the lift
+  constexpr int kPlaces = 40, kTurns = 12;
+  engine::TriangleMesh tongue;
+  for (const auto& p : package.tongue.points) tongue.points.push_back(Vec3(p[0], p[1], p[2]) * kMetres);
   const engine::SoftSurface skin = engine::extract_surface(package.tongue.tets);
-  std::vector<Vec3> normals(nodes.size(), Vec3::Zero());
-  std::vector<char> tongue(nodes.size(), 0);
-  Vec3 centre = Vec3::Zero();
-  for (std::size_t t = 0; t < skin.triangles.size(); ++t) {
-    const auto& k = skin.triangles[t];
-    const Vec3 n = (nodes[k[1]] - nodes[k[0]]).cross(nodes[k[2]] - nodes[k[0]]);
-    for (int v : k) {
-      normals[v] += n;
-      tongue[v] = package.tongue.tissue[skin.tet[t]] == 0 ? 1 : 0;
-    }
-  }
-  for (const Vec3& p : nodes) centre += p / static_cast<double>(nodes.size());
-
+  tongue.triangles = skin.triangles;
   const auto face = package.surfaces.find("face");
-  if (face == package.surfaces.end()) throw std::runtime_error("patient '" + package.name + "': it has no surface 'face'");
+  if (face == package.surfaces.end() || face->second.tissue.size() != face->second.triangles.size())
+    throw std::runtime_error("patient '" + package.name + "': it has no whole surface 'face'; import it again");
   engine::TriangleMesh rigid;
   for (const auto& p : face->second.points) rigid.points.push_back(Vec3(p[0], p[1], p[2]) * kMetres);
   rigid.triangles = face->second.triangles;
-  const engine::TriangleBvh bvh(rigid);
-  // The dorsum faces away from the lift; of its free nodes near the midline, take the one with the most room before it.
-  int best = -1;
-  double best_room = -1.0;
-  constexpr double kMidline = 0.006, kFarEnough = 0.010;
-  for (std::size_t i = 0; i < nodes.size(); ++i) {
-    if (!tongue[i] || package.tongue.anchor[i] != 0 || normals[i].squaredNorm() == 0) continue;
-    const Vec3 n = normals[i].normalized();
-    if (n.dot(frame.lift) > -0.6 || std::abs((nodes[i] - centre).dot(frame.left)) > kMidline * frame.size) continue;
-    const double room = bvh.closest(nodes[i] + 0.003 * n, kFarEnough).distance;
-    if (room > best_room) {
-      best_room = room;
-      best = static_cast<int>(i);
-    }
+  const engine::TriangleBvh tongue_bvh(tongue), face_bvh(rigid);
+
+  std::vector<std::pair<Vec3, Vec3>> places;  // centre and normal of free dorsal faces
+  for (std::size_t t = 0; t < skin.triangles.size(); ++t) {
+    const auto& k = skin.triangles[t];
+    const Vec3 n = tongue_bvh.triangle_normal(static_cast<int>(t));
+    if (package.tongue.tissue[skin.tet[t]] != 0 || n.dot(frame.lift) > kFacesBack) continue;
+    if (package.tongue.anchor[k[0]] != 0 || package.tongue.anchor[k[1]] != 0 || package.tongue.anchor[k[2]] != 0) continue;
+    places.emplace_back((tongue.points[k[0]] + tongue.points[k[1]] + tongue.points[k[2]]) / 3, n);
   }
-  if (best < 0) throw std::runtime_error("patient '" + package.name + "': no free dorsum was found on the tongue to press");
-  const Vec3 n = normals[best].normalized();
-  // The blade lies flat on the spot, its tip a centimetre beyond it, its handle end towards the operator.
-  const Vec3 along = (frame.sight - frame.sight.dot(n) * n).normalized();
-  const Vec3 spot = nodes[best] - 0.006 * frame.size * along;
-  Mat3 axes;
-  axes << along, (-n).cross(along), -n;
+  if (places.empty()) throw std::runtime_error("patient '" + package.name + "': no free dorsum was found on the tongue to press");
+  Vec3 spot = Vec3::Zero(), normal = Vec3::UnitZ();
+  Mat3 axes = Mat3::Identity();
+  int least = std::numeric_limits<int>::max();
+  const std::size_t stride = std::max<std::size_t>(1, places.size() / kPlaces);
+  for (std::size_t i = 0; i < places.size(); i += stride)
+    for (int turn = 0; turn < kTurns; ++turn)
+      for (double elevation : {0.15, 0.5, 0.9}) {
+        const auto& [place, n] = places[i];
+        const Vec3 across = Eigen::AngleAxisd(2 * M_PI * turn / kTurns, n) * n.unitOrthogonal();
+        const Vec3 x = std::cos(elevation) * across + std::sin(elevation) * n;
+        const Vec3 z = (-n + n.dot(x) * x).normalized();
+        Mat3 candidate;
+        candidate << x, z.cross(x), z;
+        const int inside = points_inside(tongue_bvh, face_bvh, face->second.tissue, place + kClear * n, candidate);
+        if (inside >= least) continue;
+        least = inside;
+        spot = place;
+        normal = n;
+        axes = candidate;
+      }
+  const Vec3 n = normal;
   const Quat q(axes);
   std::vector<device::Keyframe> keys;
   const double depth = kDepth * frame.size;

@@ -46,6 +46,15 @@ TEST(SignedDistanceGrid, ThinBladeWithinATwentiethOfAMillimetreOffItsEdges) {
   EXPECT_GT(grid.distance(Vec3(0.05, 0.05, 0.05)), 0);
 }
 
+TEST(SignedDistanceGrid, DeepInsideAndFarOutsideThereIsNoClass) {
+  const TriangleMesh box = testing::box_surface(Vec3::Zero(), Vec3::Constant(0.04));
+  const std::vector<std::uint8_t> classes(box.triangles.size(), 3);
+  const SignedDistanceGrid grid(box, Vec3::Constant(-0.03), Vec3::Constant(0.03), 0.001, 0.005, classes);
+  EXPECT_EQ(grid.class_at(Vec3(0.019, 0, 0)), 3);
+  EXPECT_EQ(grid.class_at(Vec3::Zero()), SignedDistanceGrid::kNoClass);
+  EXPECT_EQ(grid.class_at(Vec3(0.1, 0, 0)), SignedDistanceGrid::kNoClass);
+}
+
 TEST(MillerBlade, EveryBladeIsClosedAndAsLongAsItSays) {
   for (const auto& [name, length] : {std::pair{"miller-00", 0.065}, {"miller-0", 0.075}, {"miller-1", 0.102}}) {
     const TriangleMesh mesh = blade_surface(miller_blade(name));
