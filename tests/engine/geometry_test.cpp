@@ -40,7 +40,9 @@ TEST(SignedDistanceGrid, ThinBladeWithinATwentiethOfAMillimetreOffItsEdges) {
     const Vec3 p(0.028 * u(random), 0.004 * u(random), 0.0025 * u(random));  // over the flat sides
     if (std::abs(p.z()) < 0.0004) continue;  // about the medial plane of a plate the field has a crease
     const double exact = box_distance(p, half);
-    if (std::abs(exact) < 0.0018) EXPECT_NEAR(grid.distance(p), exact, 5e-5);
+    if (std::abs(exact) < 0.0018) {
+      EXPECT_NEAR(grid.distance(p), exact, 5e-5);
+    }
   }
   EXPECT_LT(grid.distance(Vec3::Zero()), 0);
   EXPECT_GT(grid.distance(Vec3(0.05, 0.05, 0.05)), 0);
