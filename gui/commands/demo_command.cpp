@@ -1,4 +1,8 @@
 // `vallecula demo`: the whole main job without a person, from CT to score, in a window of its own.
+#include <unistd.h>
+
+#include <QHBoxLayout>
+#include <QTimer>
 #include <algorithm>
 #include <atomic>
 #include <chrono>
@@ -11,10 +15,6 @@
 #include <stdexcept>
 #include <system_error>
 #include <thread>
-
-#include <QHBoxLayout>
-#include <QTimer>
-#include <unistd.h>
 
 #include "curricula/trial_log.h"
 #include "gui/commands/commands.h"
@@ -43,8 +43,8 @@ static_assert(std::atomic<int>::is_always_lock_free, "set from a signal handler"
 
 struct DemoOptions {
   std::string out;
-  double weight_kg = 0.0;   ///< 0: the scenario's own
-  long long seed = -1;      ///< -1: the scenario's own
+  double weight_kg = 0.0;  ///< 0: the scenario's own
+  long long seed = -1;     ///< -1: the scenario's own
   bool json = false;
 };
 
@@ -61,7 +61,8 @@ class WholeFolder {
     if (fs::exists(final_) && !fs::is_directory(final_))
       throw std::runtime_error(final_.string() + ": is a file; name a folder for the results");
     if (fs::exists(final_) && !fs::is_empty(final_) && !fs::exists(final_ / "trial.vtrial"))
-      throw std::runtime_error(final_.string() + ": is not empty and holds no earlier demo; name another folder, or empty it");
+      throw std::runtime_error(final_.string() +
+                               ": is not empty and holds no earlier demo; name another folder, or empty it");
     for (fs::path folder = final_.parent_path(); !folder.empty() && !fs::exists(folder); folder = folder.parent_path())
       created_.push_back(folder);
     aside_ = final_.string() + ".part-" + std::to_string(getpid());
@@ -113,16 +114,16 @@ const curricula::Scenario& scenario_for(const curricula::Curriculum& curriculum,
   if (curriculum.scenarios.empty()) throw std::runtime_error(curriculum.file.string() + ": holds no scenario");
   if (weight_kg <= 0.0) return curriculum.scenarios.front();
   // Blade and limits must suit the infant: the scenario of the nearest weight.
-  return *std::min_element(curriculum.scenarios.begin(), curriculum.scenarios.end(),
-                           [weight_kg](const auto& a, const auto& b) {
-                             return std::abs(a.manikin.weight_kg - weight_kg) < std::abs(b.manikin.weight_kg - weight_kg);
-                           });
+  return *std::min_element(
+      curriculum.scenarios.begin(), curriculum.scenarios.end(), [weight_kg](const auto& a, const auto& b) {
+        return std::abs(a.manikin.weight_kg - weight_kg) < std::abs(b.manikin.weight_kg - weight_kg);
+      });
 }
 
 struct Pictures {
-  std::map<std::string, QImage> by_name;   ///< file name -> picture
-  void take(OperatorView& operator_view, SagittalView& sagittal_view, const std::string& moment, const engine::Snapshot& snapshot,
-            double sight_percent) {
+  std::map<std::string, QImage> by_name;  ///< file name -> picture
+  void take(OperatorView& operator_view, SagittalView& sagittal_view, const std::string& moment,
+            const engine::Snapshot& snapshot, double sight_percent) {
     sagittal_view.update_from(snapshot, sight_percent);
     by_name["operator-" + moment + ".png"] = operator_view.picture();
     by_name["sagittal-" + moment + ".png"] = sagittal_view.picture();
@@ -234,7 +235,8 @@ TrialOutcome run_novice(WindowApplication& application, const TrialSetup& setup)
 
 std::string score_line(const curricula::Score& score) {
   char line[240];
-  std::snprintf(line, sizeof line, "%s: tongue %.2f N, gum %.2f N, glottis %.0f %%, attempt %.1f s, over the device limit %.2f s",
+  std::snprintf(line, sizeof line,
+                "%s: tongue %.2f N, gum %.2f N, glottis %.0f %%, attempt %.1f s, over the device limit %.2f s",
                 score.passed ? "passed" : "not passed", score.peak_tongue_force_n, score.peak_gum_force_n,
                 score.glottis_visible_max_percent, score.attempt_time_s, score.time_over_force_limit_s);
   return line;
@@ -263,12 +265,13 @@ int run_demo(const DemoOptions& options) {
   std::snprintf(infant, sizeof infant, "manikin of %.2f kg, seed %u", manikin.weight_kg, manikin.seed);
   say(std::string("1 of 4  ") + infant + ": CT series and import");
   std::string stage;
-  const fs::path patient = make_manikin_patient(manikin, folder.path(), [&stage](const std::string& now, double fraction) {
-    stop_when_interrupted();
-    if (now == stage) return;
-    stage = now;
-    std::fprintf(stderr, "demo:   %3.0f %%  %s\n", 100.0 * fraction, now.c_str());
-  });
+  const fs::path patient =
+      make_manikin_patient(manikin, folder.path(), [&stage](const std::string& now, double fraction) {
+        stop_when_interrupted();
+        if (now == stage) return;
+        stage = now;
+        std::fprintf(stderr, "demo:   %3.0f %%  %s\n", 100.0 * fraction, now.c_str());
+      });
 
   TrialSetup setup;
   setup.patient = patient;
@@ -285,8 +288,9 @@ int run_demo(const DemoOptions& options) {
   }
   say("  " + score_line(expert.outcome.score));
   char pace[120];
-  std::snprintf(pace, sizeof pace, "  loop %.1f Hz, %lld of %lld ticks late, %.0f frames/s", expert.outcome.score.loop_rate_hz,
-                expert.outcome.score.deadline_misses, expert.outcome.score.ticks, expert.frames_per_second);
+  std::snprintf(pace, sizeof pace, "  loop %.1f Hz, %lld of %lld ticks late, %.0f frames/s",
+                expert.outcome.score.loop_rate_hz, expert.outcome.score.deadline_misses, expert.outcome.score.ticks,
+                expert.frames_per_second);
   say(pace);
 
   say("3 of 4  scripted novice, without a window");
@@ -301,15 +305,16 @@ int run_demo(const DemoOptions& options) {
   const std::string expert_json = read_file(expert.outcome.score_json), novice_json = read_file(novice.score_json);
   folder.publish();
   if (options.json) {
-    std::cout << "{\"results\": \"" << folder.final_path().string() << "\",\n\"expert\": " << expert_json << ",\n\"novice\": " << novice_json
-              << "}\n";
+    std::cout << "{\"results\": \"" << folder.final_path().string() << "\",\n\"expert\": " << expert_json
+              << ",\n\"novice\": " << novice_json << "}\n";
     return 0;
   }
   std::cout << "scripted expert\n";
   print_score(std::cout, expert.outcome.score, expert.scenario);
   std::cout << "\nscripted novice\n";
   print_score(std::cout, novice.score, expert.scenario);
-  std::cout << "\nresults: " << folder.final_path().string() << "\n  report.html, score.json, force.png, operator-*.png, sagittal-*.png, trial.vtrial; "
+  std::cout << "\nresults: " << folder.final_path().string()
+            << "\n  report.html, score.json, force.png, operator-*.png, sagittal-*.png, trial.vtrial; "
             << "novice/ with its own; manikin.patient\n";
   return 0;
 }
@@ -317,12 +322,14 @@ int run_demo(const DemoOptions& options) {
 }  // namespace
 
 void add_demo_command(CLI::App& app, int& exit_code) {
-  CLI::App* command =
-      app.add_subcommand("demo", "The whole main job without a person: manikin, CT, import, a scripted expert and novice, scores");
+  CLI::App* command = app.add_subcommand(
+      "demo", "The whole main job without a person: manikin, CT, import, a scripted expert and novice, scores");
   auto options = std::make_shared<DemoOptions>();
   command->add_option("--out", options->out, "Folder for the results (the user's data folder if left out)");
-  command->add_option("--weight", options->weight_kg, "Weight of the infant, kg (the scenario's if left out)")->check(CLI::Range(0.6, 4.5));
-  command->add_option("--seed", options->seed, "Which infant of that weight (the scenario's if left out)")->check(CLI::Range(0LL, 4294967295LL));
+  command->add_option("--weight", options->weight_kg, "Weight of the infant, kg (the scenario's if left out)")
+      ->check(CLI::Range(0.6, 4.5));
+  command->add_option("--seed", options->seed, "Which infant of that weight (the scenario's if left out)")
+      ->check(CLI::Range(0LL, 4294967295LL));
   command->add_flag("--json", options->json, "Print both scores as JSON");
   command->callback([options, &exit_code] { exit_code = run_demo(*options); });
 }

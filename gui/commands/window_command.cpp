@@ -24,13 +24,15 @@ int run_window_trial(const TrialSetup& setup) {
   bool finished = false;
   std::string failure;
   QObject::connect(&window, &MainWindow::trial_finished, [&](const TrialOutcome&) { finished = true; });
-  QObject::connect(&window, &MainWindow::trial_failed, [&](const QString& message) { failure = message.toStdString(); });
+  QObject::connect(&window, &MainWindow::trial_failed,
+                   [&](const QString& message) { failure = message.toStdString(); });
   window.show();
   window.prepare(setup, setup.device != "mouse");  // a person presses Start; a script waits for nobody
   application.qt().exec();
   if (!failure.empty()) throw std::runtime_error(failure);
   if (!finished)
-    throw std::runtime_error("the window was closed before the trial ended; what was recorded until then is in " + setup.out.string());
+    throw std::runtime_error("the window was closed before the trial ended; what was recorded until then is in " +
+                             setup.out.string());
   return 0;
 }
 

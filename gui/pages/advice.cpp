@@ -6,20 +6,25 @@ std::string what_to_change(const curricula::Score& score, const curricula::Scena
   const auto& pass = scenario.pass;
   const auto& targets = scenario.targets;
   if (score.peak_gum_force_n > pass.peak_gum_force_n)
-    return "Lift the whole blade along its handle, to the ceiling and the feet: turning it about the upper gum presses there and "
+    return "Lift the whole blade along its handle, to the ceiling and the feet: turning it about the upper gum presses "
+           "there and "
            "opens no view.";
   if (score.time_over_force_limit_s > pass.time_over_device_limit_s)
-    return "Stop pressing when the grey blade parts from the steel one: the device is at its limit, and more hand gives no more "
+    return "Stop pressing when the grey blade parts from the steel one: the device is at its limit, and more hand "
+           "gives no more "
            "view.";
   if (score.peak_tongue_force_n > pass.peak_tongue_force_n)
-    return "Place the tip deeper in the vallecula before you lift: from there the same view takes less force on the tongue.";
+    return "Place the tip deeper in the vallecula before you lift: from there the same view takes less force on the "
+           "tongue.";
   if (score.glottis_visible_max_percent < pass.glottis_visible_percent)
     return score.glottis_visible_max_percent <= 0.0
-               ? "Follow the tongue down to the vallecula before you lift: short of it the lift does not carry the epiglottis "
+               ? "Follow the tongue down to the vallecula before you lift: short of it the lift does not carry the "
+                 "epiglottis "
                  "away."
                : "Keep lifting along the handle for a little longer: the view opens from the arytenoids forward.";
   if (score.time_over_target_s > pass.time_over_target_s)
-    return "Lower the lift a little once the glottis is in sight: holding the tongue above its target adds force, not view.";
+    return "Lower the lift a little once the glottis is in sight: holding the tongue above its target adds force, not "
+           "view.";
   if (score.attempt_time_s > pass.attempt_time_s)
     return "End the attempt at " + std::to_string(static_cast<int>(pass.attempt_time_s)) +
            " seconds, whatever is to be seen: take the blade out, ventilate, and begin again.";

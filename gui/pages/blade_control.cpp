@@ -50,8 +50,10 @@ bool BladeControl::key(QKeyEvent* event, bool pressed) {
     case Qt::Key_D:
     case Qt::Key_Q:
     case Qt::Key_E:
-    case Qt::Key_Shift: break;
-    default: return false;
+    case Qt::Key_Shift:
+      break;
+    default:
+      return false;
   }
   if (event->isAutoRepeat()) return true;
   if (pressed)
@@ -65,17 +67,22 @@ bool BladeControl::key(QKeyEvent* event, bool pressed) {
 
 void BladeControl::advance(double seconds) {
   if (device_ == nullptr || held_.empty()) return;
-  const auto axis = [&](int plus, int minus) { return (held_.count(plus) ? 1.0 : 0.0) - (held_.count(minus) ? 1.0 : 0.0); };
-  const double share = seconds * (held_.count(Qt::Key_Shift) ? kFineShare : 1.0), way = kKeySpeed * share, turn = kKeyTurn * share;
+  const auto axis = [&](int plus, int minus) {
+    return (held_.count(plus) ? 1.0 : 0.0) - (held_.count(minus) ? 1.0 : 0.0);
+  };
+  const double share = seconds * (held_.count(Qt::Key_Shift) ? kFineShare : 1.0), way = kKeySpeed * share,
+               turn = kKeyTurn * share;
   device_->move(way * axis(Qt::Key_Right, Qt::Key_Left), way * axis(Qt::Key_Up, Qt::Key_Down));
   device_->advance(way * axis(Qt::Key_PageUp, Qt::Key_PageDown));
   // W raises the handle's end: about the tool's +y that is a negative pitch.
-  const double pitch = turn * axis(Qt::Key_S, Qt::Key_W), yaw = turn * axis(Qt::Key_D, Qt::Key_A), roll = turn * axis(Qt::Key_E, Qt::Key_Q);
+  const double pitch = turn * axis(Qt::Key_S, Qt::Key_W), yaw = turn * axis(Qt::Key_D, Qt::Key_A),
+               roll = turn * axis(Qt::Key_E, Qt::Key_Q);
   if (pitch != 0.0 || yaw != 0.0 || roll != 0.0) device_->turn(pitch, yaw, roll);
 }
 
 QString BladeControl::help() {
-  return "Drag: move the blade   |   right-drag or W A S D: turn it (Q E: roll)   |   wheel or PgUp PgDn: deeper, back   |   "
+  return "Drag: move the blade   |   right-drag or W A S D: turn it (Q E: roll)   |   wheel or PgUp PgDn: deeper, back "
+         "  |   "
          "arrows: move (Shift: fine)   |   hold Space: lift along the handle, Backspace: lower";
 }
 
@@ -104,7 +111,8 @@ bool BladeControl::eventFilter(QObject*, QEvent* event) {
       device_->advance(fine * kAdvancePerNotch * wheel->angleDelta().y() / 120.0);
       return true;
     }
-    default: return false;
+    default:
+      return false;
   }
 }
 

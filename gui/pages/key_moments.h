@@ -14,8 +14,8 @@ class KeyMoments {
   /// Landmarks of the package (mm, LPS); `sight_percent`: the glottis counts as in sight from here on.
   KeyMoments(const pipeline::PatientPackage& package, double sight_percent);
   /// Names of the moments that this snapshot is the (new, better) picture of; in order "1-lips", "2-sweep",
-  /// "3-vallecula", "4-first-sight", "5-best-sight", "6-withdrawal". "5-best-sight" comes again whenever clearly more of
-  /// the glottis is seen; the others come once.
+  /// "3-vallecula", "4-first-sight", "5-best-sight", "6-withdrawal". "5-best-sight" comes again whenever clearly more
+  /// of the glottis is seen; the others come once.
   std::vector<std::string> at(const engine::Snapshot& snapshot);
   /// How far the tip is on the way from between the gums (0) to the glottis (1); below 0 it is outside.
   double depth(const engine::Snapshot& snapshot) const;

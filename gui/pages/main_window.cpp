@@ -44,7 +44,8 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
   prepare_page_ = make_prepare_page();
   trial_ = new TrialPage(pages_);
   result_ = new ResultPage(pages_);
-  for (QWidget* page : {static_cast<QWidget*>(start_), prepare_page_, static_cast<QWidget*>(trial_), static_cast<QWidget*>(result_)})
+  for (QWidget* page :
+       {static_cast<QWidget*>(start_), prepare_page_, static_cast<QWidget*>(trial_), static_cast<QWidget*>(result_)})
     pages_->addWidget(page);
   setCentralWidget(pages_);
   resize(1280, 800);
@@ -123,14 +124,16 @@ void MainWindow::prepare_choice(const Choice& choice) {
       setup,
       [this, manikin, chosen] {
         if (!chosen.empty()) return chosen;
-        return builtin_patient(manikin, [this](const std::string& stage, double fraction) { report_progress(stage, 0.9 * fraction); });
+        return builtin_patient(
+            manikin, [this](const std::string& stage, double fraction) { report_progress(stage, 0.9 * fraction); });
       },
       false);
 }
 
 void MainWindow::prepare(const TrialSetup& setup, bool start_at_once) {
   again_ = [this, setup, start_at_once] { prepare(setup, start_at_once); };
-  prepare(setup, [patient = setup.patient] { return patient; }, start_at_once);
+  prepare(
+      setup, [patient = setup.patient] { return patient; }, start_at_once);
 }
 
 void MainWindow::prepare(TrialSetup setup, std::function<std::filesystem::path()> patient, bool start_at_once) {

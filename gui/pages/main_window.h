@@ -32,7 +32,7 @@ class MainWindow : public QMainWindow {
   void prepare(const TrialSetup& setup, bool start_at_once);
   TrialPage& trial_page() { return *trial_; }
   StartPage& start_page() { return *start_; }
-  QString page_name() const;   ///< "start", "prepare", "trial", "result"
+  QString page_name() const;  ///< "start", "prepare", "trial", "result"
 
  signals:
   void prepared();

@@ -72,16 +72,20 @@ ResultPage::ResultPage(QWidget* parent) : QWidget(parent) {
   all->addLayout(foot);
 }
 
-void ResultPage::show_outcome(const TrialOutcome& outcome, const curricula::Scenario& scenario, const std::filesystem::path& folder) {
+void ResultPage::show_outcome(const TrialOutcome& outcome, const curricula::Scenario& scenario,
+                              const std::filesystem::path& folder) {
   const auto& score = outcome.score;
   title_->setText(QString::fromStdString(scenario.title));
   verdict_->setText(score.passed ? "PASSED" : "NOT PASSED");
-  verdict_->setStyleSheet(QString("background: %1; color: white; font-size: 14pt; font-weight: bold; padding: 6px 14px; border-radius: 6px;")
-                              .arg((score.passed ? theme::kWithin : theme::kBad).name()));
+  verdict_->setStyleSheet(
+      QString(
+          "background: %1; color: white; font-size: 14pt; font-weight: bold; padding: 6px 14px; border-radius: 6px;")
+          .arg((score.passed ? theme::kWithin : theme::kBad).name()));
   change_->setText(QString::fromStdString(what_to_change(score, scenario)));
   show_figures(outcome, scenario);
   QString list;
-  for (const auto& reason : score.reasons) list += "<li style='margin-bottom:5px'>" + QString::fromStdString(reason).toHtmlEscaped() + "</li>";
+  for (const auto& reason : score.reasons)
+    list += "<li style='margin-bottom:5px'>" + QString::fromStdString(reason).toHtmlEscaped() + "</li>";
   reasons_->setText(list.isEmpty() ? QString() : "<b>Reasons</b><ul style='margin-left:-22px'>" + list + "</ul>");
   report_ = outcome.report;
   where_->setText("Results: " + QString::fromStdString(folder.string()));
@@ -114,22 +118,29 @@ void ResultPage::show_figures(const TrialOutcome& outcome, const curricula::Scen
     figures_->addWidget(demand, row, 2);
     ++row;
   };
-  const auto number = [](double value, int digits, const char* unit) { return QString("%1 %2").arg(value, 0, 'f', digits).arg(unit); };
-  add("Peak force, tongue", number(score.peak_tongue_force_n, 1, "N"), "at most " + number(pass.peak_tongue_force_n, 1, "N"), true,
+  const auto number = [](double value, int digits, const char* unit) {
+    return QString("%1 %2").arg(value, 0, 'f', digits).arg(unit);
+  };
+  add("Peak force, tongue", number(score.peak_tongue_force_n, 1, "N"),
+      "at most " + number(pass.peak_tongue_force_n, 1, "N"), true,
       score.peak_tongue_force_n <= pass.peak_tongue_force_n);
-  add("Peak force, gum", number(score.peak_gum_force_n, 1, "N"), "at most " + number(pass.peak_gum_force_n, 1, "N"), true,
-      score.peak_gum_force_n <= pass.peak_gum_force_n);
-  add("Glottis visible, best", number(score.glottis_visible_max_percent, 0, "%"), "at least " + number(pass.glottis_visible_percent, 0, "%"),
-      true, score.glottis_visible_max_percent >= pass.glottis_visible_percent);
-  add("Time to sight", score.time_to_trachea_visible_s < 0.0 ? QString("never") : number(score.time_to_trachea_visible_s, 1, "s"),
+  add("Peak force, gum", number(score.peak_gum_force_n, 1, "N"), "at most " + number(pass.peak_gum_force_n, 1, "N"),
+      true, score.peak_gum_force_n <= pass.peak_gum_force_n);
+  add("Glottis visible, best", number(score.glottis_visible_max_percent, 0, "%"),
+      "at least " + number(pass.glottis_visible_percent, 0, "%"), true,
+      score.glottis_visible_max_percent >= pass.glottis_visible_percent);
+  add("Time to sight",
+      score.time_to_trachea_visible_s < 0.0 ? QString("never") : number(score.time_to_trachea_visible_s, 1, "s"),
       "from " + number(scenario.sight_percent, 0, "%"), false, true);
   add("Attempt", number(score.attempt_time_s, 1, "s"), "at most " + number(pass.attempt_time_s, 0, "s"), true,
       score.attempt_time_s <= pass.attempt_time_s);
-  add("Over the target", number(score.time_over_target_s, 1, "s"), "at most " + number(pass.time_over_target_s, 1, "s"), true,
-      score.time_over_target_s <= pass.time_over_target_s);
-  add("Over the device limit", number(score.time_over_force_limit_s, 1, "s"), "at most " + number(pass.time_over_device_limit_s, 1, "s"),
-      true, score.time_over_force_limit_s <= pass.time_over_device_limit_s);
-  add("Loop", number(score.loop_rate_hz, 0, "Hz"), QString("%1 of %2 late").arg(score.deadline_misses).arg(score.ticks), false, true);
+  add("Over the target", number(score.time_over_target_s, 1, "s"), "at most " + number(pass.time_over_target_s, 1, "s"),
+      true, score.time_over_target_s <= pass.time_over_target_s);
+  add("Over the device limit", number(score.time_over_force_limit_s, 1, "s"),
+      "at most " + number(pass.time_over_device_limit_s, 1, "s"), true,
+      score.time_over_force_limit_s <= pass.time_over_device_limit_s);
+  add("Loop", number(score.loop_rate_hz, 0, "Hz"), QString("%1 of %2 late").arg(score.deadline_misses).arg(score.ticks),
+      false, true);
 }
 
 void ResultPage::fit_plot() {

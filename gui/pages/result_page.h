@@ -17,7 +17,8 @@ class ResultPage : public QWidget {
  public:
   explicit ResultPage(QWidget* parent = nullptr);
   /// `folder`: where a person will find the results.
-  void show_outcome(const TrialOutcome& outcome, const curricula::Scenario& scenario, const std::filesystem::path& folder);
+  void show_outcome(const TrialOutcome& outcome, const curricula::Scenario& scenario,
+                    const std::filesystem::path& folder);
 
  signals:
   void again();

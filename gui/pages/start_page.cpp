@@ -14,7 +14,8 @@ namespace vallecula::gui {
 StartPage::StartPage(QWidget* parent) : QWidget(parent) {
   auto* title = new QLabel("Vallecula", this);
   title->setObjectName("title");
-  auto* sub = new QLabel("Practise neonatal laryngoscopy, and see what your hand did. A training tool, not a medical device.", this);
+  auto* sub = new QLabel(
+      "Practise neonatal laryngoscopy, and see what your hand did. A training tool, not a medical device.", this);
   sub->setObjectName("faint");
   curriculum_title_ = new QLabel(this);
   curriculum_title_->setObjectName("heading");
@@ -94,13 +95,14 @@ void StartPage::set_curriculum(const curricula::Curriculum& curriculum) {
 void StartPage::show_scenario(int row) {
   if (row < 0 || row >= static_cast<int>(curriculum_.scenarios.size())) return;
   const auto& scenario = curriculum_.scenarios[static_cast<std::size_t>(row)];
-  briefing_->setText(QString::fromStdString(scenario.briefing) +
-                     QString("\nPasses with: at most %1 N on the tongue and %2 N on the gum, at least %3 % of the glottis seen, "
-                             "within %4 s.")
-                         .arg(scenario.pass.peak_tongue_force_n, 0, 'f', 1)
-                         .arg(scenario.pass.peak_gum_force_n, 0, 'f', 1)
-                         .arg(scenario.pass.glottis_visible_percent, 0, 'f', 0)
-                         .arg(scenario.pass.attempt_time_s, 0, 'f', 0));
+  briefing_->setText(
+      QString::fromStdString(scenario.briefing) +
+      QString("\nPasses with: at most %1 N on the tongue and %2 N on the gum, at least %3 % of the glottis seen, "
+              "within %4 s.")
+          .arg(scenario.pass.peak_tongue_force_n, 0, 'f', 1)
+          .arg(scenario.pass.peak_gum_force_n, 0, 'f', 1)
+          .arg(scenario.pass.glottis_visible_percent, 0, 'f', 0)
+          .arg(scenario.pass.attempt_time_s, 0, 'f', 0));
 }
 
 void StartPage::add_patient(const std::filesystem::path& package, bool choose) {

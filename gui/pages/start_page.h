@@ -17,8 +17,8 @@ namespace vallecula::gui {
 struct Choice {
   std::filesystem::path curriculum;
   curricula::Scenario scenario;
-  std::filesystem::path patient;   ///< empty: the built-in manikin that the scenario asks for
-  QString device;                  ///< as `vallecula trial --device` takes it
+  std::filesystem::path patient;  ///< empty: the built-in manikin that the scenario asks for
+  QString device;                 ///< as `vallecula trial --device` takes it
 };
 
 class StartPage : public QWidget {

@@ -6,7 +6,6 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QVBoxLayout>
-
 #include <array>
 #include <map>
 #include <stdexcept>
@@ -138,9 +137,11 @@ void TrialPage::open(std::shared_ptr<TrialSession> session, std::shared_ptr<Pati
   title_->setToolTip(QString::fromStdString(scenario.briefing));
   operator_view_->show_patient(look_, session_->scene().tool.surface);
   sagittal_view_->show_patient(look_, session_->scene().tool.surface);
-  bars_->set_marks({scenario.targets.tongue_force_n, scenario.targets.gum_force_n, session_->scene().haptics.device_limit_n});
+  bars_->set_marks(
+      {scenario.targets.tongue_force_n, scenario.targets.gum_force_n, session_->scene().haptics.device_limit_n});
   std::map<std::string, std::array<double, 3>> landmarks_m;
-  for (const auto& [name, point] : look_->package.landmarks) landmarks_m[name] = {1e-3 * point[0], 1e-3 * point[1], 1e-3 * point[2]};
+  for (const auto& [name, point] : look_->package.landmarks)
+    landmarks_m[name] = {1e-3 * point[0], 1e-3 * point[1], 1e-3 * point[2]};
   readings_->set_scenario(scenario, curricula::mouth_from_landmarks(landmarks_m));
   auto* mouse = dynamic_cast<device::MouseDevice*>(&session_->device());
   control_->steer(mouse);
@@ -232,7 +233,9 @@ const pipeline::PatientPackage& TrialPage::patient() const {
 }
 
 double TrialPage::frames_per_second() const {
-  return since_start_.isValid() && since_start_.elapsed() > 0 ? 1e3 * frames_ / static_cast<double>(since_start_.elapsed()) : 0.0;
+  return since_start_.isValid() && since_start_.elapsed() > 0
+             ? 1e3 * frames_ / static_cast<double>(since_start_.elapsed())
+             : 0.0;
 }
 
 void TrialPage::frame() {
@@ -273,9 +276,11 @@ void TrialPage::frame() {
 void TrialPage::show_banner(const QString& text) {
   if (banner_->text() == text && !banner_->styleSheet().isEmpty()) return;
   banner_->setText(text);
-  banner_->setStyleSheet(text.isEmpty() ? QString("padding: 6px 10px;")
-                                        : QString("background: %1; color: #06202f; padding: 6px 10px; border-radius: 5px; font-weight: bold;")
-                                              .arg(theme::kDevice.name()));
+  banner_->setStyleSheet(
+      text.isEmpty()
+          ? QString("padding: 6px 10px;")
+          : QString("background: %1; color: #06202f; padding: 6px 10px; border-radius: 5px; font-weight: bold;")
+                .arg(theme::kDevice.name()));
 }
 
 void TrialPage::show_buttons() {
@@ -293,16 +298,23 @@ void TrialPage::keyPressEvent(QKeyEvent* event) {
   if (control_->steering() && control_->key(event, true)) return;
   switch (event->key()) {
     case Qt::Key_Return:
-    case Qt::Key_Enter: start_->click(); return;
+    case Qt::Key_Enter:
+      start_->click();
+      return;
     case Qt::Key_Escape:
       if (running_)
         end_->click();
       else
         leave_->click();
       return;
-    case Qt::Key_R: reset_->click(); return;
-    case Qt::Key_Z: zoom_->click(); return;
-    default: QWidget::keyPressEvent(event);
+    case Qt::Key_R:
+      reset_->click();
+      return;
+    case Qt::Key_Z:
+      zoom_->click();
+      return;
+    default:
+      QWidget::keyPressEvent(event);
   }
 }
 

@@ -1,11 +1,11 @@
 #include "gui/pages/window_application.h"
 
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <cstdlib>
 #include <stdexcept>
 #include <string>
-
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include "gui/commands/commands.h"
 #include "gui/session/virtual_display.h"
@@ -21,7 +21,8 @@ void name_runtime_folder() {
   const std::string folder = "/tmp/runtime-" + std::to_string(getuid());
   mkdir(folder.c_str(), 0700);
   struct stat found {};
-  if (stat(folder.c_str(), &found) == 0 && S_ISDIR(found.st_mode) && found.st_uid == getuid() && (found.st_mode & 0077) == 0)
+  if (stat(folder.c_str(), &found) == 0 && S_ISDIR(found.st_mode) && found.st_uid == getuid() &&
+      (found.st_mode & 0077) == 0)
     setenv("XDG_RUNTIME_DIR", folder.c_str(), 1);
 }
 
@@ -30,8 +31,9 @@ void name_runtime_folder() {
 WindowApplication::WindowApplication() {
   const std::string problem = display_problem();
   if (!problem.empty())
-    throw std::runtime_error(problem + ", so no window can be opened; start it where there is a screen, or run `vallecula demo` "
-                                       "or `vallecula trial --headless`, which need none");
+    throw std::runtime_error(problem +
+                             ", so no window can be opened; start it where there is a screen, or run `vallecula demo` "
+                             "or `vallecula trial --headless`, which need none");
   name_runtime_folder();
   prepare_opengl();
   ProgramArguments& arguments = program_arguments();

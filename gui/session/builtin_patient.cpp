@@ -1,11 +1,11 @@
 #include "gui/session/builtin_patient.h"
 
+#include <unistd.h>
+
 #include <cstdio>
 #include <cstdlib>
 #include <stdexcept>
 #include <system_error>
-
-#include <unistd.h>
 
 #include "gui/session/files.h"
 #include "pipeline/import.h"
@@ -66,7 +66,8 @@ class WorkFolder {
 
 }  // namespace
 
-fs::path make_manikin_patient(const curricula::ManikinSpec& manikin, const fs::path& folder, const PatientProgress& progress) {
+fs::path make_manikin_patient(const curricula::ManikinSpec& manikin, const fs::path& folder,
+                              const PatientProgress& progress) {
   pipeline::ManikinOptions options;
   options.weight_kg = manikin.weight_kg;
   options.seed = manikin.seed;

@@ -17,8 +17,8 @@ using PatientProgress = std::function<void(const std::string& stage, double frac
 std::filesystem::path make_manikin_patient(const curricula::ManikinSpec& manikin, const std::filesystem::path& folder,
                                            const PatientProgress& progress = {});
 
-/// The same from the user's cache ($VALLECULA_HOME/cache, else $XDG_CACHE_HOME/vallecula, else ~/.cache/vallecula): made
-/// at first use by this build, whole or not at all; a damaged one is made anew.
+/// The same from the user's cache ($VALLECULA_HOME/cache, else $XDG_CACHE_HOME/vallecula, else ~/.cache/vallecula):
+/// made at first use by this build, whole or not at all; a damaged one is made anew.
 std::filesystem::path builtin_patient(const curricula::ManikinSpec& manikin, const PatientProgress& progress = {});
 
 }  // namespace vallecula::gui

@@ -1,5 +1,13 @@
 #include "gui/session/virtual_display.h"
 
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/prctl.h>
+#include <sys/socket.h>
+#include <sys/un.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include <array>
 #include <cerrno>
 #include <chrono>
@@ -10,14 +18,6 @@
 #include <cstring>
 #include <stdexcept>
 #include <thread>
-
-#include <fcntl.h>
-#include <poll.h>
-#include <sys/prctl.h>
-#include <sys/socket.h>
-#include <sys/un.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 namespace vallecula::gui {
 namespace {
@@ -115,8 +115,10 @@ VirtualDisplay::VirtualDisplay(int width, int height) {
   if (number.empty()) {
     end_server();
     if (not_run && reason == ENOENT)
-      throw std::runtime_error("there is no display, and no Xvfb to make one with: install xvfb (apt-get install xvfb)");
-    throw std::runtime_error("the virtual display (Xvfb) did not start" + (not_run ? ": " + std::string(std::strerror(reason)) : "") +
+      throw std::runtime_error(
+          "there is no display, and no Xvfb to make one with: install xvfb (apt-get install xvfb)");
+    throw std::runtime_error("the virtual display (Xvfb) did not start" +
+                             (not_run ? ": " + std::string(std::strerror(reason)) : "") +
                              "; try `Xvfb -displayfd 1` to see why");
   }
   name_ = ":" + number;

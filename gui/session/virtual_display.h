@@ -1,9 +1,9 @@
 // A display to draw on where there is none: an own Xvfb for as long as it is needed.
 #pragma once
 
-#include <string>
-
 #include <sys/types.h>
+
+#include <string>
 
 namespace vallecula::gui {
 

@@ -36,7 +36,8 @@ void ForceBars::clear() {
   update();
 }
 
-void ForceBars::paint_bar(QPainter& painter, const QRectF& place, const QString& name, const Bar& bar, bool with_limit) const {
+void ForceBars::paint_bar(QPainter& painter, const QRectF& place, const QString& name, const Bar& bar,
+                          bool with_limit) const {
   const double label = 64.0, figures = 72.0;
   const QRectF track(place.left() + label, place.top() + 16.0, place.width() - label - figures, place.height() - 22.0);
   const auto at = [&](double newton) { return track.left() + track.width() * std::clamp(newton / scale_, 0.0, 1.0); };
@@ -44,7 +45,8 @@ void ForceBars::paint_bar(QPainter& painter, const QRectF& place, const QString&
   font.setPointSizeF(10.5);
   painter.setFont(font);
   painter.setPen(theme::kText);
-  painter.drawText(QRectF(place.left(), track.top(), label - 8.0, track.height()), Qt::AlignVCenter | Qt::AlignLeft, name);
+  painter.drawText(QRectF(place.left(), track.top(), label - 8.0, track.height()), Qt::AlignVCenter | Qt::AlignLeft,
+                   name);
 
   painter.setPen(Qt::NoPen);
   painter.setBrush(theme::kTrack);
@@ -67,7 +69,8 @@ void ForceBars::paint_bar(QPainter& painter, const QRectF& place, const QString&
     painter.setPen(colour);
     painter.drawText(QRectF(at(newton) - 70.0, place.top() - 1.0, 140.0, 13.0), Qt::AlignCenter, text);
   };
-  if (bar.target > 0.0) mark(bar.target, theme::kTarget, QString("target %1").arg(bar.target, 0, 'f', 1), Qt::SolidLine);
+  if (bar.target > 0.0)
+    mark(bar.target, theme::kTarget, QString("target %1").arg(bar.target, 0, 'f', 1), Qt::SolidLine);
   if (with_limit && device_limit_ > 0.0)
     mark(device_limit_, theme::kDevice, QString("device limit %1").arg(device_limit_, 0, 'f', 1), Qt::DashLine);
   if (bar.peak > 0.05) {
@@ -78,14 +81,15 @@ void ForceBars::paint_bar(QPainter& painter, const QRectF& place, const QString&
   font.setBold(true);
   painter.setFont(font);
   painter.setPen(over ? theme::kOver : theme::kText);
-  painter.drawText(QRectF(track.right() + 8.0, track.top() - 3.0, figures - 8.0, track.height() * 0.62), Qt::AlignVCenter | Qt::AlignLeft,
-                   QString("%1 N").arg(bar.now, 0, 'f', 1));
+  painter.drawText(QRectF(track.right() + 8.0, track.top() - 3.0, figures - 8.0, track.height() * 0.62),
+                   Qt::AlignVCenter | Qt::AlignLeft, QString("%1 N").arg(bar.now, 0, 'f', 1));
   font.setPointSizeF(8.0);
   font.setBold(false);
   painter.setFont(font);
   painter.setPen(theme::kFaint);
-  painter.drawText(QRectF(track.right() + 8.0, track.top() + track.height() * 0.55, figures - 8.0, track.height() * 0.5),
-                   Qt::AlignVCenter | Qt::AlignLeft, QString("peak %1").arg(bar.peak, 0, 'f', 1));
+  painter.drawText(
+      QRectF(track.right() + 8.0, track.top() + track.height() * 0.55, figures - 8.0, track.height() * 0.5),
+      Qt::AlignVCenter | Qt::AlignLeft, QString("peak %1").arg(bar.peak, 0, 'f', 1));
 }
 
 void ForceBars::paintEvent(QPaintEvent*) {

@@ -7,9 +7,9 @@
 namespace vallecula::gui {
 
 struct ForceMarks {
-  double tongue_target_n = 0.0;   ///< training target
+  double tongue_target_n = 0.0;  ///< training target
   double gum_target_n = 0.0;
-  double device_limit_n = 0.0;    ///< what the device can give
+  double device_limit_n = 0.0;  ///< what the device can give
 };
 
 class ForceBars : public QWidget {
@@ -32,7 +32,8 @@ class ForceBars : public QWidget {
   struct Bar {
     double now = 0.0, peak = 0.0, target = 0.0;
   };
-  void paint_bar(class QPainter& painter, const QRectF& place, const QString& name, const Bar& bar, bool with_limit) const;
+  void paint_bar(class QPainter& painter, const QRectF& place, const QString& name, const Bar& bar,
+                 bool with_limit) const;
   Bar tongue_, gum_;
   double device_limit_ = 0.0, scale_ = 10.0;
 };

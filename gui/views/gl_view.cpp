@@ -7,7 +7,8 @@
 namespace vallecula::gui {
 
 void prepare_opengl() {
-  // llvmpipe starts a drawing thread per core, which takes the 1 kHz loop's turn away (PLATFORM: 14 % late against 0.06 %).
+  // llvmpipe starts a drawing thread per core, which takes the 1 kHz loop's turn away (PLATFORM: 14 % late against 0.06
+  // %).
   if (!qEnvironmentVariableIsSet("LP_NUM_THREADS")) qputenv("LP_NUM_THREADS", "1");
   auto format = QVTKOpenGLNativeWidget::defaultFormat();
   format.setSamples(0);
@@ -29,7 +30,8 @@ void GlView::draw() {
   if (!isVisible()) return;
   if (!isValid())
     throw std::runtime_error(
-        "OpenGL did not start, so nothing can be drawn: this needs an X display with OpenGL 3.2 (install libgl1-mesa-dri; "
+        "OpenGL did not start, so nothing can be drawn: this needs an X display with OpenGL 3.2 (install "
+        "libgl1-mesa-dri; "
         "without a screen run `vallecula demo`, which starts its own)");
   QElapsedTimer timer;
   timer.start();

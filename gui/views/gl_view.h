@@ -1,12 +1,13 @@
 // A VTK view inside a Qt window, without VTK's own mouse handling: the mouse belongs to the blade.
 #pragma once
 
-#include <QElapsedTimer>
-#include <QImage>
 #include <QVTKOpenGLNativeWidget.h>
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkRenderer.h>
 #include <vtkSmartPointer.h>
+
+#include <QElapsedTimer>
+#include <QImage>
 
 namespace vallecula::gui {
 

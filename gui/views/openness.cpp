@@ -1,16 +1,18 @@
 #include "gui/views/openness.h"
 
-#include <algorithm>
-#include <cmath>
 #include <vtkImageData.h>
 #include <vtkImageStencilToImage.h>
 #include <vtkNew.h>
 #include <vtkPolyDataToImageStencil.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace vallecula::gui {
 namespace {
 constexpr int kDirections = 28;
-constexpr double kVoxelsAcross = 110.0;  // the longest side of the grid: fine enough for a lip, cheap enough to wait for
+constexpr double kVoxelsAcross =
+    110.0;  // the longest side of the grid: fine enough for a lip, cheap enough to wait for
 constexpr double kPi = 3.14159265358979323846;
 }  // namespace
 
@@ -50,12 +52,14 @@ Openness::Openness(const std::vector<vtkPolyData*>& solids, double reach_mm) : r
   const double golden = kPi * (3.0 - std::sqrt(5.0));
   for (int i = 0; i < kDirections; ++i) {
     const double radius = std::sqrt((i + 0.5) / kDirections);  // uniform on the disc = cosine-weighted on the dome
-    directions_.push_back({radius * std::cos(i * golden), radius * std::sin(i * golden), std::sqrt(1.0 - radius * radius)});
+    directions_.push_back(
+        {radius * std::cos(i * golden), radius * std::sin(i * golden), std::sqrt(1.0 - radius * radius)});
   }
 }
 
 bool Openness::solid(double x, double y, double z) const {
-  const int i = static_cast<int>((x - origin_[0]) / spacing_ + 0.5), j = static_cast<int>((y - origin_[1]) / spacing_ + 0.5),
+  const int i = static_cast<int>((x - origin_[0]) / spacing_ + 0.5),
+            j = static_cast<int>((y - origin_[1]) / spacing_ + 0.5),
             k = static_cast<int>((z - origin_[2]) / spacing_ + 0.5);
   if (i < 0 || j < 0 || k < 0 || i >= size_[0] || j >= size_[1] || k >= size_[2]) return false;
   return voxels_[(static_cast<std::size_t>(k) * size_[1] + j) * size_[0] + i] != 0;
@@ -64,7 +68,8 @@ bool Openness::solid(double x, double y, double z) const {
 double Openness::at(const std::array<double, 3>& p, const std::array<double, 3>& n) const {
   // Any frame about the normal will do; Duff et al. 2017 give one without a branch at the poles.
   const double sign = std::copysign(1.0, n[2]), a = -1.0 / (sign + n[2]), b = n[0] * n[1] * a;
-  const std::array<double, 3> u{1.0 + sign * n[0] * n[0] * a, sign * b, -sign * n[0]}, v{b, sign + n[1] * n[1] * a, -n[1]};
+  const std::array<double, 3> u{1.0 + sign * n[0] * n[0] * a, sign * b, -sign * n[0]},
+      v{b, sign + n[1] * n[1] * a, -n[1]};
   const double lift = 1.3 * spacing_;  // off the point's own voxel
   double open = 0.0;
   for (const auto& d : directions_) {

@@ -1,11 +1,12 @@
-// How open to the surrounding light a point of a surface is: what makes creases, nostrils and the depth of a mouth dark.
+// How open to the surrounding light a point of a surface is: what makes creases, nostrils and the depth of a mouth
+// dark.
 #pragma once
+
+#include <vtkPolyData.h>
 
 #include <array>
 #include <cstdint>
 #include <vector>
-
-#include <vtkPolyData.h>
 
 namespace vallecula::gui {
 

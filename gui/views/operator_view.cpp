@@ -1,13 +1,14 @@
 #include "gui/views/operator_view.h"
 
-#include <algorithm>
-#include <cmath>
 #include <vtkCamera.h>
 #include <vtkLight.h>
 #include <vtkMath.h>
 #include <vtkNew.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
+
+#include <algorithm>
+#include <cmath>
 
 #include "gui/views/tissue_shading.h"
 
@@ -50,7 +51,8 @@ void OperatorView::show_patient(std::shared_ptr<PatientLook> look, const engine:
   ghost_ = std::make_unique<GhostLook>(tool);
   tissues_ = {tissue_actor(look_->face, 0.0), tissue_actor(look_->soft->surface(), 0.0)};
   if (look_->trachea->GetNumberOfPoints() > 0)
-    tissues_.push_back(tissue_actor(look_->trachea, 0.45));  // a sign, not a tissue: to be found where little light falls
+    tissues_.push_back(
+        tissue_actor(look_->trachea, 0.45));  // a sign, not a tissue: to be found where little light falls
   for (const auto& actor : tissues_) renderer()->AddActor(actor);
   for (const auto& actor : tool_->actors()) renderer()->AddActor(actor);
   for (const auto& actor : ghost_->actors()) renderer()->AddActor(actor);
@@ -65,7 +67,8 @@ void OperatorView::update_from(const engine::Snapshot& snapshot) {
   look_->soft->update(snapshot.soft_points);
   tool_->place(snapshot.proxy_pose);
   ghost_shown_ = ghost_->place(snapshot.device_pose, snapshot.proxy_pose);
-  // In or out: how far the tip is past the gums on the way to the glottis, with some play so that the view does not flutter.
+  // In or out: how far the tip is past the gums on the way to the glottis, with some play so that the view does not
+  // flutter.
   const engine::Vec3 mouth = vec(look_->framing.mouth), way = vec(look_->framing.glottis) - mouth;
   const double depth = (1000.0 * snapshot.proxy_pose.position - mouth).dot(way) / way.squaredNorm();
   if (depth > 0.12) blade_in_ = true;
@@ -84,7 +87,8 @@ void OperatorView::aim() {
   const engine::Vec3 eye = vec(framing.eye);
   across_mm_ = framing.face_mm * std::pow(framing.mouth_mm / framing.face_mm, eased);
   // Close to, the view is centred on the opening as it is seen, not on the nose below it.
-  const engine::Vec3 at = vec(framing.mouth) + eased * (vec(framing.inside) - vec(framing.mouth) + 0.10 * across_mm_ * screen_up());
+  const engine::Vec3 at =
+      vec(framing.mouth) + eased * (vec(framing.inside) - vec(framing.mouth) + 0.10 * across_mm_ * screen_up());
   const engine::Vec3 forward = (at - eye).normalized();
   engine::Vec3 up = -engine::Vec3::UnitY();  // anterior is up
   up = (up - up.dot(forward) * forward).normalized();

@@ -1,10 +1,10 @@
 // What the operator sees, standing behind the head: right on the screen is the patient's right, top is anterior.
 #pragma once
 
+#include <vtkActor.h>
+
 #include <memory>
 #include <vector>
-
-#include <vtkActor.h>
 
 #include "engine/snapshot.h"
 #include "gui/views/gl_view.h"

@@ -1,8 +1,5 @@
 #include "gui/views/patient_look.h"
 
-#include <algorithm>
-#include <cmath>
-#include <stdexcept>
 #include <vtkCellArray.h>
 #include <vtkCleanPolyData.h>
 #include <vtkClipPolyData.h>
@@ -18,6 +15,10 @@
 #include <vtkReverseSense.h>
 #include <vtkTriangleFilter.h>
 #include <vtkUnsignedCharArray.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
 
 #include "gui/views/openness.h"
 #include "gui/views/tissue_colours.h"
@@ -79,7 +80,8 @@ std::vector<std::array<double, N>> to_points(const Surface& face, OfTissue of_ti
   std::vector<std::array<double, N>> values(face.points.size());
   std::vector<double> count(face.points.size(), 0.0);
   for (std::size_t i = 0; i < face.triangles.size(); ++i) {
-    const std::array<double, N> value = of_tissue(i < face.tissue.size() ? static_cast<Tissue>(face.tissue[i]) : Tissue::skin);
+    const std::array<double, N> value =
+        of_tissue(i < face.tissue.size() ? static_cast<Tissue>(face.tissue[i]) : Tissue::skin);
     for (int corner : face.triangles[i]) {
       for (std::size_t c = 0; c < N; ++c) values[corner][c] += value[c];
       count[corner] += 1.0;
@@ -169,7 +171,8 @@ void tilt_normal(float* normal, const std::array<double, 3>& slope, double amoun
   for (int c = 0; c < 3; ++c) normal[c] /= static_cast<float>(std::sqrt(std::max(size, 1e-12)));
 }
 
-vtkSmartPointer<vtkPolyData> make_face(const pipeline::PatientPackage& package, const Framing& framing, const Openness& openness) {
+vtkSmartPointer<vtkPolyData> make_face(const pipeline::PatientPackage& package, const Framing& framing,
+                                       const Openness& openness) {
   const Surface& face = *surface(package, "face");
   const auto neighbours = neighbours_of(face);
   auto colours = to_points<3>(face, tissue_colour);
@@ -272,10 +275,12 @@ vtkSmartPointer<vtkPolyData> make_trachea(const pipeline::PatientPackage& packag
     const double depth = -dot(minus({p[0], p[1], p[2]}, glottis), cranial) / depth_of_carina;
     const double ring = 0.06 * std::sin(2.0 * 3.14159265 * depth * 14.0);  // about as many rings as a trachea has
     for (int c = 0; c < 3; ++c)
-      rgb->SetComponent(i, c, 255.0 * std::clamp(kAirwayBlue[c] * (1.0 - 0.55 * std::clamp(depth, 0.0, 1.0) + ring), 0.0, 1.0));
+      rgb->SetComponent(
+          i, c, 255.0 * std::clamp(kAirwayBlue[c] * (1.0 - 0.55 * std::clamp(depth, 0.0, 1.0) + ring), 0.0, 1.0));
   }
   result->GetPointData()->SetScalars(rgb);
-  result->GetPointData()->AddArray(wetness_array(std::vector<std::array<double, 1>>(result->GetNumberOfPoints(), {0.5})));
+  result->GetPointData()->AddArray(
+      wetness_array(std::vector<std::array<double, 1>>(result->GetNumberOfPoints(), {0.5})));
   return result;
 }
 
@@ -286,7 +291,8 @@ vtkSmartPointer<vtkPolyData> to_poly_data(const Surface& surface) {
   auto points = vtkSmartPointer<vtkPoints>::New();
   points->SetDataTypeToFloat();
   points->SetNumberOfPoints(static_cast<vtkIdType>(surface.points.size()));
-  for (std::size_t i = 0; i < surface.points.size(); ++i) points->SetPoint(static_cast<vtkIdType>(i), surface.points[i].data());
+  for (std::size_t i = 0; i < surface.points.size(); ++i)
+    points->SetPoint(static_cast<vtkIdType>(i), surface.points[i].data());
   auto cells = vtkSmartPointer<vtkCellArray>::New();
   for (const auto& t : surface.triangles) {
     const vtkIdType ids[3] = {t[0], t[1], t[2]};

@@ -1,12 +1,12 @@
 // A patient package made ready for drawing: coloured, shaded, smooth. Made once per patient, off the window's thread.
 #pragma once
 
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+
 #include <functional>
 #include <memory>
 #include <string>
-
-#include <vtkPolyData.h>
-#include <vtkSmartPointer.h>
 
 #include "gui/views/soft_surface.h"
 #include "pipeline/package/patient_package.h"
@@ -16,20 +16,20 @@ namespace vallecula::gui {
 /// Where to look and how wide, from the package's landmarks and lips. mm, LPS.
 struct Framing {
   pipeline::Point eye{};
-  pipeline::Point mouth{};       ///< middle of the opening between the lips
-  pipeline::Point inside{};      ///< what matters once the blade is in: on the way from the mouth to the glottis
+  pipeline::Point mouth{};   ///< middle of the opening between the lips
+  pipeline::Point inside{};  ///< what matters once the blade is in: on the way from the mouth to the glottis
   pipeline::Point glottis{};
-  double face_mm = 100.0;        ///< what the view shows of the face, across, at the mouth
-  double mouth_mm = 45.0;        ///< what it shows of the mouth once the blade is in
+  double face_mm = 100.0;  ///< what the view shows of the face, across, at the mouth
+  double mouth_mm = 45.0;  ///< what it shows of the mouth once the blade is in
   double midline_x_mm = 0.0;
 };
 
 struct PatientLook {
-  vtkSmartPointer<vtkPolyData> face;      ///< points mm, normals, colours
-  vtkSmartPointer<vtkPolyData> trachea;   ///< wall below the glottis, seen from inside, the paper's blue
-  std::unique_ptr<SoftSurface> soft;      ///< tongue and epiglottis
+  vtkSmartPointer<vtkPolyData> face;     ///< points mm, normals, colours
+  vtkSmartPointer<vtkPolyData> trachea;  ///< wall below the glottis, seen from inside, the paper's blue
+  std::unique_ptr<SoftSurface> soft;     ///< tongue and epiglottis
   Framing framing;
-  pipeline::PatientPackage package;       ///< what it was made from
+  pipeline::PatientPackage package;  ///< what it was made from
 };
 
 /// Throws std::runtime_error naming the surface or landmark that is missing. `progress(stage, 0..1)` may be empty.

@@ -1,7 +1,5 @@
 #include "gui/views/sagittal_view.h"
 
-#include <algorithm>
-#include <cstdint>
 #include <vtkCamera.h>
 #include <vtkCellArray.h>
 #include <vtkCellType.h>
@@ -16,6 +14,9 @@
 #include <vtkPolyDataConnectivityFilter.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
+
+#include <algorithm>
+#include <cstdint>
 
 #include "gui/views/tissue_colours.h"
 #include "gui/views/tool_look.h"
@@ -62,8 +63,8 @@ SagittalView::SagittalView(QWidget* parent) : GlView(parent) {
   renderer()->AddLight(light);
 }
 
-vtkSmartPointer<vtkActor> SagittalView::add_flat(vtkPolyData* surface, double towards_viewer_mm, double red, double green,
-                                                 double blue) {
+vtkSmartPointer<vtkActor> SagittalView::add_flat(vtkPolyData* surface, double towards_viewer_mm, double red,
+                                                 double green, double blue) {
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputData(surface);
   mapper->ScalarVisibilityOff();
@@ -241,7 +242,8 @@ void SagittalView::update_from(const engine::Snapshot& snapshot, double sight_pe
 
 void SagittalView::frame() {
   double low_y = 1e30, high_y = -1e30, low_z = 1e30, high_z = -1e30;
-  for (const char* name : {"upper_gum_midline", "lower_gum_midline", "glottis_centre", "vallecula", "hyoid", "epiglottis_tip"}) {
+  for (const char* name :
+       {"upper_gum_midline", "lower_gum_midline", "glottis_centre", "vallecula", "hyoid", "epiglottis_tip"}) {
     const auto found = look_->package.landmarks.find(name);
     if (found == look_->package.landmarks.end()) continue;
     low_y = std::min(low_y, found->second[1]);
@@ -250,8 +252,8 @@ void SagittalView::frame() {
     high_z = std::max(high_z, found->second[2]);
   }
   const double depth = high_y - low_y, tall = high_z - low_z;
-  width_mm_ = 2.2 * depth;   // lips and nose in front, the back wall of the throat behind
-  height_mm_ = 2.1 * tall;   // the palate and nose above, the windpipe below
+  width_mm_ = 2.2 * depth;  // lips and nose in front, the back wall of the throat behind
+  height_mm_ = 2.1 * tall;  // the palate and nose above, the windpipe below
   centre_y_ = 0.5 * (low_y + high_y) - 0.08 * depth;
   centre_z_ = 0.5 * (low_z + high_z) - 0.05 * tall;
   auto* camera = renderer()->GetActiveCamera();

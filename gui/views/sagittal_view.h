@@ -1,12 +1,12 @@
 // The live mid-sagittal cut, as in textbooks: anterior to the left, the head up. Parallel projection, flat colours.
 #pragma once
 
-#include <memory>
-#include <vector>
-
 #include <vtkActor.h>
 #include <vtkPoints.h>
 #include <vtkUnstructuredGrid.h>
+
+#include <memory>
+#include <vector>
 
 #include "engine/snapshot.h"
 #include "gui/views/gl_view.h"
@@ -31,7 +31,8 @@ class SagittalView : public GlView {
   void add_tool(const engine::TriangleMesh& tool);
   void add_sight_line();
   void frame();
-  vtkSmartPointer<vtkActor> add_flat(vtkPolyData* surface, double towards_viewer_mm, double red, double green, double blue);
+  vtkSmartPointer<vtkActor> add_flat(vtkPolyData* surface, double towards_viewer_mm, double red, double green,
+                                     double blue);
 
   std::shared_ptr<PatientLook> look_;
   vtkSmartPointer<vtkPoints> soft_points_;

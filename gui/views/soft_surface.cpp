@@ -1,13 +1,14 @@
 #include "gui/views/soft_surface.h"
 
-#include <algorithm>
-#include <cmath>
-#include <map>
 #include <vtkCellArray.h>
 #include <vtkFloatArray.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkUnsignedCharArray.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
 
 #include "gui/views/tissue_colours.h"
 #include "gui/views/tissue_shading.h"
@@ -36,8 +37,8 @@ vtkSmartPointer<vtkCellArray> cells_of(const std::vector<std::array<int, 3>>& tr
   return cells;
 }
 
-constexpr float kRoundness = 0.7f;      // of Phong tessellation (Boubekeur and Alexa 2008 take 0.75)
-constexpr double kPapillaMm = 1.6;      // grain of the tongue's velvet
+constexpr float kRoundness = 0.7f;  // of Phong tessellation (Boubekeur and Alexa 2008 take 0.75)
+constexpr double kPapillaMm = 1.6;  // grain of the tongue's velvet
 constexpr double kPapillaTilt = 0.16;
 
 }  // namespace
@@ -46,7 +47,8 @@ SoftSurface::SoftSurface(const pipeline::TetMesh& mesh, int levels) : nodes_(mes
   // A face that belongs to one tetrahedron only is boundary; the order of its corners faces outward.
   std::map<std::array<int, 3>, std::array<int, 3>> open;
   for (const auto& t : mesh.tets) {
-    const std::array<std::array<int, 3>, 4> faces{{{t[0], t[2], t[1]}, {t[0], t[1], t[3]}, {t[1], t[2], t[3]}, {t[0], t[3], t[2]}}};
+    const std::array<std::array<int, 3>, 4> faces{
+        {{t[0], t[2], t[1]}, {t[0], t[1], t[3]}, {t[1], t[2], t[3]}, {t[0], t[3], t[2]}}};
     for (const auto& face : faces) {
       auto key = face;
       std::sort(key.begin(), key.end());
@@ -145,10 +147,12 @@ void SoftSurface::shade(const Openness& openness) {
   auto* colours = vtkUnsignedCharArray::SafeDownCast(surface_->GetPointData()->GetScalars());
   for (std::size_t i = 0; i < points_.size(); ++i) {
     const auto& n = normals_[i];
-    const double light = 0.35 + 0.65 * std::min(1.0, 1.4 * openness.at({points_[i][0], points_[i][1], points_[i][2]}, {n[0], n[1], n[2]}));
+    const double light = 0.35 + 0.65 * std::min(1.0, 1.4 * openness.at({points_[i][0], points_[i][1], points_[i][2]},
+                                                                       {n[0], n[1], n[2]}));
     for (int c = 0; c < 3; ++c) {
       const auto id = static_cast<vtkIdType>(i);
-      colours->SetComponent(id, c, colours->GetComponent(id, c) * (c == 0 ? std::sqrt(light) : light));  // blood glows red
+      colours->SetComponent(id, c,
+                            colours->GetComponent(id, c) * (c == 0 ? std::sqrt(light) : light));  // blood glows red
     }
   }
   colours->Modified();
@@ -192,7 +196,8 @@ void SoftSurface::refine_and_publish() {
     const Float3& n = normals_[i];
     const Float3& bump = bumps_[i];
     const float along = dot(bump, n);
-    const Float3 tilted = unit({n[0] - bump[0] + along * n[0], n[1] - bump[1] + along * n[1], n[2] - bump[2] + along * n[2]});
+    const Float3 tilted =
+        unit({n[0] - bump[0] + along * n[0], n[1] - bump[1] + along * n[1], n[2] - bump[2] + along * n[2]});
     points->SetTypedTuple(static_cast<vtkIdType>(i), points_[i].data());
     normals->SetTypedTuple(static_cast<vtkIdType>(i), tilted.data());
   }
@@ -205,7 +210,8 @@ void SoftSurface::refine_and_publish() {
 vtkSmartPointer<vtkPolyData> SoftSurface::boundary() const {
   auto result = vtkSmartPointer<vtkPolyData>::New();
   auto points = vtkSmartPointer<vtkPoints>::New();
-  for (std::size_t i = 0; i < node_of_.size(); ++i) points->InsertNextPoint(points_[i][0], points_[i][1], points_[i][2]);
+  for (std::size_t i = 0; i < node_of_.size(); ++i)
+    points->InsertNextPoint(points_[i][0], points_[i][1], points_[i][2]);
   result->SetPoints(points);
   result->SetPolys(cells_of(triangles_));
   return result;

@@ -1,11 +1,12 @@
-// The skin of the soft tissue as the operator sees it: the boundary of the tetrahedra, made finer and round for the eye.
+// The skin of the soft tissue as the operator sees it: the boundary of the tetrahedra, made finer and round for the
+// eye.
 #pragma once
-
-#include <array>
-#include <vector>
 
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
+
+#include <array>
+#include <vector>
 
 #include "gui/views/openness.h"
 #include "pipeline/package/patient_package.h"
@@ -28,15 +29,15 @@ class SoftSurface {
 
  private:
   struct Level {
-    std::vector<std::array<int, 2>> edges;      ///< a new point in the middle of each; numbered after the coarser points
+    std::vector<std::array<int, 2>> edges;  ///< a new point in the middle of each; numbered after the coarser points
     std::vector<std::array<int, 3>> triangles;  ///< of the finer mesh
   };
   void compute_normals(const std::vector<std::array<int, 3>>& triangles, std::size_t points);
   void refine_and_publish();
 
-  std::size_t nodes_ = 0;                       ///< of the tet mesh
-  std::vector<int> node_of_;                    ///< tet-mesh node of each boundary point
-  std::vector<std::array<int, 3>> triangles_;   ///< boundary, outward
+  std::size_t nodes_ = 0;                      ///< of the tet mesh
+  std::vector<int> node_of_;                   ///< tet-mesh node of each boundary point
+  std::vector<std::array<int, 3>> triangles_;  ///< boundary, outward
   std::vector<Level> levels_;
   std::vector<std::array<float, 3>> points_, normals_, bumps_;
   vtkSmartPointer<vtkPolyData> surface_;

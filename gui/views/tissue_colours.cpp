@@ -1,31 +1,42 @@
 #include "gui/views/tissue_colours.h"
 
-#include <algorithm>
 #include <vtkNew.h>
 #include <vtkPerlinNoise.h>
+
+#include <algorithm>
 
 namespace vallecula::gui {
 
 Colour tissue_colour(pipeline::Tissue tissue) {
   switch (tissue) {
-    case pipeline::Tissue::skin: return {0.90, 0.68, 0.58};
-    case pipeline::Tissue::lip: return {0.82, 0.47, 0.44};
-    case pipeline::Tissue::gum: return {0.88, 0.52, 0.52};
-    case pipeline::Tissue::palate: return {0.86, 0.50, 0.48};
-    case pipeline::Tissue::mucosa: return {0.78, 0.36, 0.34};
-    case pipeline::Tissue::larynx: return {0.90, 0.54, 0.50};
+    case pipeline::Tissue::skin:
+      return {0.90, 0.68, 0.58};
+    case pipeline::Tissue::lip:
+      return {0.82, 0.47, 0.44};
+    case pipeline::Tissue::gum:
+      return {0.88, 0.52, 0.52};
+    case pipeline::Tissue::palate:
+      return {0.86, 0.50, 0.48};
+    case pipeline::Tissue::mucosa:
+      return {0.78, 0.36, 0.34};
+    case pipeline::Tissue::larynx:
+      return {0.90, 0.54, 0.50};
   }
   return {0.8, 0.4, 0.4};
 }
 
 double tissue_wetness(pipeline::Tissue tissue) {
   switch (tissue) {
-    case pipeline::Tissue::skin: return 0.0;
-    case pipeline::Tissue::lip: return 0.35;
+    case pipeline::Tissue::skin:
+      return 0.0;
+    case pipeline::Tissue::lip:
+      return 0.35;
     case pipeline::Tissue::gum:
-    case pipeline::Tissue::palate: return 0.85;
+    case pipeline::Tissue::palate:
+      return 0.85;
     case pipeline::Tissue::mucosa:
-    case pipeline::Tissue::larynx: return 1.0;
+    case pipeline::Tissue::larynx:
+      return 1.0;
   }
   return 0.0;
 }

@@ -1,20 +1,21 @@
 #include "gui/views/tissue_shading.h"
 
-#include <array>
 #include <vtkDataObject.h>
 #include <vtkMatrix4x4.h>
 #include <vtkShaderProperty.h>
 #include <vtkUniforms.h>
 
+#include <array>
+
 namespace vallecula::gui {
 namespace {
 
 // View coordinates: x right, y up, z to the eye; mm. Terms: light of the room by where a surface faces (top brighter),
-// the lamp above the operator, a window from the left, the blade's lamp. Diffuse light is wrapped around edges by colour,
-// most for red, as it scatters in tissue (d'Eon, GPU Gems 3 chapter 14, in its cheapest form), and varies slowly: it is
-// computed per vertex. Gloss (Blinn) and the brighter rim of what is wet (Schlick) are computed per pixel, with the eye
-// taken as far away; the powers are squarings, 16 for dry and 64 for wet. Without a graphics card every operation per
-// pixel costs about a millisecond a frame.
+// the lamp above the operator, a window from the left, the blade's lamp. Diffuse light is wrapped around edges by
+// colour, most for red, as it scatters in tissue (d'Eon, GPU Gems 3 chapter 14, in its cheapest form), and varies
+// slowly: it is computed per vertex. Gloss (Blinn) and the brighter rim of what is wet (Schlick) are computed per
+// pixel, with the eye taken as far away; the powers are squarings, 16 for dry and 64 for wet. Without a graphics card
+// every operation per pixel costs about a millisecond a frame.
 const char* const kVertexDeclarations = R"(//VTK::Normal::Dec
   in float wetness;
   out vec3 litVS;       // colour under all diffuse light
@@ -59,7 +60,8 @@ const char* const kPixelLight = R"(
   fragOutput0 = vec4(litVS + vec3(mirror.x + glossVS.w * mirror.y + glossVS.z * rim * rim * rim), opacity);
 )";
 
-void set_lamp_uniforms(vtkShaderProperty* shader, const std::array<float, 3>& bulb, const std::array<float, 3>& beam, float strength) {
+void set_lamp_uniforms(vtkShaderProperty* shader, const std::array<float, 3>& bulb, const std::array<float, 3>& beam,
+                       float strength) {
   auto* vertex = shader->GetVertexCustomUniforms();
   vertex->SetUniform3f("lampVC", bulb.data());
   vertex->SetUniform3f("lampBeamVC", beam.data());
@@ -79,15 +81,18 @@ void shade_as_tissue(vtkActor* actor, vtkPolyDataMapper* mapper, double glow) {
   set_lamp_uniforms(shader, {0, 0, 1e4f}, {0, 0, -1}, 0.0f);
 }
 
-void set_lamp(vtkActor* actor, vtkCamera* camera, const engine::Vec3& bulb_mm, const engine::Vec3& beam, double strength) {
+void set_lamp(vtkActor* actor, vtkCamera* camera, const engine::Vec3& bulb_mm, const engine::Vec3& beam,
+              double strength) {
   auto* view = camera->GetViewTransformMatrix();
-  const double bulb[4] = {bulb_mm.x(), bulb_mm.y(), bulb_mm.z(), 1.0}, direction[4] = {beam.x(), beam.y(), beam.z(), 0.0};
+  const double bulb[4] = {bulb_mm.x(), bulb_mm.y(), bulb_mm.z(), 1.0},
+               direction[4] = {beam.x(), beam.y(), beam.z(), 0.0};
   double bulb_view[4], direction_view[4];
   view->MultiplyPoint(bulb, bulb_view);
   view->MultiplyPoint(direction, direction_view);
-  const std::array<float, 3> at{static_cast<float>(bulb_view[0]), static_cast<float>(bulb_view[1]), static_cast<float>(bulb_view[2])};
+  const std::array<float, 3> at{static_cast<float>(bulb_view[0]), static_cast<float>(bulb_view[1]),
+                                static_cast<float>(bulb_view[2])};
   const std::array<float, 3> along{static_cast<float>(direction_view[0]), static_cast<float>(direction_view[1]),
-                          static_cast<float>(direction_view[2])};
+                                   static_cast<float>(direction_view[2])};
   set_lamp_uniforms(actor->GetShaderProperty(), at, along, static_cast<float>(strength));
 }
 

@@ -1,8 +1,5 @@
 #include "gui/views/tool_look.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <vtkAppendPolyData.h>
 #include <vtkCellArray.h>
 #include <vtkNew.h>
@@ -13,6 +10,10 @@
 #include <vtkProperty.h>
 #include <vtkShaderProperty.h>
 #include <vtkSphereSource.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
 
 namespace vallecula::gui {
 namespace {
@@ -55,7 +56,8 @@ vtkSmartPointer<vtkPolyData> turned(const engine::Vec3& at, const std::vector<st
     }
   for (std::size_t ring = 0; ring + 1 < profile.size(); ++ring)
     for (int i = 0; i < kAround; ++i) {
-      const vtkIdType a = static_cast<vtkIdType>(ring) * kAround + i, b = static_cast<vtkIdType>(ring) * kAround + (i + 1) % kAround;
+      const vtkIdType a = static_cast<vtkIdType>(ring) * kAround + i,
+                      b = static_cast<vtkIdType>(ring) * kAround + (i + 1) % kAround;
       const vtkIdType quad[4] = {a, b, b + kAround, a + kAround};
       cells->InsertNextCell(4, quad);
     }
@@ -94,8 +96,9 @@ vtkSmartPointer<vtkPolyData> with_normals(vtkPolyData* input, double edge_degree
   return normals->GetOutput();
 }
 
-/// Steel shows the room: lamps and the dark between them, a bright ceiling, warm skin from below. A few lines instead of an environment
-/// map; the mirrored point drifts across a flat face (`vertexVC` in it), as it does in a room of finite size.
+/// Steel shows the room: lamps and the dark between them, a bright ceiling, warm skin from below. A few lines instead
+/// of an environment map; the mirrored point drifts across a flat face (`vertexVC` in it), as it does in a room of
+/// finite size.
 void make_metallic(vtkActor* actor, double strength) {
   actor->GetShaderProperty()->AddFragmentShaderReplacement(
       "//VTK::Light::Impl", true,
@@ -107,7 +110,8 @@ void make_metallic(vtkActor* actor, double strength) {
       "  room = mix(room, vec3(0.97, 0.98, 1.0), 0.6 * smoothstep(0.60, 1.2, mirror.y));\n"
       "  room = mix(room, vec3(0.66, 0.50, 0.47), 0.45 * smoothstep(-0.2, -0.9, mirror.z));\n"
       "  room += vec3(0.22) * smoothstep(0.86, 0.99, dot(mirror, normalize(vec3(-0.30, 0.45, 0.84))));\n"
-      "  fragOutput0.rgb = mix(fragOutput0.rgb, room, " + std::to_string(strength) + ");\n",
+      "  fragOutput0.rgb = mix(fragOutput0.rgb, room, " +
+          std::to_string(strength) + ");\n",
       false);
 }
 
@@ -154,9 +158,9 @@ vtkSmartPointer<vtkPolyData> handle_surface(const engine::TriangleMesh& tool) {
   const double radius = std::clamp(0.10 * blade, 7.0, 9.5), long_mm = std::clamp(1.2 * blade, 85.0, 120.0);
   engine::Vec3 foot = heel_mm(tool);
   foot.x() -= 0.35 * radius;
-  std::vector<std::array<double, 2>> profile{{0.0, -1.0},           {0.42 * radius, -1.0},  {0.46 * radius, -0.2},
-                                             {0.46 * radius, 9.0},  {0.60 * radius, 10.5},  {0.92 * radius, 11.5},
-                                             {radius, 13.0},        {radius, 20.0},         {0.95 * radius, 21.0}};
+  std::vector<std::array<double, 2>> profile{{0.0, -1.0},          {0.42 * radius, -1.0}, {0.46 * radius, -0.2},
+                                             {0.46 * radius, 9.0}, {0.60 * radius, 10.5}, {0.92 * radius, 11.5},
+                                             {radius, 13.0},       {radius, 20.0},        {0.95 * radius, 21.0}};
   const double grip_from = 22.0, grip_to = long_mm - 9.0;
   for (double height = grip_from; height < grip_to; height += 3.2) {  // the rings the hand holds on to
     profile.push_back({0.95 * radius, height});
@@ -164,10 +168,12 @@ vtkSmartPointer<vtkPolyData> handle_surface(const engine::TriangleMesh& tool) {
     profile.push_back({1.0 * radius, height + 1.9});
     profile.push_back({0.95 * radius, height + 2.6});
   }
-  profile.insert(profile.end(), {{radius, grip_to + 1.0}, {radius, long_mm - 2.0}, {0.85 * radius, long_mm}, {0.0, long_mm}});
+  profile.insert(profile.end(),
+                 {{radius, grip_to + 1.0}, {radius, long_mm - 2.0}, {0.85 * radius, long_mm}, {0.0, long_mm}});
   vtkNew<vtkAppendPolyData> whole;
   whole->AddInputData(with_normals(turned(foot, profile), 40.0));
-  whole->AddInputData(rounded_block(foot + engine::Vec3(0.1 * radius, 0.0, 1.6), {0.70 * radius, 0.55 * radius, 2.0}, 1.0));
+  whole->AddInputData(
+      rounded_block(foot + engine::Vec3(0.1 * radius, 0.0, 1.6), {0.70 * radius, 0.55 * radius, 2.0}, 1.0));
   whole->Update();
   return whole->GetOutput();
 }

@@ -1,12 +1,12 @@
 // The laryngoscope as it is drawn: the engine's blade, with a handle and a lamp that are for the eye only.
 #pragma once
 
-#include <vector>
-
 #include <vtkActor.h>
 #include <vtkMatrix4x4.h>
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
+
+#include <vector>
 
 #include "engine/types.h"
 

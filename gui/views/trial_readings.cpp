@@ -25,12 +25,15 @@ class SightBar : public QWidget {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     const QRectF track(0.5, 2.5, width() - 1.0, height() - 5.0);
-    const auto at = [&](double percent) { return track.left() + track.width() * std::clamp(percent / 100.0, 0.0, 1.0); };
+    const auto at = [&](double percent) {
+      return track.left() + track.width() * std::clamp(percent / 100.0, 0.0, 1.0);
+    };
     painter.setPen(Qt::NoPen);
     painter.setBrush(theme::kTrack);
     painter.drawRoundedRect(track, 4, 4);
     painter.setBrush(QColor(41, 107, 237));  // the blue the trachea has in the view
-    if (now_ > 0.0) painter.drawRoundedRect(QRectF(track.left(), track.top(), at(now_) - track.left(), track.height()), 3, 3);
+    if (now_ > 0.0)
+      painter.drawRoundedRect(QRectF(track.left(), track.top(), at(now_) - track.left(), track.height()), 3, 3);
     painter.setPen(QPen(theme::kText, 1.5));
     if (best_ > 0.0) painter.drawLine(QPointF(at(best_), track.top()), QPointF(at(best_), track.bottom()));
     painter.setPen(QPen(theme::kTarget, 2.0));
@@ -43,15 +46,18 @@ class SightBar : public QWidget {
 
 StateWords words_for(engine::HapticState state, bool device_invalid) {
   switch (state) {
-    case engine::HapticState::tracking: return {"following your hand", ""};
+    case engine::HapticState::tracking:
+      return {"following your hand", ""};
     case engine::HapticState::limited:
       return {"at the device limit",
-              "Device limit reached: the device cannot push back harder, so the blade stays where it is. The grey blade shows "
+              "Device limit reached: the device cannot push back harder, so the blade stays where it is. The grey "
+              "blade shows "
               "your hand."};
     case engine::HapticState::lost:
-      return {"lost", device_invalid ? "The device stopped answering. No force is shown until it is back."
-                                     : "The device stayed over its limit too long and let go. Bring the grey blade back to the "
-                                       "steel one to take hold again."};
+      return {"lost", device_invalid
+                          ? "The device stopped answering. No force is shown until it is back."
+                          : "The device stayed over its limit too long and let go. Bring the grey blade back to the "
+                            "steel one to take hold again."};
     case engine::HapticState::recovering:
       return {"taking hold again", "Taking hold again: the force returns gently."};
   }
@@ -127,8 +133,8 @@ void TrialReadings::show_snapshot(const engine::Snapshot& snapshot) {
   sight_->show_percent(percent, best_percent_, sight_percent_);
   const bool invalid = (snapshot.faults & engine::kFaultDeviceInvalid) != 0;
   state_->setText(words_for(snapshot.state, invalid).name);
-  state_->setStyleSheet(snapshot.state == engine::HapticState::tracking ? QString()
-                                                                        : QString("color: %1").arg(theme::kDevice.name()));
+  state_->setStyleSheet(
+      snapshot.state == engine::HapticState::tracking ? QString() : QString("color: %1").arg(theme::kDevice.name()));
   loop_->setText(QString("%1 Hz, %2 late of %3")
                      .arg(snapshot.loop_rate_hz, 0, 'f', 0)
                      .arg(snapshot.deadline_misses)

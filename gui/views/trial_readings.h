@@ -1,4 +1,5 @@
-// The figures beside the views: clock, how much of the glottis is seen, what the device does, whether the loop keeps time.
+// The figures beside the views: clock, how much of the glottis is seen, what the device does, whether the loop keeps
+// time.
 #pragma once
 
 #include <QWidget>

@@ -1,15 +1,15 @@
 #include "tests/gui/window_patient.h"
 
-#include <algorithm>
-#include <cmath>
-#include <map>
-
-#include <vtkFlyingEdges3D.h>
 #include <vtkFloatArray.h>
+#include <vtkFlyingEdges3D.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
 
 namespace vallecula::gui::window_test {
 namespace {
@@ -18,8 +18,10 @@ using pipeline::Point;
 
 double capsule(const Point& p, const Point& a, const Point& b, double ra, double rb, double wide = 1.0) {
   const Point ab{b[0] - a[0], b[1] - a[1], b[2] - a[2]}, ap{(p[0] - a[0]) / wide, p[1] - a[1], p[2] - a[2]};
-  const double t = std::clamp((ap[0] * ab[0] + ap[1] * ab[1] + ap[2] * ab[2]) / (ab[0] * ab[0] + ab[1] * ab[1] + ab[2] * ab[2]), 0.0, 1.0);
-  return std::sqrt(std::pow(ap[0] - t * ab[0], 2) + std::pow(ap[1] - t * ab[1], 2) + std::pow(ap[2] - t * ab[2], 2)) - (ra + t * (rb - ra));
+  const double t = std::clamp(
+      (ap[0] * ab[0] + ap[1] * ab[1] + ap[2] * ab[2]) / (ab[0] * ab[0] + ab[1] * ab[1] + ab[2] * ab[2]), 0.0, 1.0);
+  return std::sqrt(std::pow(ap[0] - t * ab[0], 2) + std::pow(ap[1] - t * ab[1], 2) + std::pow(ap[2] - t * ab[2], 2)) -
+         (ra + t * (rb - ra));
 }
 
 double both(double a, double b, double soft) {  // smooth union
@@ -46,7 +48,8 @@ double cavity(const Point& p) {
 }
 
 double tongue(const Point& p) {
-  return both(capsule(p, {0, 10, -22}, {0, 18, -27}, 4.5, 8, 1.6), capsule(p, {0, 18, -27}, {0, 23, -33}, 8, 8, 1.6), 3);
+  return both(capsule(p, {0, 10, -22}, {0, 18, -27}, 4.5, 8, 1.6), capsule(p, {0, 18, -27}, {0, 23, -33}, 8, 8, 1.6),
+              3);
 }
 
 double epiglottis(const Point& p) { return capsule(p, {0, 28, -42}, {0, 36, -35}, 1.4, 1.0, 3.0); }
@@ -84,14 +87,17 @@ pipeline::Surface surface_of(Distance distance, double step) {
   for (vtkIdType i = 0; i < mesh->GetNumberOfCells(); ++i) {
     vtkNew<vtkIdList> ids;
     mesh->GetCellPoints(i, ids);
-    std::array<int, 3> t{static_cast<int>(ids->GetId(0)), static_cast<int>(ids->GetId(1)), static_cast<int>(ids->GetId(2))};
+    std::array<int, 3> t{static_cast<int>(ids->GetId(0)), static_cast<int>(ids->GetId(1)),
+                         static_cast<int>(ids->GetId(2))};
     // Outward: the distance grows along the normal.
     const Point &a = surface.points[t[0]], &b = surface.points[t[1]], &c = surface.points[t[2]];
     const Point u{b[0] - a[0], b[1] - a[1], b[2] - a[2]}, v{c[0] - a[0], c[1] - a[1], c[2] - a[2]};
     const Point n{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
     const double size = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]) + 1e-12;
     const Point m{(a[0] + b[0] + c[0]) / 3, (a[1] + b[1] + c[1]) / 3, (a[2] + b[2] + c[2]) / 3};
-    const auto at = [&](double s) { return distance(Point{m[0] + s * n[0] / size, m[1] + s * n[1] / size, m[2] + s * n[2] / size}); };
+    const auto at = [&](double s) {
+      return distance(Point{m[0] + s * n[0] / size, m[1] + s * n[1] / size, m[2] + s * n[2] / size});
+    };
     if (at(0.3) < at(-0.3)) std::swap(t[1], t[2]);
     surface.triangles.push_back(t);
   }
@@ -113,7 +119,8 @@ pipeline::TetMesh tets_of_soft(double step) {
         const Point centre{(i + 0.5) * step, (j + 0.5) * step, (k + 0.5) * step};
         if (soft(centre) > 0.0) continue;
         int c[8];
-        for (int corner = 0; corner < 8; ++corner) c[corner] = number(i + (corner & 1), j + (corner >> 1 & 1), k + (corner >> 2 & 1));
+        for (int corner = 0; corner < 8; ++corner)
+          c[corner] = number(i + (corner & 1), j + (corner >> 1 & 1), k + (corner >> 2 & 1));
         // Kuhn: six tetrahedra around the diagonal 0-7, alike in every cube, so neighbours fit.
         const int ways[6][2] = {{1, 3}, {3, 2}, {2, 6}, {6, 4}, {4, 5}, {5, 1}};
         for (const auto& way : ways) {
@@ -152,14 +159,19 @@ pipeline::PatientPackage coarse_patient() {
     const double mouth = std::hypot(p[0] / 1.45, p[2] + 10);
     auto tissue = pipeline::Tissue::skin;
     if (cavity(p) < 0.9 && p[1] > -1.0)
-      tissue = p[2] < -42 ? pipeline::Tissue::larynx : p[2] > -3 && p[1] < 5 ? pipeline::Tissue::gum : pipeline::Tissue::mucosa;
+      tissue = p[2] < -42              ? pipeline::Tissue::larynx
+               : p[2] > -3 && p[1] < 5 ? pipeline::Tissue::gum
+                                       : pipeline::Tissue::mucosa;
     else if (mouth < 16 && p[1] < 3)
       tissue = pipeline::Tissue::lip;
     face.tissue.push_back(static_cast<std::uint8_t>(tissue));
   }
   package.surfaces["face"] = face;
-  package.surfaces["airway"] =
-      surface_of([](const Point& p) { return std::max({cavity(p), -soft(p), -(p[1] + 4.0)}); }, 1.0);
+  package.surfaces["airway"] = surface_of(
+      [](const Point& p) {
+        return std::max({cavity(p), -soft(p), -(p[1] + 4.0)});
+      },
+      1.0);
   pipeline::Surface glottis;
   for (int i = 0; i < 16; ++i) {
     const double angle = 2.0 * 3.14159265 * i / 16;

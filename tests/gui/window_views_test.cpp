@@ -116,10 +116,12 @@ TEST_F(Views, TheBlueAirwayComesIntoSightWhenTheTongueGoes) {
   show(view, 500, 420);
   view.set_zoom(OperatorView::Zoom::mouth);
   auto snapshot = at_rest(patient(), {0, 0, 5});
-  ASSERT_TRUE(wait_for([&] {
-    view.update_from(snapshot);
-    return view.closeness() == 1.0;
-  }, 5000));
+  ASSERT_TRUE(wait_for(
+      [&] {
+        view.update_from(snapshot);
+        return view.closeness() == 1.0;
+      },
+      5000));
   const Spot hidden = find_pixels(view.picture(), [](QRgb c, int, int) { return is_airway_blue(c); });
   snapshot.soft_points = rest_metres(patient().tongue, {0, -0.5, 0});  // out of the picture altogether
   view.update_from(snapshot);
@@ -152,15 +154,19 @@ TEST_F(Views, TheViewGoesCloserWithTheBladeInAndBackWithItOut) {
   view.update_from(out);
   const double wide = view.mm_per_pixel();
   EXPECT_DOUBLE_EQ(view.closeness(), 0.0);
-  ASSERT_TRUE(wait_for([&] {
-    view.update_from(in);
-    return view.closeness() == 1.0;
-  }, 5000));
+  ASSERT_TRUE(wait_for(
+      [&] {
+        view.update_from(in);
+        return view.closeness() == 1.0;
+      },
+      5000));
   EXPECT_LT(view.mm_per_pixel(), 0.6 * wide);
-  ASSERT_TRUE(wait_for([&] {
-    view.update_from(out);
-    return view.closeness() == 0.0;
-  }, 5000));
+  ASSERT_TRUE(wait_for(
+      [&] {
+        view.update_from(out);
+        return view.closeness() == 0.0;
+      },
+      5000));
   EXPECT_NEAR(view.mm_per_pixel(), wide, 1e-9);
 }
 
