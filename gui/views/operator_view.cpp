@@ -80,7 +80,8 @@ void OperatorView::aim() {
   if (!look_) return;
   const Framing& framing = look_->framing;
   const bool close = zoom_ == Zoom::mouth || (zoom_ == Zoom::automatic && blade_in_);
-  const double elapsed = 1e-3 * static_cast<double>(since_aimed_.restart());
+  const double elapsed = 1e-9 * static_cast<double>(since_aimed_.nsecsElapsed());
+  since_aimed_.start();
   closeness_ += std::clamp((close ? 1.0 : 0.0) - closeness_, -elapsed / kZoomSeconds, elapsed / kZoomSeconds);
   const double eased = closeness_ * closeness_ * (3.0 - 2.0 * closeness_);
 
