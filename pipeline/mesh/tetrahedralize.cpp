@@ -59,7 +59,11 @@ int run_helper(const fs::path& helper, const std::string& input, const std::stri
   if (child == 0) {
     // Between fork and exec only calls that are safe in a program with threads.
     ::setrlimit(RLIMIT_CPU, &cpu);
-    ::setrlimit(RLIMIT_AS, &memory);
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+    ::setrlimit(RLIMIT_AS, &memory);  // sanitizers reserve terabytes of addresses
+#else
+    (void)memory;
+#endif
     ::setrlimit(RLIMIT_CORE, &no_core);
     const int nowhere = ::open("/dev/null", O_RDWR);
     if (nowhere >= 0) {

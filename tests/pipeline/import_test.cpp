@@ -32,107 +32,82 @@ std::string text_of(const fs::path& file) {
   return all.str();
 }
 
-/// One import of the term manikin serves all questions about a good package.
-class ImportManikin : public ::testing::Test {
- protected:
-  static void SetUpTestSuite() {
-    fs::remove_all(scratch());
-    fs::create_directories(scratch());
-    ManikinOptions options;
-    write_manikin(options, series());
-    ImportOptions import;
-    import.series = series();
-    import.out = scratch() / "term.patient";
-    report_ = new ImportReport(import_series(import, [](const std::string& stage, double done) {
-      stages_.push_back(stage);
-      done_.push_back(done);
-    }));
-    package_ = new PatientPackage(read_package(import.out));
-  }
-  static void TearDownTestSuite() {
-    delete report_;
-    delete package_;
-    fs::remove_all(scratch());
-  }
-  static fs::path series() { return scratch() / "series"; }
-  static const Surface& face() { return package_->surfaces.at("face"); }
-
-  static ImportReport* report_;
-  static PatientPackage* package_;
-  static std::vector<std::string> stages_;
-  static std::vector<double> done_;
+/// One import of the term manikin serves all questions about a good package (ctest starts a process for every test, so
+/// it is one test).
+struct Imported {
+  fs::path series = scratch() / "series";
+  ImportReport report;
+  PatientPackage package;
+  std::vector<std::string> stages;
+  std::vector<double> done;
+  const Surface& face() const { return package.surfaces.at("face"); }
 };
 
-ImportReport* ImportManikin::report_ = nullptr;
-PatientPackage* ImportManikin::package_ = nullptr;
-std::vector<std::string> ImportManikin::stages_;
-std::vector<double> ImportManikin::done_;
-
-TEST_F(ImportManikin, ProgressRisesThroughTheStages) {
-  ASSERT_FALSE(done_.empty());
-  EXPECT_TRUE(std::is_sorted(done_.begin(), done_.end()));
-  EXPECT_NEAR(done_.back(), 1.0, 1e-9);
-  EXPECT_EQ(std::set<std::string>(stages_.begin(), stages_.end()),
+void check_progress_rises_through_the_stages(const Imported& in) {
+  ASSERT_FALSE(in.done.empty());
+  EXPECT_TRUE(std::is_sorted(in.done.begin(), in.done.end()));
+  EXPECT_NEAR(in.done.back(), 1.0, 1e-9);
+  EXPECT_EQ(std::set<std::string>(in.stages.begin(), in.stages.end()),
             (std::set<std::string>{"read", "segment", "surfaces", "tetrahedra", "write"}));
-  ASSERT_EQ(report_->stages.size(), 5u);
+  ASSERT_EQ(in.report.stages.size(), 5u);
 }
 
-TEST_F(ImportManikin, LeavesNothingButThePackage) {
+void check_leaves_nothing_but_the_package(const Imported&) {
   std::set<std::string> names;
   for (const auto& entry : fs::directory_iterator(scratch())) names.insert(entry.path().filename().string());
   EXPECT_EQ(names, (std::set<std::string>{"series", "term.patient"}));
 }
 
-TEST_F(ImportManikin, SurfacesAreClosedAndLookOutwards) {
-  for (const auto& [name, surface] : package_->surfaces) {
+void check_surfaces_are_closed_and_look_outwards(const Imported& in) {
+  for (const auto& [name, surface] : in.package.surfaces) {
     if (name == "glottis") continue;
     const auto f = facts_of(surface);
     EXPECT_TRUE(f.closed && f.manifold && f.finite) << name << ": " << f.fault;
     EXPECT_EQ(f.parts, 1) << name;
     EXPECT_GT(f.volume_mm3, 0.0) << name;
   }
-  EXPECT_LT(face().triangles.size(), 120000u);
+  EXPECT_LT(in.face().triangles.size(), 120000u);
 }
 
-TEST_F(ImportManikin, SurfacesHoldTheVolumeOfTheTruth) {
-  const auto truth = read_label_map(series() / "truth.nrrd");
+void check_surfaces_hold_the_volume_of_the_truth(const Imported& in) {
+  const auto truth = read_label_map(in.series / "truth.nrrd");
   const auto volume = [&](std::set<int> labels) {
     double n = 0.0;
     for (const auto v : truth.voxels) n += labels.count(v) != 0 ? 1.0 : 0.0;
     return n * truth.grid.voxel_mm3();
   };
   const auto ratio = [&](const char* name, double expected) {
-    return facts_of(package_->surfaces.at(name)).volume_mm3 / expected;
+    return facts_of(in.package.surfaces.at(name)).volume_mm3 / expected;
   };
   EXPECT_NEAR(ratio("mandible", volume({kMandible})), 1.0, 0.03) << "smoothing must not shrink";
   EXPECT_NEAR(ratio("airway", volume({kAirway})), 1.0, 0.05);
   EXPECT_NEAR(ratio("face", volume({kSkin, kSkull, kMandible, kLarynx, kOesophagus, kSoftPalate, kSpine})), 1.0, 0.02);
-  EXPECT_NEAR(quality_of(package_->tongue).volume_mm3 / volume({kTongue, kEpiglottis}), 1.0, 0.03);
+  EXPECT_NEAR(quality_of(in.package.tongue).volume_mm3 / volume({kTongue, kEpiglottis}), 1.0, 0.03);
 }
 
-TEST_F(ImportManikin, EveryTissueIsOnTheFaceWhereItBelongs) {
+void check_every_tissue_is_on_the_face_where_it_belongs(const Imported& in) {
   std::map<int, double> area;
-  const Point gum = package_->landmarks.at("upper_gum_midline");
-  for (std::size_t t = 0; t < face().triangles.size(); ++t) {
-    const auto& c = face().triangles[t];
+  const Point gum = in.package.landmarks.at("upper_gum_midline");
+  for (std::size_t t = 0; t < in.face().triangles.size(); ++t) {
+    const auto& c = in.face().triangles[t];
     Point p{};
     for (const int v : c) {
-      for (int a = 0; a < 3; ++a) p[a] += face().points[v][a] / 3.0;
+      for (int a = 0; a < 3; ++a) p[a] += in.face().points[v][a] / 3.0;
     }
-    ++area[face().tissue[t]];
+    ++area[in.face().tissue[t]];
     const double away = std::hypot(p[0] - gum[0], p[1] - gum[1], p[2] - gum[2]);
-    if (face().tissue[t] != static_cast<int>(Tissue::skin)) {
+    if (in.face().tissue[t] != static_cast<int>(Tissue::skin)) {
       EXPECT_LT(away, 130.0) << "no mucosa on the scalp";
     }
-    if (face().tissue[t] == static_cast<int>(Tissue::lip)) {
+    if (in.face().tissue[t] == static_cast<int>(Tissue::lip)) {
       EXPECT_LT(away, 40.0);
     }
   }
   for (int tissue = 0; tissue < 6; ++tissue) EXPECT_GT(area[tissue], 100.0) << "tissue " << tissue;
 }
 
-TEST_F(ImportManikin, TetrahedraAreWellShapedAndHeld) {
-  const auto& m = package_->tongue;
+void check_tetrahedra_are_well_shaped_and_held(const Imported& in) {
+  const auto& m = in.package.tongue;
   const auto q = quality_of(m);
   EXPECT_GT(q.smallest_dihedral_deg, 10.0);
   EXPECT_LT(q.largest_dihedral_deg, 165.0);
@@ -149,8 +124,8 @@ TEST_F(ImportManikin, TetrahedraAreWellShapedAndHeld) {
   EXPECT_GT(std::count(of.begin(), of.end(), 3), 10);
   EXPECT_EQ(std::count(of.begin(), of.end(), 0), 0);
   std::map<int, int> held;
-  const Point hyoid = package_->landmarks.at("hyoid");
-  const Point tip = package_->landmarks.at("epiglottis_tip");
+  const Point hyoid = in.package.landmarks.at("hyoid");
+  const Point tip = in.package.landmarks.at("epiglottis_tip");
   for (std::size_t v = 0; v < m.points.size(); ++v) {
     ++held[m.anchor[v]];
     const auto away = [&](const Point& p) {
@@ -167,9 +142,9 @@ TEST_F(ImportManikin, TetrahedraAreWellShapedAndHeld) {
   EXPECT_GT(held[0], static_cast<int>(m.points.size() / 2));
 }
 
-TEST_F(ImportManikin, GlottisOutlineIsTheTrueOpening) {
+void check_glottis_outline_is_the_true_opening(const Imported& in) {
   const auto truth = Manikin().glottis_outline();
-  const auto& found = package_->surfaces.at("glottis").points;
+  const auto& found = in.package.surfaces.at("glottis").points;
   ASSERT_GE(found.size(), 12u);
   double worst = 0.0;
   for (const auto& p : found) {
@@ -188,7 +163,7 @@ TEST_F(ImportManikin, GlottisOutlineIsTheTrueOpening) {
   EXPECT_LT(worst, 1.6);
 }
 
-TEST_F(ImportManikin, NothingIdentifiesTheSource) {
+void check_nothing_identifies_the_source(const Imported&) {
   for (const auto& entry : fs::directory_iterator(scratch() / "term.patient")) {
     const auto text = text_of(entry.path());
     for (const char* word : {"Manikin^", "MANIKIN-", "2.25.", "1.2.826", "/tmp", "series"}) {
@@ -197,15 +172,40 @@ TEST_F(ImportManikin, NothingIdentifiesTheSource) {
   }
 }
 
-TEST_F(ImportManikin, TheSameSeriesGivesTheSamePackage) {
+void check_the_same_series_gives_the_same_package(const Imported& in) {
   ImportOptions again;
-  again.series = series();
+  again.series = in.series;
   again.out = scratch() / "again" / "term.patient";
   import_series(again);
   for (const auto& entry : fs::directory_iterator(scratch() / "term.patient")) {
     EXPECT_EQ(text_of(entry.path()), text_of(again.out / entry.path().filename())) << entry.path().filename();
   }
   fs::remove_all(scratch() / "again");
+}
+
+TEST(ImportManikin, GivesAPackageThatCanBePlayed) {
+  fs::remove_all(scratch());
+  fs::create_directories(scratch());
+  Imported in;
+  write_manikin(ManikinOptions{}, in.series);
+  ImportOptions options;
+  options.series = in.series;
+  options.out = scratch() / "term.patient";
+  in.report = import_series(options, [&](const std::string& stage, double done) {
+    in.stages.push_back(stage);
+    in.done.push_back(done);
+  });
+  in.package = read_package(options.out);
+  check_progress_rises_through_the_stages(in);
+  check_leaves_nothing_but_the_package(in);
+  check_surfaces_are_closed_and_look_outwards(in);
+  check_surfaces_hold_the_volume_of_the_truth(in);
+  check_every_tissue_is_on_the_face_where_it_belongs(in);
+  check_tetrahedra_are_well_shaped_and_held(in);
+  check_glottis_outline_is_the_true_opening(in);
+  check_nothing_identifies_the_source(in);
+  check_the_same_series_gives_the_same_package(in);
+  fs::remove_all(scratch());
 }
 
 class ImportErrors : public ::testing::Test {

@@ -27,53 +27,29 @@ fs::path series() {
 
 const Point kTongueCentre{244, -341, -138};
 
-class RealCt : public ::testing::Test {
- protected:
-  static void SetUpTestSuite() {
-    if (!fs::exists(series())) return;
-    out_ = fs::temp_directory_path() / ("vallecula-real-ct-test-" + std::to_string(::getpid())) / "adult.patient";
-    ImportOptions options;
-    options.series = series();
-    options.out = out_;
-    options.seeds["tongue"] = kTongueCentre;
-    import_series(options);
-    package_ = new PatientPackage(read_package(out_));
-    labels_ = new Labels(read_label_map(out_ / "labels.nrrd"));
+/// One import serves all questions (ctest starts a process for every test, so it is one test).
+struct Adult {
+  fs::path out;
+  PatientPackage package;
+  Labels labels;
+  int label_at(const Point& p) const {
+    const auto c = labels.grid.nearest(p);
+    return labels.at(c[0], c[1], c[2]);
   }
-  static void TearDownTestSuite() {
-    delete package_;
-    delete labels_;
-    if (!out_.empty()) fs::remove_all(out_.parent_path());
-  }
-  void SetUp() override {
-    if (package_ == nullptr)
-      GTEST_SKIP() << "outside data absent: cerr_head_neck_ct is looked for in $VALLECULA_DATA, else in ../shared/data";
-  }
-  static int label_at(const Point& p) {
-    const auto c = labels_->grid.nearest(p);
-    return labels_->at(c[0], c[1], c[2]);
-  }
-  static fs::path out_;
-  static PatientPackage* package_;
-  static Labels* labels_;
 };
 
-fs::path RealCt::out_;
-PatientPackage* RealCt::package_ = nullptr;
-Labels* RealCt::labels_ = nullptr;
-
-TEST_F(RealCt, ReferencePointsHaveTheirLabels) {
-  EXPECT_EQ(label_at(kTongueCentre), kTongue);
+void check_reference_points_have_their_labels(const Adult& in) {
+  EXPECT_EQ(in.label_at(kTongueCentre), kTongue);
   for (const Point& p : {Point{242, -305, -111}, Point{243, -309, -162}, Point{242, -308, -201}, Point{239, -312, -219},
                          Point{235, -309, -252}, Point{232, -304, -261}}) {
-    EXPECT_EQ(label_at(p), kAirway) << p[0] << ' ' << p[1] << ' ' << p[2];
+    EXPECT_EQ(in.label_at(p), kAirway) << p[0] << ' ' << p[1] << ' ' << p[2];
   }
-  EXPECT_EQ(label_at({244, -372, -141}), kMandible);
-  EXPECT_EQ(label_at({1, -511, -267}), kBackground);
+  EXPECT_EQ(in.label_at({244, -372, -141}), kMandible);
+  EXPECT_EQ(in.label_at({1, -511, -267}), kBackground);
 }
 
-TEST_F(RealCt, AirwayIsOnePieceAndTheGasInTheOesophagusIsNot) {
-  const auto airway = where(*labels_, [](std::uint8_t v) { return v == kAirway; });
+void check_airway_is_one_piece_and_the_gas_in_the_oesophagus_is_not(const Adult& in) {
+  const auto airway = where(in.labels, [](std::uint8_t v) { return v == kAirway; });
   const auto parts = components(airway);
   ASSERT_EQ(parts.sizes.size(), 2u) << "one 6-connected component";
   EXPECT_NEAR(static_cast<double>(parts.sizes[1]), 29786.0, 600.0) << "voxels below -400 HU between nose and trachea";
@@ -87,27 +63,27 @@ TEST_F(RealCt, AirwayIsOnePieceAndTheGasInTheOesophagusIsNot) {
       for (int x = 227; x <= 262; ++x) {
         if (gas.id.at(x, y, z) == 0 || gas.id.at(x, y, z) == trachea) continue;
         ++pocket;
-        EXPECT_NE(labels_->at(x, y, z), kAirway) << "gas pocket";
+        EXPECT_NE(in.labels.at(x, y, z), kAirway) << "gas pocket";
       }
     }
   }
   EXPECT_GT(pocket, 50u);
 }
 
-TEST_F(RealCt, CouchAndMaskFrameAreOutside) {
+void check_couch_and_mask_frame_are_outside(const Adult& in) {
   // The couch lies at y > -150 below the neck; the frame's feet beside the head.
   for (const Point& p :
        {Point{100, -143, -177}, Point{350, -143, -177}, Point{171, -153, -177}, Point{328, -153, -132}}) {
-    EXPECT_EQ(label_at(p), kBackground) << p[0] << ' ' << p[1] << ' ' << p[2];
+    EXPECT_EQ(in.label_at(p), kBackground) << p[0] << ' ' << p[1] << ' ' << p[2];
   }
 }
 
-TEST_F(RealCt, TongueStaysWithinItsLimits) {
+void check_tongue_stays_within_its_limits(const Adult& in) {
   const auto hu = read_ct_series(series()).hu;
   std::size_t tongue = 0;
   std::size_t soft = 0;
   for (std::size_t i = 0; i < hu.voxels.size(); ++i) {
-    if (labels_->voxels[i] != kTongue) continue;
+    if (in.labels.voxels[i] != kTongue) continue;
     ++tongue;
     soft += hu.voxels[i] > -150 && hu.voxels[i] < 250 ? 1 : 0;
     const auto p = hu.grid.position(i);
@@ -119,24 +95,24 @@ TEST_F(RealCt, TongueStaysWithinItsLimits) {
   EXPECT_GT(static_cast<double>(soft) / static_cast<double>(tongue), 0.95) << "no bone, no air";
 }
 
-TEST_F(RealCt, PackageCanBePlayed) {
-  for (const auto& [name, surface] : package_->surfaces) {
+void check_package_can_be_played(const Adult& in) {
+  for (const auto& [name, surface] : in.package.surfaces) {
     if (name == "glottis") continue;
     EXPECT_EQ(facts_of(surface).fault, "") << name;
   }
-  EXPECT_GT(quality_of(package_->tongue).smallest_dihedral_deg, 5.0);
-  const Point glottis = package_->landmarks.at("glottis_centre");
+  EXPECT_GT(quality_of(in.package.tongue).smallest_dihedral_deg, 5.0);
+  const Point glottis = in.package.landmarks.at("glottis_centre");
   EXPECT_LT(std::hypot(glottis[0] - 239, glottis[1] + 312, glottis[2] + 219), 6.0) << "two slices of 3 mm";
   bool said = false;
-  for (const auto& q : package_->quality)
+  for (const auto& q : in.package.quality)
     said = said || (q.name == "inferred" && q.note.find("carina") != std::string::npos);
   EXPECT_TRUE(said) << "the carina lies below the scan, and the report says so";
 }
 
-TEST_F(RealCt, WithoutASeedTheClosedMouthIsSaid) {
+void check_without_a_seed_the_closed_mouth_is_said(const Adult& in) {
   ImportOptions options;
   options.series = series();
-  options.out = out_.parent_path() / "other.patient";
+  options.out = in.out.parent_path() / "other.patient";
   try {
     import_series(options);
     FAIL() << "there is no air over this tongue";
@@ -146,6 +122,27 @@ TEST_F(RealCt, WithoutASeedTheClosedMouthIsSaid) {
   EXPECT_FALSE(fs::exists(options.out));
   options.seeds["tongue"] = {0, 0, 0};
   EXPECT_THROW(import_series(options), ImportError);
+}
+
+TEST(RealCt, GivesAPackageWithAHumanSeed) {
+  if (!fs::exists(series()))
+    GTEST_SKIP() << "outside data absent: cerr_head_neck_ct is looked for in $VALLECULA_DATA, else in ../shared/data";
+  Adult in;
+  in.out = fs::temp_directory_path() / ("vallecula-real-ct-test-" + std::to_string(::getpid())) / "adult.patient";
+  ImportOptions options;
+  options.series = series();
+  options.out = in.out;
+  options.seeds["tongue"] = kTongueCentre;
+  import_series(options);
+  in.package = read_package(in.out);
+  in.labels = read_label_map(in.out / "labels.nrrd");
+  check_reference_points_have_their_labels(in);
+  check_airway_is_one_piece_and_the_gas_in_the_oesophagus_is_not(in);
+  check_couch_and_mask_frame_are_outside(in);
+  check_tongue_stays_within_its_limits(in);
+  check_package_can_be_played(in);
+  check_without_a_seed_the_closed_mouth_is_said(in);
+  fs::remove_all(in.out.parent_path());
 }
 
 }  // namespace
