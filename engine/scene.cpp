@@ -26,6 +26,9 @@ void check(const SceneDescription& d) {
   positive(d.haptics.coupling_rotation_nm_rad, "the coupling's rotational stiffness", "N m/rad");
   positive(d.haptics.force_rate_n_s, "the force rate", "N/s");
   positive(d.haptics.limit_time_s, "the time over the limit", "s");
+  positive(d.sphere_ratio, "the sphere ratio", "tetrahedron volumes");
+  if (d.sphere_levels < 1 || d.sphere_levels > 6)
+    throw std::invalid_argument("the sphere tree's grid has " + std::to_string(d.sphere_levels) + " levels; 1 to 6 work");
   if (d.rigid.triangle_structure.size() != d.rigid.surface.triangles.size())
     throw std::invalid_argument("rigid anatomy: a structure is needed for each triangle");
 }
@@ -77,6 +80,8 @@ Scene::Scene(const SceneDescription& d)
       tree(fill_spheres(d.soft, surface, [&d] {
         FillSettings s;
         s.coverage = d.coverage;
+        s.sphere_ratio = d.sphere_ratio;
+        s.levels = d.sphere_levels;
         return s;
       }())),
       tool(d.tool.surface),

@@ -72,6 +72,8 @@ struct SceneDescription {
   HapticSettings haptics;
   Response response = Response::compliant;
   Coverage coverage = Coverage::full;
+  double sphere_ratio = 10.0;          ///< AIST: coarse sphere's volume over the mean tetrahedron's (paper 3.1.1)
+  int sphere_levels = 2;               ///< AIST: levels of the paper's grid
   double step_s = 0.001;
 };
 

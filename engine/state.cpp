@@ -40,7 +40,7 @@ std::uint32_t take_device(const Scene& scene, SceneState& state, const Pose& pos
 }
 
 /// Force of the tissue on the tool (N, and N m about the tip) and its share by structure, from the multipliers.
-void collect_tissue_load(const Scene& scene, SceneState& state, StepResult& result) {
+void collect_tissue_load(const Scene& scene, SceneState& state, std::array<StructureLoad, kLoadedStructures>& loads) {
   state.tissue_wrench = Wrench{};
   std::array<double, kLoadedStructures> weight{};
   for (int i = 0; i < state.contacts.count; ++i) {
@@ -55,14 +55,14 @@ void collect_tissue_load(const Scene& scene, SceneState& state, StepResult& resu
     const int tet = scene.surface.tet[scene.tree.spheres[c.sphere].triangle];
     const int structure = static_cast<int>(scene.description.soft.tet_structure[tet]);
     if (structure >= kLoadedStructures) continue;
-    StructureLoad& load = result.loads[structure];
+    StructureLoad& load = loads[structure];
     load.force_n += force;
     load.centre_m += c.multiplier * at;
     weight[structure] += c.multiplier;
     ++load.contacts;
   }
   for (int s = 0; s < kLoadedStructures; ++s)
-    if (weight[s] > 0) result.loads[s].centre_m /= weight[s];
+    if (weight[s] > 0) loads[s].centre_m /= weight[s];
 }
 
 bool tissue_finite(const SceneState& state) {
@@ -91,6 +91,21 @@ SceneState::SceneState(const Scene& scene)
       sight(scene.sight.make_scratch(
           std::max<std::size_t>(scene.model.rest.size(), scene.description.tool.surface.points.size()))) {}
 
+StepStatistics step_tissue(const Scene& scene, SceneState& state, const Pose& before,
+                           std::array<StructureLoad, kLoadedStructures>& loads, StageTimes& times) noexcept {
+  StageClock clock;
+  if (state.placed)
+    find_contacts(scene.tree, scene.surface, scene.description.soft.tets, scene.model, state.tissue, scene.tool,
+                  state.proxy.pose, before, scene.contact_stiffness, state.contacts);
+  clock.add_to(times.collision_s);
+  const StepStatistics statistics = respond(scene.description.response, scene.tree, scene.description.soft.tets,
+                                            scene.model, state.tissue, state.contacts, times);
+  clock = StageClock();
+  collect_tissue_load(scene, state, loads);
+  clock.add_to(times.response_s);
+  return statistics;
+}
+
 StepResult step(const Scene& scene, SceneState& state, const StepInput& input) noexcept {
   StepResult result;
   result.step = state.step;
@@ -113,12 +128,8 @@ StepResult step(const Scene& scene, SceneState& state, const StepInput& input) n
                        state.limit.coupling_scale, bounded ? settings.device_limit_n : 1e3, state.tissue_wrench, state.proxy);
   }
 
-  if (state.placed)
-    find_contacts(scene.tree, scene.surface, scene.description.soft.tets, scene.model, state.tissue,
-                  scene.tool, state.proxy.pose, before,
-                  scene.contact_stiffness, state.contacts);
-  respond(scene.description.response, scene.tree, scene.description.soft.tets, scene.model, state.tissue, state.contacts);
-  collect_tissue_load(scene, state, result);
+  StageTimes times;
+  step_tissue(scene, state, before, result.loads, times);
   if (!tissue_finite(state) || !usable(state.proxy.pose)) {
     state.tissue.set_rest(scene.model);
     std::fill(state.contacts.memory.begin(), state.contacts.memory.end(), SphereContact{});

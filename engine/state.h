@@ -6,6 +6,7 @@
 #include "engine/haptics/force_limit.h"
 #include "engine/scene_data.h"
 #include "engine/tick_record.h"
+#include "engine/tissue/implicit_step.h"
 #include "engine/tissue/tissue_state.h"
 
 namespace vallecula::engine {
@@ -44,6 +45,11 @@ struct SceneState {
 };
 
 constexpr std::int64_t kSightEverySteps = 20;
+
+/// The tissue's part of a step, with the tool brought from `before` to state.proxy.pose: contacts, response, and the
+/// tissue's force on the tool (state.tissue_wrench) with its split in `loads`. Adds the stages' times to `times`.
+StepStatistics step_tissue(const Scene& scene, SceneState& state, const Pose& before,
+                           std::array<StructureLoad, kLoadedStructures>& loads, StageTimes& times) noexcept;
 
 /// Advances the scene by one step. No allocation, lock, I/O or exception; a non-finite tissue is put back to rest and
 /// reported as kFaultTissue, with no force.

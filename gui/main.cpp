@@ -80,6 +80,7 @@ int main(int argc, char** argv) {
   add_replay_command(app, exit_code);
   add_score_command(app, exit_code);
   add_curriculum_command(app, exit_code);
+  add_lab_command(app, exit_code);
   try {
     app.parse(argc, argv);
     if (app.get_subcommands().empty()) exit_code = run_window_command();

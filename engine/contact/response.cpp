@@ -14,8 +14,9 @@ constexpr float kPenaltyShare = 0.1f;     // of that stiffness: an explicit pena
 /// correction goes to the vertices of its tetrahedron; the velocity is taken from the corrected positions. Its force
 /// reading is M dp / h^2, which depends on the step (DESIGN 4.3): shown, never scored.
 StepStatistics projection(const SphereTree& tree, const std::vector<std::array<int, 4>>& tets, const TissueModel& model,
-                          TissueState& tissue, ContactState& contacts) {
-  const StepStatistics statistics = implicit_step(model, tissue, nullptr, 0);
+                          TissueState& tissue, ContactState& contacts, StageTimes& times) {
+  const StepStatistics statistics = implicit_step(model, tissue, nullptr, 0, times);
+  StageClock clock;
   const double h = model.step_s;
   for (int c = 0; c < contacts.count; ++c) contacts.constraints[c].multiplier = 0.0f;
   for (int i = 0; i < kMaxIterations; ++i)
@@ -45,31 +46,35 @@ StepStatistics projection(const SphereTree& tree, const std::vector<std::array<i
     tissue.velocity[i] += correction / h;
   }
   std::fill(tissue.external.begin(), tissue.external.end(), Float4{});
+  clock.add_to(times.response_s);
   return statistics;
 }
 
 /// The baseline of the paper's Figure 7(a): springs on the penetration depth, applied explicitly.
-StepStatistics penalty(const TissueModel& model, TissueState& tissue, ContactState& contacts) {
+StepStatistics penalty(const TissueModel& model, TissueState& tissue, ContactState& contacts, StageTimes& times) {
+  StageClock clock;
   for (int c = 0; c < contacts.count; ++c) {
     ContactConstraint& contact = contacts.constraints[c];
     contact.multiplier = std::max(0.0f, -contact.gap * contact.stiffness * kPenaltyShare);
     for (int k = 0; k < 4; ++k)
       tissue.external[contact.node[k]].v += splat(contact.multiplier * contact.weight[k]) * contact.normal;
   }
-  return implicit_step(model, tissue, nullptr, 0);
+  clock.add_to(times.response_s);
+  return implicit_step(model, tissue, nullptr, 0, times);
 }
 
 }  // namespace
 
 StepStatistics respond(Response response, const SphereTree& tree, const std::vector<std::array<int, 4>>& tets,
-                       const TissueModel& model, TissueState& tissue, ContactState& contacts) noexcept {
+                       const TissueModel& model, TissueState& tissue, ContactState& contacts,
+                       StageTimes& times) noexcept {
   StepStatistics statistics;
   switch (response) {
     case Response::compliant:
-      statistics = implicit_step(model, tissue, contacts.constraints.data(), contacts.count);
+      statistics = implicit_step(model, tissue, contacts.constraints.data(), contacts.count, times);
       break;
-    case Response::projection: statistics = projection(tree, tets, model, tissue, contacts); break;
-    case Response::penalty: statistics = penalty(model, tissue, contacts); break;
+    case Response::projection: statistics = projection(tree, tets, model, tissue, contacts, times); break;
+    case Response::penalty: statistics = penalty(model, tissue, contacts, times); break;
   }
   keep_multipliers(contacts);
   return statistics;

@@ -8,7 +8,8 @@
 namespace vallecula::engine {
 
 StepStatistics respond(Response response, const SphereTree& tree, const std::vector<std::array<int, 4>>& tets,
-                       const TissueModel& model, TissueState& tissue, ContactState& contacts) noexcept;
+                       const TissueModel& model, TissueState& tissue, ContactState& contacts,
+                       StageTimes& times) noexcept;
 
 /// Stiffness of the augmented Lagrangian per surface area (N/m^3): a few times the stiffness a surface node offers in one
 /// step over the area it answers for. It sets how fast the multipliers settle, not the force they settle at.

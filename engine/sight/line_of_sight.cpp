@@ -18,6 +18,7 @@ double cross2(double ax, double ay, double bx, double by) { return ax * by - ay 
 
 LineOfSight::LineOfSight(const SightDescription& sight, int samples) : eye_(sight.eye) {
   const auto& outline = sight.glottis_outline;
+  if (outline.empty()) return;  // nothing to be seen: the laboratory's scenes
   Vec3 centre = Vec3::Zero(), normal = Vec3::Zero();
   for (const Vec3& p : outline) centre += p / static_cast<double>(outline.size());
   for (std::size_t i = 0; i < outline.size(); ++i)
@@ -109,11 +110,13 @@ void LineOfSight::begin(Scratch& scratch) const noexcept {
 }
 
 double LineOfSight::visible(const Scratch& scratch) const noexcept {
+  if (points_.empty()) return 0.0;
   const auto hidden = std::count(scratch.hidden.begin(), scratch.hidden.end(), 1);
   return 1.0 - static_cast<double>(hidden) / static_cast<double>(points_.size());
 }
 
 double LineOfSight::unobstructed() const {
+  if (points_.empty()) return 0.0;
   const auto hidden = std::count(hidden_by_fixed_.begin(), hidden_by_fixed_.end(), 1);
   return 1.0 - static_cast<double>(hidden) / static_cast<double>(points_.size());
 }

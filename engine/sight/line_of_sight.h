@@ -12,7 +12,8 @@ namespace vallecula::engine {
 class LineOfSight {
  public:
   /// Takes sample points inside the glottic outline (about `samples` of them, evenly spaced) and finds which of them the
-  /// fixed anatomy hides from the eye. Throws std::invalid_argument for an outline without area.
+  /// fixed anatomy hides from the eye. Without an outline nothing is ever seen. Throws std::invalid_argument for one
+  /// without area.
   explicit LineOfSight(const SightDescription& sight, int samples = 120);
 
   /// Work space of an evaluation, sized once.
@@ -44,11 +45,11 @@ class LineOfSight {
   Vec3 project(const Vec3& p) const noexcept;
   void hide_behind(const Vec3& a, const Vec3& b, const Vec3& c, std::vector<char>& hidden) const noexcept;
 
-  Vec3 eye_, axis_, u_, v_;
+  Vec3 eye_, axis_ = Vec3::UnitZ(), u_ = Vec3::UnitX(), v_ = Vec3::UnitY();
   double distance_ = 1.0;
   std::vector<Vec3> points_;          ///< projected samples
   std::vector<char> hidden_by_fixed_;
-  double low_u_, high_u_, low_v_, high_v_;
+  double low_u_ = 0.0, high_u_ = 0.0, low_v_ = 0.0, high_v_ = 0.0;
 };
 
 }  // namespace vallecula::engine

@@ -228,10 +228,12 @@ void follow_bodies(const TissueModel& model, TissueState& state) noexcept {
 }
 
 StepStatistics implicit_step(const TissueModel& model, TissueState& state, ContactConstraint* contacts,
-                             int contact_count) noexcept {
+                             int contact_count, StageTimes& times) noexcept {
   const double h = model.step_s;
+  StageClock clock;
   elastic_forces(model, state);
   refresh_stiffness(model, state, std::max(64, model.tets / kRefreshShare));
+  clock.add_to(times.elasticity_s);
 
   for (int i = 0; i < model.nodes; ++i)
     state.rhs[i].v = state.force[i].v + state.external[i].v +
@@ -278,6 +280,7 @@ StepStatistics implicit_step(const TissueModel& model, TissueState& state, Conta
     state.body_velocity[b] = dq / h;
   }
   follow_bodies(model, state);
+  clock.add_to(times.solve_s);
   return statistics;
 }
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "engine/contact/contact_constraint.h"
+#include "engine/stage_clock.h"
 #include "engine/tissue/tissue_state.h"
 
 namespace vallecula::engine {
@@ -19,7 +20,7 @@ struct StepStatistics {
 /// linear system (the metric of the implicit step), and at rest they balance the elastic forces exactly, whatever k is.
 /// On return the contacts' multipliers are their forces. With no contacts it is the free step of Algorithm 1's first two lines.
 StepStatistics implicit_step(const TissueModel& model, TissueState& state, ContactConstraint* contacts,
-                             int contact_count) noexcept;
+                             int contact_count, StageTimes& times) noexcept;
 
 /// Moves anchored nodes to where their bodies' displacements put them.
 void follow_bodies(const TissueModel& model, TissueState& state) noexcept;

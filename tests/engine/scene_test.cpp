@@ -47,13 +47,14 @@ double resting_force(double young, double poisson, double depth, std::array<int,
   Pose before;
   before.position = Vec3(0.015, 0.015, 0.016);
   double force = 0.0, sum = 0.0;
+  StageTimes times;
   constexpr int kSteps = 900, kAveraged = 100;
   for (int n = 0; n < kSteps; ++n) {
     Pose tool = before;
     tool.position.z() = 0.015 - depth * std::min(1.0, n / 200.0);
     find_contacts(scene->tree, scene->surface, scene->description.soft.tets, scene->model, state.tissue, scene->tool, tool, before,
                   scene->contact_stiffness, state.contacts);
-    implicit_step(scene->model, state.tissue, state.contacts.constraints.data(), state.contacts.count);
+    implicit_step(scene->model, state.tissue, state.contacts.constraints.data(), state.contacts.count, times);
     keep_multipliers(state.contacts);
     before = tool;
     force = 0.0;
@@ -146,10 +147,11 @@ double leaf_speed_after(bool coarse_space) {
   EXPECT_GT(model.coarse_groups, 0);
   if (!coarse_space) model.coarse_groups = 0;
   TissueState state(model);
+  StageTimes times;
   for (int n = 0; n < 600; ++n) {
     for (int i = 0; i < model.nodes; ++i)
       if (n < 100 && model.rest[i].z() > 0.0199) state.external[i].v = F4{2e-3f, 0, 0, 0};
-    implicit_step(model, state, nullptr, 0);
+    implicit_step(model, state, nullptr, 0, times);
   }
   double fastest = 0.0;
   for (const Vec3& v : state.velocity) fastest = std::max(fastest, v.norm());
