@@ -1,5 +1,6 @@
 #include "curricula/scenario.h"
 
+#include <regex>
 #include <set>
 
 #include "tests/curricula/temporary_folder.h"
@@ -94,6 +95,26 @@ TEST_F(CurriculumFile, AScenariosOwnTextSaysTheSame) {
     EXPECT_EQ(again.pass.time_over_device_limit_s, s.pass.time_over_device_limit_s);
     EXPECT_EQ(again.yaml, s.yaml);
   }
+}
+
+/// What a trainee is told to do is what the rubric judges: numbers in the briefing are the pass limits.
+TEST_F(CurriculumFile, ABriefingAsksForWhatTheRubricAsksFor) {
+  int percentages = 0, times = 0;
+  for (const auto& entry : fs::directory_iterator(fs::path(VALLECULA_SOURCE_DIR) / "curricula/courses")) {
+    if (entry.path().extension() != ".yaml") continue;
+    for (const Scenario& s : load_curriculum(entry.path()).scenarios) {
+      const auto each = [&](const std::regex& number, double limit, int& count) {
+        for (std::sregex_iterator it(s.briefing.begin(), s.briefing.end(), number), end; it != end; ++it, ++count) {
+          EXPECT_EQ(std::stod((*it)[1]), limit) << entry.path() << ", " << s.id << ": " << s.briefing;
+        }
+      };
+      each(std::regex("([0-9.]+) *(?:%|percent)"), s.pass.glottis_visible_percent, percentages);
+      each(std::regex("([0-9.]+) seconds"), s.pass.attempt_time_s, times);
+      EXPECT_EQ(s.briefing.find("half of the glottis"), std::string::npos) << s.id;
+    }
+  }
+  EXPECT_GE(percentages, 3) << "the shipped briefings state the share of the glottis";
+  EXPECT_GE(times, 3);
 }
 
 TEST_F(CurriculumFile, TheShippedCourseGoesFromTermToPretermToDifficult) {
