@@ -56,9 +56,9 @@ struct LogHeader {
   std::string build_hash;              ///< of the program that wrote it
   std::string instruction_set;         ///< kernels' level, for instance "x86-64"
   std::string package_name;
-  std::string package_path;            ///< as given, for replay
+  std::string package_path;            ///< from the log's folder, or the bare name: never a person's folders
   std::string package_sha256;          ///< of patient.yaml
-  std::string curriculum_path;
+  std::string curriculum_path;         ///< likewise
   std::string scenario_id;
   std::string scenario_yaml;           ///< the scenario's text: scoring needs no other file
   std::string scenario_sha256;
@@ -76,7 +76,8 @@ struct LogFooter {
   std::string ended;                   ///< "finished", "ended by trainee", ...
   double loop_rate_hz = 0.0;
   std::int64_t deadline_misses = 0;
-  std::int64_t overruns = 0;
+  std::int64_t overruns = 0;           ///< ticks whose simulation step was not finished in time
+  std::string real_time_setup;         ///< what priority the threads were granted, in words; empty in older logs
 };
 
 struct TrialLog {

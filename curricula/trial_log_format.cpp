@@ -259,6 +259,7 @@ std::string footer_to_json(const LogFooter& footer, std::int64_t ticks) {
   o["loop_rate_hz"] = finite_or_throw(footer.loop_rate_hz, "loop_rate_hz");
   o["deadline_misses"] = static_cast<qint64>(footer.deadline_misses);
   o["overruns"] = static_cast<qint64>(footer.overruns);
+  o["real_time_setup"] = text(footer.real_time_setup);
   o["ticks"] = static_cast<qint64>(ticks);
   return compact(o);
 }
@@ -271,6 +272,7 @@ LogFooter footer_from_json(const std::string& json, std::int64_t& ticks) {
   footer.loop_rate_hz = get_number(o, "loop_rate_hz");
   footer.deadline_misses = get_integer(o, "deadline_misses");
   footer.overruns = get_integer(o, "overruns");
+  if (o.contains("real_time_setup")) footer.real_time_setup = get_text(o, "real_time_setup");  // older logs lack it
   ticks = get_integer(o, "ticks");
   return footer;
 }

@@ -85,7 +85,9 @@ Criterion peak(const char* name, const char* what, double value, double limit, d
 
 void judge(const TrialLog& log, const Scenario& scenario, const Moments& moments, Score& score) {
   const PassLimits& pass = scenario.pass;
-  const auto since = [](double at_s) { return at_s < 0.0 ? std::string() : " (first at " + second(at_s) + ")"; };
+  const auto since = [](const char* what, double at_s) {
+    return at_s < 0.0 ? std::string() : " (" + std::string(what) + " " + second(at_s) + ")";
+  };
   score.criteria = {completeness(log, score), attempt_begun(log, score), glottis_seen(scenario, score)};
   if (score.attempt_begun) score.criteria.push_back(attempt_time(scenario, score));
   score.criteria.push_back(peak("peak_tongue_force_n", "Peak force on the tongue", score.peak_tongue_force_n,
@@ -95,12 +97,13 @@ void judge(const TrialLog& log, const Scenario& scenario, const Moments& moments
   score.criteria.push_back(
       at_most("time_over_target_s", "s", score.time_over_target_s, pass.time_over_target_s, moments.over_target_s,
               "Force on the tongue above its target of " + limit_text(scenario.targets.tongue_force_n) + " N for",
-              since(moments.over_target_s)));
+              since("first at", moments.over_target_s)));
   score.criteria.push_back(
       at_most("time_over_force_limit_s", "s", score.time_over_force_limit_s, pass.time_over_device_limit_s,
-              moments.over_device_limit_s,
-              "Device at its force limit of " + limit_text(log.header.device_limit_n) + " N, or lost, for",
-              since(moments.over_device_limit_s)));
+              moments.longest_off_tracking_s,
+              "Device at its force limit of " + limit_text(log.header.device_limit_n) +
+                  " N, or lost and not yet taken hold of again, for",
+              since("longest from", moments.longest_off_tracking_s)));
   if (moments.not_finite_s >= 0.0) {
     score.criteria.push_back(fact(
         "forces_finite", false, moments.not_finite_s,

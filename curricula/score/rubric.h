@@ -5,10 +5,10 @@
 
 namespace vallecula::curricula {
 
-/// First moments of events, trial time; -1: never.
+/// Moments of events, trial time; -1: never.
 struct Moments {
-  double over_target_s = -1.0;
-  double over_device_limit_s = -1.0;
+  double over_target_s = -1.0;          ///< the first
+  double longest_off_tracking_s = -1.0;  ///< start of the longest stay at the device limit or lost
   double not_finite_s = -1.0;  ///< a recorded force was not a number
 };
 

@@ -54,6 +54,8 @@ void measure_sight(const TrialLog& log, const Scenario& scenario, Score& score) 
 Moments measure_forces(const TrialLog& log, const Scenario& scenario, Score& score) {
   Moments moments;
   long long over_target = 0, over_device_limit = 0;  // counted in ticks: sums of 0.001 would drift past a limit
+  long long stay = 0, longest_stay = 0;
+  double stay_began_s = 0.0;
   for (const LogTick& tick : log.ticks) {
     for (int structure = 0; structure < kStructures; ++structure) {
       const double force_n = magnitude(tick.loads[static_cast<std::size_t>(structure)].force_n);
@@ -78,7 +80,13 @@ Moments measure_forces(const TrialLog& log, const Scenario& scenario, Score& sco
     }
     if (tick.state != LoggedState::tracking) {
       ++over_device_limit;
-      if (moments.over_device_limit_s < 0.0) moments.over_device_limit_s = tick.time_s;
+      if (stay++ == 0) stay_began_s = tick.time_s;
+      if (stay > longest_stay) {
+        longest_stay = stay;
+        moments.longest_off_tracking_s = stay_began_s;
+      }
+    } else {
+      stay = 0;
     }
   }
   score.time_over_target_s = static_cast<double>(over_target) * log.header.servo_period_s;
@@ -97,6 +105,8 @@ Score score_trial(const TrialLog& log, const Scenario& scenario) {
   score.ticks = static_cast<long long>(log.ticks.size());
   score.loop_rate_hz = log.footer.loop_rate_hz;
   score.deadline_misses = log.footer.deadline_misses;
+  score.overruns = log.footer.overruns;
+  score.real_time_setup = log.footer.real_time_setup;
   score.complete = log.footer.complete;
   measure_attempt(log, score);
   measure_sight(log, scenario, score);

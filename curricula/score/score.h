@@ -16,7 +16,8 @@ struct Criterion {
   std::string unit;  ///< "N", "s", "%"; empty for yes or no
   double value = 0.0;
   double limit = 0.0;
-  double at_s = -1.0;  ///< trial time at which it happened (the peak, the first excess); -1: it never did
+  double at_s = -1.0;  ///< trial time at which it happened (the peak, the first excess, the start of the
+                       ///< longest stay at the device limit); -1: it never did
   bool met = false;
   std::string sentence;  ///< figure, limit and second, for a person
 };
@@ -30,10 +31,12 @@ struct Score {
   double time_of_peak_gum_force_s = 0.0;
   double attempt_time_s = 0.0;           ///< blade into the mouth to blade out (NEAR4NEOS)
   double attempt_start_s = 0.0;          ///< in trial time
-  double time_over_force_limit_s = 0.0;  ///< device limit: state not `tracking`
+  double time_over_force_limit_s = 0.0;  ///< device at its limit or lost: state not `tracking`
   double time_over_target_s = 0.0;       ///< tongue force over the scenario's target
   double loop_rate_hz = 0.0;
-  long long deadline_misses = 0;
+  long long deadline_misses = 0;  ///< forces written more than 1 ms after they were due
+  long long overruns = 0;         ///< ticks without a new simulation step: the one at hand was not finished
+  std::string real_time_setup;    ///< what priority the threads were granted, in words; empty: not recorded
   long long ticks = 0;
   bool passed = false;
   std::vector<std::string> reasons;  ///< each with the figure, the limit and the second it happened: of a failed
@@ -57,7 +60,10 @@ struct Score {
 ///   since nothing between attempts (ventilation) exists yet; mouth_entries tells when there were more.
 /// - peaks are the largest single tick of the model force's magnitude, over the whole trial, unfiltered.
 /// - in sight: the first sight sample since the attempt's start with at least scenario.sight_percent of the glottis.
-/// - over the device limit: the haptic state was not `tracking`. Over the target: model force on the tongue above it.
+/// - over the device limit: the haptic state was not `tracking`, so a tick counts while the device is at its limit,
+///   while it is lost (it faulted or let go after too long a stay there), and until it has taken hold again. The
+///   reason cites the start of the longest such stay.
+/// - over the target: model force on the tongue above it.
 /// - passed: the log is complete and finite, the attempt took place, and every limit of scenario.pass is kept.
 /// Never throws for a log that read_trial_log gave.
 Score score_trial(const TrialLog& log, const Scenario& scenario);

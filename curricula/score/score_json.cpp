@@ -48,7 +48,8 @@ std::string score_to_json(const Score& score, const TrialLog& log, const Scenari
   o["mouth_entries"] = score.mouth_entries;
   o["trial_complete"] = score.complete;
   o["ended"] = text(log.footer.ended);
-  o["overruns"] = static_cast<qint64>(log.footer.overruns);
+  o["overruns"] = static_cast<qint64>(score.overruns);
+  o["real_time_setup"] = text(score.real_time_setup);
   o["scenario_id"] = text(scenario.id);
   o["scenario_title"] = text(scenario.title);
   o["package_name"] = text(log.header.package_name);

@@ -117,7 +117,7 @@ std::vector<LogTick> write_log(const fs::path& path, int ticks, const LogFooter&
   return written;
 }
 
-LogFooter sample_footer() { return {true, "finished", 999.87654321, 3, 4}; }
+LogFooter sample_footer() { return {true, "finished", 999.87654321, 3, 4, "servo: ordinary priority"}; }
 
 TEST_F(TrialLogFile, GivesBackEveryBit) {
   for (const int ticks : {0, 1, kTicksPerBlock - 1, kTicksPerBlock, kTicksPerBlock + 1, 1000}) {
@@ -132,6 +132,7 @@ TEST_F(TrialLogFile, GivesBackEveryBit) {
       EXPECT_EQ(log.footer.loop_rate_hz, 999.87654321);
       EXPECT_EQ(log.footer.deadline_misses, 3);
       EXPECT_EQ(log.footer.overruns, 4);
+      EXPECT_EQ(log.footer.real_time_setup, "servo: ordinary priority");
       const LogHeader expected = sample_header(), &header = log.header;
       EXPECT_EQ(header.software_version, expected.software_version);
       EXPECT_EQ(header.build_hash, expected.build_hash);

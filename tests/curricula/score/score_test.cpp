@@ -39,7 +39,7 @@ TrialLog log_of(double seconds, const std::function<void(LogTick&)>& change = {}
   log.header.landmarks_m = landmarks();
   log.header.device_kind = "scripted";
   log.header.software_version = "9.8.7";
-  log.footer = {true, "finished", 999.5, 7, 2};
+  log.footer = {true, "finished", 999.5, 7, 2, "servo: real-time priority 80"};
   const int ticks = static_cast<int>(std::lround(seconds / kTick));
   for (int i = 0; i < ticks; ++i) {
     LogTick t;
@@ -93,6 +93,8 @@ TEST(Score, MeasuresAGoodAttempt) {
   EXPECT_EQ(s.ticks, 14000);
   EXPECT_EQ(s.loop_rate_hz, 999.5);
   EXPECT_EQ(s.deadline_misses, 7);
+  EXPECT_EQ(s.overruns, 2);
+  EXPECT_EQ(s.real_time_setup, "servo: real-time priority 80");
   EXPECT_TRUE(any_contains(s.reasons, "82.00 % at 7.00 s")) << joined(s.reasons);
 }
 
@@ -134,7 +136,7 @@ TEST(Score, EachLimitFailsAloneForItsOwnReasonWithFigureLimitAndSecond) {
          if (t.tick >= 8000 && t.tick < 8500) t.state = LoggedState::limited;
        },
        14,
-       {"for 0.50 s (first at 8.00 s)", "0.2 s allowed"}},
+       {"limit of 7.9 N, or lost", "for 0.50 s (longest from 8.00 s)", "0.2 s allowed"}},
       {"not a number",
        [](LogTick& t) {
          if (t.tick == 9000) t.loads[kPalate].force_n[1] = std::nan("");
@@ -185,6 +187,26 @@ TEST(Score, EveryHapticStateButTrackingCounts) {
                                        }),
                                 scenario());
     EXPECT_NEAR(s.time_over_force_limit_s, 0.14, 1e-12);
+  }
+}
+
+TEST(Score, TheReasonCitesTheLongestStayAtTheLimitNotTheFirstTouch) {
+  const Score s = score_trial(log_of(14,
+                                     [](LogTick& t) {
+                                       good(t);
+                                       if (t.tick == 3000) t.state = LoggedState::limited;
+                                       if (t.tick >= 5000 && t.tick < 5200) t.state = LoggedState::limited;
+                                       if (t.tick >= 5200 && t.tick < 5300) t.state = LoggedState::lost;
+                                       if (t.tick >= 9000 && t.tick < 9100) t.state = LoggedState::limited;
+                                     }),
+                              scenario());
+  EXPECT_NEAR(s.time_over_force_limit_s, 0.401, 1e-12);
+  EXPECT_TRUE(any_contains(s.reasons, "or lost")) << joined(s.reasons);
+  EXPECT_TRUE(any_contains(s.reasons, "(longest from 5.00 s)")) << joined(s.reasons);
+  for (const Criterion& c : s.criteria) {
+    if (c.name == "time_over_force_limit_s") {
+      EXPECT_NEAR(c.at_s, 5.0, 1e-9);
+    }
   }
 }
 
@@ -301,6 +323,7 @@ TEST(ScoreJson, HasTheKeysThatOthersRead) {
                                                  {"time_over_target_s", 0.0},
                                                  {"loop_rate_hz", 999.5},
                                                  {"deadline_misses", 7.0},
+                                                 {"overruns", 2.0},
                                                  {"ticks", 14000.0}};
   for (const auto& [name, value] : numbers) {
     ASSERT_TRUE(o.value(QString::fromStdString(name)).isDouble()) << name;
@@ -311,6 +334,7 @@ TEST(ScoreJson, HasTheKeysThatOthersRead) {
   EXPECT_EQ(o.value("scenario_id").toString(), "term");
   EXPECT_EQ(o.value("device_kind").toString(), "scripted");
   EXPECT_EQ(o.value("software_version").toString(), "9.8.7");
+  EXPECT_EQ(o.value("real_time_setup").toString(), "servo: real-time priority 80");
   EXPECT_EQ(o.value("criteria").toArray().size(), 8);
 }
 
