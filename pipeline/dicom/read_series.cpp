@@ -18,7 +18,7 @@ constexpr int kFewestSlices = 16;
 std::string name_of(const fs::path& file) { return file.filename().string(); }
 
 std::vector<fs::path> files_in(const fs::path& folder) {
-  if (!fs::exists(folder)) throw SeriesError("series " + folder.string() + ": there is no such folder");
+  if (!fs::exists(folder)) throw SeriesError("series " + folder.string() + ": there is no such folder; check the name");
   if (!fs::is_directory(folder)) {
     throw SeriesError("series " + folder.string() + ": is a file; name the folder that holds the whole series");
   }
@@ -27,7 +27,9 @@ std::vector<fs::path> files_in(const fs::path& folder) {
   for (const auto& entry : fs::directory_iterator(folder, error)) {
     if (entry.is_regular_file() && name_of(entry.path()) != "DICOMDIR") files.push_back(entry.path());
   }
-  if (error) throw SeriesError("series " + folder.string() + ": cannot be listed (" + error.message() + ")");
+  if (error)
+    throw SeriesError("series " + folder.string() + ": cannot be listed (" + error.message() +
+                      "); check the permissions");
   std::sort(files.begin(), files.end());
   if (files.empty())
     throw SeriesError("series " + folder.string() + ": the folder is empty; name a folder with a CT series");
@@ -53,7 +55,7 @@ std::vector<fs::path> choose_series(const fs::path& folder, std::vector<std::str
   }
   if (series.empty() && !other_modalities.empty()) {
     throw SeriesError("series " + folder.string() + ": its modality is " + other_modalities.begin()->first +
-                      ", not CT; import needs a CT series, whose values are Hounsfield units");
+                      ", not CT; name the folder of a CT series, for only its values are Hounsfield units");
   }
   if (series.empty()) {
     throw SeriesError("series " + folder.string() +
@@ -75,7 +77,7 @@ std::vector<fs::path> choose_series(const fs::path& folder, std::vector<std::str
   if (static_cast<int>(largest->second.size()) < kFewestSlices) {
     throw SeriesError("series " + folder.string() + ": only " + std::to_string(largest->second.size()) +
                       " slices; at least " + std::to_string(kFewestSlices) +
-                      " are needed, from the nose to the carina");
+                      " are needed, from the nose to the carina; export the whole series");
   }
   return largest->second;
 }
@@ -83,7 +85,7 @@ std::vector<fs::path> choose_series(const fs::path& folder, std::vector<std::str
 void check_same_geometry(const Slice& first, const Slice& other) {
   if (other.columns != first.columns || other.rows != first.rows) {
     throw SeriesError("file " + name_of(other.file) + ": its matrix differs from that of " + name_of(first.file) +
-                      "; a series must have one size throughout");
+                      "; take it out of the folder, or export the series with one size");
   }
   for (int a = 0; a < 3; ++a) {
     if (std::abs(other.row[a] - first.row[a]) > 1e-3 || std::abs(other.column[a] - first.column[a]) > 1e-3) {
@@ -94,7 +96,7 @@ void check_same_geometry(const Slice& first, const Slice& other) {
   for (int a = 0; a < 2; ++a) {
     if (std::abs(other.spacing[a] - first.spacing[a]) > 1e-3 * first.spacing[a]) {
       throw SeriesError("file " + name_of(other.file) + ": its PixelSpacing differs from that of " +
-                        name_of(first.file));
+                        name_of(first.file) + "; take it out of the folder, or export the series with one spacing");
     }
   }
 }

@@ -90,7 +90,8 @@ std::optional<double> padding_of(const gdcm::DataSet& data, bool is_signed) {
 
 void fill_hu(const gdcm::Image& image, const gdcm::DataSet& data, Slice& slice) {
   const auto& format = image.GetPixelFormat();
-  if (format.GetSamplesPerPixel() != 1) fail(slice.file, "is a colour picture, not a CT slice");
+  if (format.GetSamplesPerPixel() != 1)
+    fail(slice.file, "is a colour picture, not a CT slice; take it out of the folder");
   std::vector<char> buffer(image.GetBufferLength());
   // A cut-short compressed file passes Read() and fails only here.
   if (buffer.empty() || !image.GetBuffer(buffer.data()))
@@ -117,7 +118,8 @@ void fill_hu(const gdcm::Image& image, const gdcm::DataSet& data, Slice& slice) 
                 : rescale<std::uint32_t>(buffer, slope, intercept, padding, slice.hu);
       return;
     default:
-      fail(slice.file, "has " + std::to_string(format.GetBitsAllocated()) + " bits a voxel; expected 8, 16 or 32");
+      fail(slice.file, "has " + std::to_string(format.GetBitsAllocated()) +
+                           " bits a voxel; expected 8, 16 or 32: export the series again");
   }
 }
 
@@ -165,7 +167,7 @@ Slice read_slice(const std::filesystem::path& file) {
   slice.file = file;
   slice.columns = static_cast<int>(image.GetDimension(0));
   slice.rows = static_cast<int>(image.GetDimension(1));
-  if (slice.columns < 2 || slice.rows < 2) fail(file, "has no picture");
+  if (slice.columns < 2 || slice.rows < 2) fail(file, "has no picture; take it out of the folder");
   const auto spacing = numbers_of<0x0028, 0x0030>(data, file, "PixelSpacing", 2);
   slice.spacing = {spacing[1], spacing[0]};  // DICOM: between rows first
   if (!(spacing[0] > 0.0 && spacing[1] > 0.0)) fail(file, "PixelSpacing is not positive; export the series again");
@@ -188,7 +190,8 @@ Slice read_slice(const std::filesystem::path& file) {
   for (const auto& [tag, name] : {std::pair{gdcm::Tag(0x0028, 0x1052), "RescaleIntercept"},
                                   std::pair{gdcm::Tag(0x0028, 0x1053), "RescaleSlope"}}) {
     if (text_of(data, tag).empty())
-      fail(file, std::string(name) + " is missing, so its grey values cannot be turned into HU");
+      fail(file, std::string(name) +
+                     " is missing, so its grey values cannot be turned into HU; export the original series");
   }
   fill_hu(image, data, slice);
   return slice;

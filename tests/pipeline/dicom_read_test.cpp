@@ -242,7 +242,7 @@ TEST_F(ReadSeries, BadFoldersSayWhatIsWrong) {
   std::ofstream(dir_ / "notes.txt") << "hello";
   expect_message("no DICOM images");
   fs::remove_all(dir_);
-  expect_message("no such folder");
+  expect_message("no such folder; check the name");
   std::ofstream(dir_) << "a file";
   expect_message("is a file");
 }
@@ -254,7 +254,7 @@ TEST_F(ReadSeries, AnotherModalityIsNamed) {
     d.modality = "MR";
     test::write_dicom(d, name(k));
   }
-  expect_message("MR");
+  expect_message("MR, not CT; name the folder of a CT series");
 }
 
 TEST_F(ReadSeries, ADamagedFileIsNamed) {
@@ -284,6 +284,11 @@ TEST_F(ReadSeries, GapsDoublesAndMixedGeometryAreNamed) {
   other.orientation = "0\\1\\0\\0\\0\\-1";
   test::write_dicom(other, name(9));
   expect_message("orientation");
+  other = slice(s, 9);
+  other.spacing = "1.25\\1.5";
+  test::write_dicom(other, name(9));
+  expect_message("PixelSpacing differs");
+  expect_message("take it out of the folder");
   other = slice(s, 9);
   other.intercept.clear();
   test::write_dicom(other, name(9));
