@@ -54,6 +54,23 @@ class Stages {
   std::chrono::steady_clock::time_point start_;
 };
 
+/// Where the label map waits for its package; gone on every way out.
+class TemporaryLabels {
+ public:
+  TemporaryLabels()
+      : path_(fs::temp_directory_path() / ("vallecula-labels-" + std::to_string(::getpid()) + ".nrrd")) {}
+  ~TemporaryLabels() {
+    std::error_code ignored;
+    fs::remove(path_, ignored);
+  }
+  TemporaryLabels(const TemporaryLabels&) = delete;
+  TemporaryLabels& operator=(const TemporaryLabels&) = delete;
+  const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
 std::string millimetres(const std::array<double, 3>& v) {
   std::ostringstream text;
   text << v[0] << " x " << v[1] << " x " << v[2] << " mm";
@@ -86,6 +103,10 @@ void check_out(const fs::path& out) {
   // Before minutes of work: can it be written at all?
   auto parent = dir.parent_path();
   while (!parent.empty() && !fs::exists(parent) && parent != parent.parent_path()) parent = parent.parent_path();
+  if (!fs::is_directory(parent)) {
+    throw ImportError("package " + out.string() + ": " + parent.string() +
+                      " is a file, not a folder; choose another place with --out");
+  }
   std::string probe = (parent / ".vallecula-XXXXXX").string();
   if (::mkdtemp(probe.data()) == nullptr || ::rmdir(probe.c_str()) != 0) {
     throw ImportError("package " + out.string() + ": the folder " + parent.string() +
@@ -102,7 +123,8 @@ ImportReport import_series(const ImportOptions& options, const ImportProgress& p
     check_out(options.out);
     for (const auto& [name, point] : options.seeds) {
       (void)point;
-      if (name != "tongue") throw ImportError("seed " + name + ": only \"tongue\" takes a seed");
+      if (name != "tongue")
+        throw ImportError("seed " + name + ": only the tongue takes a seed; write --seed tongue=x,y,z");
     }
     Stages stages(report, progress);
     stages.begin("read", 0.0, 0.1);
@@ -125,15 +147,10 @@ ImportReport import_series(const ImportOptions& options, const ImportProgress& p
     package.landmarks = segmentation.landmarks;
     package.materials = default_materials();
     package.quality = quality_report(segmentation, package, series.notes);
-    const auto labels = fs::temp_directory_path() / ("vallecula-labels-" + std::to_string(::getpid()) + ".nrrd");
-    write_label_map(on_series_grid(segmentation, series.hu.grid), labels);
-    try {
-      write_package(package, labels, options.out);
-    } catch (...) {
-      std::error_code ignored;
-      fs::remove(labels, ignored);
-      throw;
-    }
+    const TemporaryLabels labels;
+    write_label_map(on_series_grid(segmentation, series.hu.grid), labels.path());
+    stages.say(0.5);
+    write_package(package, labels.path(), options.out);
     stages.say(1.0);
     stages.end();
     report.quality = package.quality;

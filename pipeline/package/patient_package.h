@@ -42,8 +42,9 @@ struct QualityItem {
   std::string name;  ///< "tongue volume"
   double value = 0.0;
   std::string unit;
-  bool ok = true;
+  bool ok = true;  ///< false: to be looked at
   std::string note;
+  bool judged = true;  ///< false: a figure without a limit to hold it against; `ok` says nothing
 };
 
 struct PatientPackage {

@@ -85,7 +85,8 @@ void read_description(const YAML::Node& root, PatientPackage& package) {
     q.name = required(item, "name").as<std::string>();
     q.value = required(item, "value").as<double>();
     q.unit = required(item, "unit").as<std::string>();
-    q.ok = required(item, "ok").as<bool>();
+    q.judged = static_cast<bool>(item["ok"]);  // a figure without a verdict has none in the file
+    if (q.judged) q.ok = item["ok"].as<bool>();
     q.note = required(item, "note").as<std::string>();
     package.quality.push_back(q);
   }

@@ -59,9 +59,9 @@ std::string described(const PatientPackage& package, const std::map<std::string,
   y << YAML::Key << "quality" << YAML::Value << YAML::BeginSeq;
   for (const auto& q : package.quality) {
     y << YAML::BeginMap << YAML::Key << "name" << YAML::Value << YAML::DoubleQuoted << q.name << YAML::Key << "value"
-      << YAML::Value << q.value << YAML::Key << "unit" << YAML::Value << YAML::DoubleQuoted << q.unit << YAML::Key
-      << "ok" << YAML::Value << q.ok << YAML::Key << "note" << YAML::Value << YAML::DoubleQuoted << q.note
-      << YAML::EndMap;
+      << YAML::Value << q.value << YAML::Key << "unit" << YAML::Value << YAML::DoubleQuoted << q.unit;
+    if (q.judged) y << YAML::Key << "ok" << YAML::Value << q.ok;
+    y << YAML::Key << "note" << YAML::Value << YAML::DoubleQuoted << q.note << YAML::EndMap;
   }
   y << YAML::EndSeq;
   y << YAML::Key << "files" << YAML::Value << YAML::BeginMap;

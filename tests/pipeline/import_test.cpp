@@ -52,6 +52,20 @@ void check_progress_rises_through_the_stages(const Imported& in) {
   ASSERT_EQ(in.report.stages.size(), 5u);
 }
 
+/// A verdict that can only be good is none.
+void check_quality_judges_only_by_limits(const Imported& in) {
+  std::map<std::string, const QualityItem*> items;
+  for (const QualityItem& item : in.package.quality) items[item.name] = &item;
+  for (const char* name : {"head size", "gap between the gums", "glottis area", "tetrahedra", "shortest edge"}) {
+    ASSERT_EQ(items.count(name), 1u) << name;
+    EXPECT_FALSE(items[name]->judged) << name;
+  }
+  for (const char* name : {"tongue volume", "mouth open", "face surface", "smallest dihedral angle"}) {
+    ASSERT_EQ(items.count(name), 1u) << name;
+    EXPECT_TRUE(items[name]->judged && items[name]->ok) << name;
+  }
+}
+
 void check_leaves_nothing_but_the_package(const Imported&) {
   std::set<std::string> names;
   for (const auto& entry : fs::directory_iterator(scratch())) names.insert(entry.path().filename().string());
@@ -197,6 +211,7 @@ TEST(ImportManikin, GivesAPackageThatCanBePlayed) {
   });
   in.package = read_package(options.out);
   check_progress_rises_through_the_stages(in);
+  check_quality_judges_only_by_limits(in);
   check_leaves_nothing_but_the_package(in);
   check_surfaces_are_closed_and_look_outwards(in);
   check_surfaces_hold_the_volume_of_the_truth(in);
@@ -235,6 +250,8 @@ TEST_F(ImportErrors, SayWhatWhereAndHowAndLeaveNothing) {
   EXPECT_NE(message(dir_ / "a").find(".patient"), std::string::npos);
   std::ofstream(dir_ / "taken.patient") << "a file";
   EXPECT_NE(message(dir_ / "taken.patient").find("not a patient package"), std::string::npos);
+  EXPECT_NE(message(dir_ / "taken.patient" / "a.patient").find("is a file, not a folder"), std::string::npos)
+      << message(dir_ / "taken.patient" / "a.patient");
   fs::remove(dir_ / "taken.patient");
   if (::geteuid() != 0) {
     fs::permissions(dir_ / "series", fs::perms::owner_read | fs::perms::owner_exec);

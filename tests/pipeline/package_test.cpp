@@ -38,7 +38,8 @@ PatientPackage example() {
   p.tongue.tets = {{0, 1, 2, 3}, {1, 2, 3, 4}};
   p.tongue.tissue = {0, 1};
   p.tongue.anchor = {1, 2, 3, 0, 0};
-  p.quality = {{"tongue volume", 7.25, "ml", true, ""}, {"watertight", 0.0, "", false, "open: at the back"}};
+  p.quality = {{"tongue volume", 7.25, "ml", true, ""}, {"watertight", 0.0, "", false, "open: at the back"},
+               {"head size", 1.02, "of term", true, "a figure without a limit", false}};
   return p;
 }
 
@@ -90,9 +91,11 @@ TEST_F(Package, ReadsBackWhatWasWritten) {
   EXPECT_EQ(out.tongue.tissue, in.tongue.tissue);
   EXPECT_EQ(out.tongue.anchor, in.tongue.anchor);
   EXPECT_EQ(out.materials.at("epiglottis").young_pa, 90e3);
-  ASSERT_EQ(out.quality.size(), 2u);
+  ASSERT_EQ(out.quality.size(), 3u);
   EXPECT_EQ(out.quality[1].note, in.quality[1].note);
   EXPECT_FALSE(out.quality[1].ok);
+  EXPECT_TRUE(out.quality[1].judged);
+  EXPECT_FALSE(out.quality[2].judged);
   EXPECT_EQ(read_label_map(dir / "labels.nrrd").voxels, example_labels().voxels);
   EXPECT_FALSE(fs::exists(folder_ / "labels-aside.nrrd")) << "the label map is moved in, not left behind";
 }
