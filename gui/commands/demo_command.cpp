@@ -4,10 +4,8 @@
 #include <QHBoxLayout>
 #include <QTimer>
 #include <algorithm>
-#include <atomic>
 #include <chrono>
 #include <cmath>
-#include <csignal>
 #include <cstdio>
 #include <iostream>
 #include <map>
@@ -18,6 +16,8 @@
 
 #include "curricula/trial_log.h"
 #include "gui/commands/commands.h"
+#include "gui/commands/interruption.h"
+#include "gui/commands/number_options.h"
 #include "gui/commands/score_table.h"
 #include "gui/pages/key_moments.h"
 #include "gui/pages/main_window.h"
@@ -31,6 +31,7 @@
 #include "gui/views/operator_view.h"
 #include "gui/views/patient_look.h"
 #include "gui/views/sagittal_view.h"
+#include "pipeline/manikin/manikin.h"
 
 namespace vallecula::gui {
 
@@ -38,19 +39,12 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::atomic<int> interrupted{0};
-static_assert(std::atomic<int>::is_always_lock_free, "set from a signal handler");
-
 struct DemoOptions {
   std::string out;
   double weight_kg = 0.0;  ///< 0: the scenario's own
   long long seed = -1;     ///< -1: the scenario's own
   bool json = false;
 };
-
-void stop_when_interrupted() {
-  if (interrupted != 0) throw std::runtime_error("the demo was interrupted; nothing was written");
-}
 
 /// The results appear under their name only when they are whole.
 class WholeFolder {
@@ -173,14 +167,14 @@ Done play_expert(WindowApplication& application, MainWindow& window, const Trial
   });
   QTimer watch;
   QObject::connect(&watch, &QTimer::timeout, [&] {
-    if (interrupted != 0) application.qt().quit();
+    if (interrupted()) application.qt().quit();
   });
   watch.start(100);
   window.show();
   window.prepare(setup, true);
   application.qt().exec();
   page.set_frame_hook({});
-  stop_when_interrupted();
+  stop_when_interrupted("the demo");
   if (!failure.empty()) throw std::runtime_error(failure);
   if (!finished) throw std::runtime_error("the window was closed before the demo ended; nothing was written");
   pictures.write(setup.out);
@@ -212,7 +206,7 @@ TrialOutcome run_novice(WindowApplication& application, const TrialSetup& setup)
   double gum_n = scenario.pass.peak_gum_force_n;
   bool limited = false;
   session.start();
-  while (!session.finished() && interrupted == 0) {
+  while (!session.finished() && !interrupted()) {
     application.qt().processEvents(QEventLoop::AllEvents, 20);
     const engine::Snapshot& now = session.latest();
     const double on_gum_n = now.loads[static_cast<std::size_t>(engine::Structure::gum)].force_n.norm();
@@ -226,7 +220,7 @@ TrialOutcome run_novice(WindowApplication& application, const TrialSetup& setup)
     }
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
   }
-  stop_when_interrupted();
+  stop_when_interrupted("the demo");
   TrialOutcome outcome = session.finish("finished");
   pictures.write(setup.out);
   write_report(setup.out, curricula::read_trial_log(outcome.log), scenario, outcome.score);
@@ -243,8 +237,7 @@ std::string score_line(const curricula::Score& score) {
 }
 
 int run_demo(const DemoOptions& options) {
-  std::signal(SIGINT, [](int) { interrupted = 1; });
-  std::signal(SIGTERM, [](int) { interrupted = 1; });
+  watch_for_interruption();
   WholeFolder folder(options.out.empty() ? user_data_folder() / "demo" : fs::path(options.out));
   say("results will be in " + folder.final_path().string());
   const fs::path curriculum_file = default_curriculum();
@@ -267,7 +260,7 @@ int run_demo(const DemoOptions& options) {
   std::string stage;
   const fs::path patient =
       make_manikin_patient(manikin, folder.path(), [&stage](const std::string& now, double fraction) {
-        stop_when_interrupted();
+        stop_when_interrupted("the demo");
         if (now == stage) return;
         stage = now;
         std::fprintf(stderr, "demo:   %3.0f %%  %s\n", 100.0 * fraction, now.c_str());
@@ -287,11 +280,12 @@ int run_demo(const DemoOptions& options) {
     expert = play_expert(application, window, setup);
   }
   say("  " + score_line(expert.outcome.score));
-  char pace[120];
-  std::snprintf(pace, sizeof pace, "  loop %.1f Hz, %lld of %lld ticks late, %.0f frames/s",
+  char pace[160];
+  std::snprintf(pace, sizeof pace, "  loop %.1f Hz, %lld of %lld ticks late, %lld steps dropped, %.0f frames/s",
                 expert.outcome.score.loop_rate_hz, expert.outcome.score.deadline_misses, expert.outcome.score.ticks,
-                expert.frames_per_second);
+                expert.outcome.score.overruns, expert.frames_per_second);
   say(pace);
+  say("  " + expert.outcome.score.real_time_setup);
 
   say("3 of 4  scripted novice, without a window");
   setup.device = "scripted:novice";
@@ -327,9 +321,9 @@ void add_demo_command(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<DemoOptions>();
   command->add_option("--out", options->out, "Folder for the results (the user's data folder if left out)");
   command->add_option("--weight", options->weight_kg, "Weight of the infant, kg (the scenario's if left out)")
-      ->check(CLI::Range(0.6, 4.5));
+      ->check(number_within(pipeline::kLightest, pipeline::kHeaviest));
   command->add_option("--seed", options->seed, "Which infant of that weight (the scenario's if left out)")
-      ->check(CLI::Range(0LL, 4294967295LL));
+      ->check(whole_number_within(0, kLargestSeed));
   command->add_flag("--json", options->json, "Print both scores as JSON");
   command->callback([options, &exit_code] { exit_code = run_demo(*options); });
 }

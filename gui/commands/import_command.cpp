@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "gui/commands/commands.h"
+#include "gui/commands/interruption.h"
 #include "gui/commands/stage_lines.h"
 #include "pipeline/import.h"
 
@@ -31,7 +32,8 @@ void print_report(const pipeline::ImportReport& report) {
   for (const pipeline::QualityItem& item : report.quality) {
     std::ostringstream value;
     value << std::setprecision(5) << item.value << " " << item.unit;
-    std::cout << "  " << (item.ok ? "ok   " : "LOOK ") << std::left << std::setw(38) << item.name << std::setw(18)
+    const char* verdict = !item.judged ? "     " : item.ok ? "ok   " : "LOOK ";
+    std::cout << "  " << verdict << std::left << std::setw(38) << item.name << std::setw(18)
               << value.str() << item.note << "\n";
   }
 }
@@ -54,9 +56,13 @@ void add_import_command(CLI::App& app, int& exit_code) {
     import.series = options->series;
     import.out = options->out;
     for (const std::string& seed : options->seeds) import.seeds.insert(parse_seed(seed));
+    watch_for_interruption();
     StageLines lines;
-    const pipeline::ImportReport report = pipeline::import_series(
-        import, [&lines](const std::string& stage, double fraction) { lines.show(stage, fraction); });
+    const pipeline::ImportReport report =
+        pipeline::import_series(import, [&lines](const std::string& stage, double fraction) {
+          if (fraction < 1.0) stop_when_interrupted("the import");  // at 1 the package is in its place
+          lines.show(stage, fraction);
+        });
     lines.end_line();
     print_report(report);
     exit_code = 0;

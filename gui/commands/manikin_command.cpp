@@ -4,6 +4,8 @@
 #include <memory>
 
 #include "gui/commands/commands.h"
+#include "gui/commands/interruption.h"
+#include "gui/commands/number_options.h"
 #include "gui/commands/stage_lines.h"
 #include "pipeline/manikin/manikin.h"
 
@@ -19,21 +21,25 @@ void add_manikin_command(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<Options>();
   command->add_option("--out", options->out, "Folder to write: *.dcm and truth.nrrd; new or empty")->required();
   command->add_option("--weight", options->manikin.weight_kg, "Weight, kg")
-      ->check(CLI::Range(pipeline::kLightest, pipeline::kHeaviest))
+      ->check(number_within(pipeline::kLightest, pipeline::kHeaviest))
       ->capture_default_str();
   command->add_option("--seed", options->manikin.seed, "Which infant of that weight; 0 is the unvaried design")
+      ->check(whole_number_within(0, kLargestSeed))
       ->capture_default_str();
   command->add_option("--noise", options->manikin.noise_hu, "Noise of the scanner, standard deviation, HU")
-      ->check(CLI::Range(0.0, 200.0))
+      ->check(number_within(0.0, 200.0))
       ->capture_default_str();
   command->add_option("--spacing", options->manikin.in_plane_mm, "Voxels in plane, mm (left out: 0.5, below 2 kg 0.4)")
-      ->check(CLI::Range(0.4, 0.6));
+      ->check(number_within(0.4, 0.6));
   command->add_option("--slice", options->manikin.slice_mm, "Slice distance, mm (left out: 0.8, below 2 kg 0.6)")
-      ->check(CLI::Range(0.6, 1.0));
+      ->check(number_within(0.6, 1.0));
   command->callback([options, &exit_code] {
+    watch_for_interruption();
     StageLines lines;
-    pipeline::write_manikin(options->manikin, options->out,
-                            [&lines](const std::string& stage, double fraction) { lines.show(stage, fraction); });
+    pipeline::write_manikin(options->manikin, options->out, [&lines](const std::string& stage, double fraction) {
+      if (fraction < 1.0) stop_when_interrupted("the manikin");  // at 1 the series is in its place
+      lines.show(stage, fraction);
+    });
     lines.end_line();
     std::cout << "series: " << options->out << "\n";
     exit_code = 0;

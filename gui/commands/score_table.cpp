@@ -28,6 +28,9 @@ void print_score(std::ostream& out, const curricula::Score& score, const curricu
   if (score.loop_rate_hz > 0.0) line("servo loop", score.loop_rate_hz, 1, "Hz");
   line("deadline misses", static_cast<double>(score.deadline_misses), 0,
        "of " + std::to_string(score.ticks) + " ticks");
+  line("simulation steps dropped", static_cast<double>(score.overruns), 0,
+       "(ticks whose step was not finished in time)");
+  if (!score.real_time_setup.empty()) out << "  real-time set-up: " << score.real_time_setup << "\n";
   for (const std::string& reason : score.reasons) out << "  - " << reason << "\n";
 }
 

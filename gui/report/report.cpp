@@ -129,7 +129,9 @@ void write_report(const fs::path& folder, const curricula::TrialLog& log, const 
   html +=
       "<p class=\"foot\">The shaded span is the attempt, blade into the mouth to blade out. Tongue and gum: force of "
       "the "
-      "tissue on the blade (model force). The dotted line is what the device was told to show.</p>\n";
+      "tissue on the blade (model force). The dotted line is what the device was told to show. A peak is the largest "
+      "single tick of 1 ms, unfiltered. Time over the device limit counts until a device that was lost has taken hold "
+      "again.</p>\n";
   if (!scenario.debriefing.empty()) html += "<h2>Debriefing</h2>\n<p>" + escaped(scenario.debriefing) + "</p>\n";
   const std::vector<fs::path> shots = screenshots_in(folder);
   if (!shots.empty()) {
@@ -147,8 +149,10 @@ void write_report(const fs::path& folder, const curricula::TrialLog& log, const 
   line("Device", log.header.device_kind + ", limit " + number(log.header.device_limit_n, 1) + " N");
   line("Servo loop", log.header.realtime ? number(score.loop_rate_hz, 1) + " Hz over " + std::to_string(score.ticks) +
                                                " ticks, " + std::to_string(score.deadline_misses) +
-                                               " deadline misses, " + std::to_string(log.footer.overruns) + " overruns"
+                                               " deadline misses, " + std::to_string(score.overruns) +
+                                               " simulation steps dropped"
                                          : std::to_string(score.ticks) + " ticks of 1 ms, not in real time");
+  if (!score.real_time_setup.empty()) line("Real-time set-up", score.real_time_setup);
   line("How it ended", log.footer.ended);
   line("Vallecula", log.header.software_version + ", build " + log.header.build_hash.substr(0, 12) + ", kernels " +
                         log.header.instruction_set);

@@ -96,6 +96,10 @@ TrialReadings::TrialReadings(QWidget* parent) : QWidget(parent) {
   grid->addWidget(state_, 3, 1);
   caption("Loop", 4, 0);
   loop_ = new QLabel(this);
+  loop_->setToolTip(
+      "Late: forces written more than 1 ms after they were due. Dropped: ticks whose simulation step was not finished "
+      "in time. The result page says what real-time priority was granted.");
+  loop_->setObjectName("loop");
   grid->addWidget(loop_, 4, 1);
   grid->setColumnStretch(1, 1);
   grid->setColumnMinimumWidth(0, 130);
@@ -135,9 +139,10 @@ void TrialReadings::show_snapshot(const engine::Snapshot& snapshot) {
   state_->setText(words_for(snapshot.state, invalid).name);
   state_->setStyleSheet(
       snapshot.state == engine::HapticState::tracking ? QString() : QString("color: %1").arg(theme::kDevice.name()));
-  loop_->setText(QString("%1 Hz, %2 late of %3")
+  loop_->setText(QString("%1 Hz, %2 late, %3 steps dropped of %4")
                      .arg(snapshot.loop_rate_hz, 0, 'f', 0)
                      .arg(snapshot.deadline_misses)
+                     .arg(snapshot.overruns)
                      .arg(snapshot.ticks));
 }
 

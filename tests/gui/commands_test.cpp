@@ -3,6 +3,7 @@
 
 #include <sstream>
 
+#include "gui/commands/number_options.h"
 #include "pipeline/dicom/write_series.h"
 #include "tests/gui/block_patient.h"
 #include "tests/gui/program.h"
@@ -147,6 +148,40 @@ TEST(ImportCommand, AnotherModalityOrATruncatedFileIsRefused) {
   fs::copy(box / "series", box / "cut");
   fs::resize_file(box / "cut" / "ct-0005.dcm", fs::file_size(box / "cut" / "ct-0005.dcm") / 2);
   expect_import_refused(box, box / "cut", "ct-0005.dcm");
+}
+
+TEST(CommandLine, ANumberThatIsNoneOrOutOfItsRangeIsWrongUsage) {
+  const Sandbox box;
+  const std::string out = (box / "series").string();
+  const std::vector<std::pair<std::string, std::vector<std::string>>> refused = {
+      {"--seed", {"-1", "99999999999", "4294967296", "18446744073709551617", "1.5", "nan", "one"}},
+      {"--weight", {"nan", "inf", "-inf", "70", "0", "3.2kg", "1e999"}},
+      {"--noise", {"nan", "-1", "inf"}},
+      {"--spacing", {"nan", "0", "5"}},
+      {"--slice", {"nan", "-0.8", "1e"}},
+  };
+  for (const auto& [option, values] : refused) {
+    for (const std::string& value : values) {
+      expect_refused(box.run({"manikin", "--out", out, option, value}), 2, option);
+      if (option == "--weight" || option == "--seed") {
+        const Outcome demo = box.run({"demo", "--out", out, option, value});
+        expect_refused(demo, 2, option);
+        EXPECT_NE(demo.err.find("'" + value + "' is not a"), std::string::npos) << demo.err;
+      }
+      EXPECT_FALSE(fs::exists(out)) << option << " " << value;
+    }
+  }
+}
+
+TEST(NumberOptions, TakeBothEndsOfTheirRange) {
+  const auto taken = [](const CLI::Validator& validator, std::string text) { return validator(text).empty(); };
+  for (const std::string text : {"0.6", "4.5", "3", "6e-1"}) EXPECT_TRUE(taken(number_within(0.6, 4.5), text)) << text;
+  for (const std::string text : {"0.59", "4.51", "", " 3", "+3", "NAN", "3 kg"})
+    EXPECT_FALSE(taken(number_within(0.6, 4.5), text)) << text;
+  for (const std::string text : {"0", "4294967295", "007"})
+    EXPECT_TRUE(taken(whole_number_within(0, kLargestSeed), text)) << text;
+  for (const std::string text : {"-0", "4294967296", "", "0x10", "1e3"})
+    EXPECT_FALSE(taken(whole_number_within(0, kLargestSeed), text)) << text;
 }
 
 TEST(ManikinCommand, WhereNothingCanBeWrittenItSaysSo) {
