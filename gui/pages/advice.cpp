@@ -6,9 +6,8 @@ std::string what_to_change(const curricula::Score& score, const curricula::Scena
   const auto& pass = scenario.pass;
   const auto& targets = scenario.targets;
   if (score.peak_gum_force_n > pass.peak_gum_force_n)
-    return "Lift the whole blade along its handle, to the ceiling and the feet: turning it about the upper gum presses "
-           "there and "
-           "opens no view.";
+    return "Lift the whole blade along its handle, to the ceiling and the feet, clear of both gums: turning it about a "
+           "gum presses there and opens no view.";
   if (score.time_over_force_limit_s > pass.time_over_device_limit_s)
     return "Stop pressing when the grey blade parts from the steel one: the device is at its limit, and more hand "
            "gives no more "
@@ -34,7 +33,7 @@ std::string what_to_change(const curricula::Score& score, const curricula::Scena
   const double gum = pass.peak_gum_force_n > 0.0 ? score.peak_gum_force_n / pass.peak_gum_force_n : 0.0;
   const double time = pass.attempt_time_s > 0.0 ? score.attempt_time_s / pass.attempt_time_s : 0.0;
   if (gum >= tongue && gum >= time && score.peak_gum_force_n > 0.5 * targets.gum_force_n)
-    return "Well done. Next time keep the blade clear of the upper gum from beginning to end.";
+    return "Well done. Next time keep the blade clear of the gums from beginning to end.";
   if (tongue >= time) return "Well done. Next time try for the same view with a gentler lift.";
   return "Well done. Next time go the same way with fewer pauses.";
 }

@@ -112,6 +112,7 @@ TEST(Advice, PutsTheGumFirstAndAlwaysSaysSomething) {
   said.insert(what_to_change(score, scenario));
   EXPECT_EQ(said.size(), 7u) << "each shortcoming has its own sentence, the weightier one first";
   EXPECT_NE(what_to_change(score, scenario).find("gum"), std::string::npos);
+  EXPECT_EQ(what_to_change(score, scenario).find("upper"), std::string::npos) << "the score does not tell which gum";
 }
 
 TEST(KeyMoments, ComeInTheOrderOfTheProcedure) {
