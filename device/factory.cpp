@@ -17,7 +17,7 @@ std::unique_ptr<HapticDevice> make_device(const std::string& kind, const std::st
   }
   if (kind == "scripted") {
     if (argument.empty()) throw DeviceError("device scripted: needs a trajectory file; write scripted:FILE.csv");
-    return std::make_unique<ScriptedDevice>(Trajectory(read_trajectory_csv(argument)), HandSettings{});
+    return std::make_unique<ScriptedDevice>(Trajectory(read_trajectory_csv(argument)), firm_hand());
   }
   std::string known;
   for (const DeviceKind& k : device_kinds()) {

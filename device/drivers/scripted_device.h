@@ -9,7 +9,7 @@
 namespace vallecula::device {
 
 struct HandSettings {
-  double stiffness_n_m = 400.0;  ///< how firmly the hand holds its intended pose; a seated arm has 200-1000 (assumed)
+  double stiffness_n_m = 400.0;  ///< how firmly the hand holds its intended pose: a seated arm has 200-1000 (assumed)
   double damping_n_s_m = 8.0;    ///< the yielding lags by damping/stiffness; at least 2, or a stiff scene would chatter
   double tremor_amplitude_m = 0.0;  ///< bound of the physiological tremor (8-12 Hz) along each axis
   unsigned tremor_seed = 1;         ///< same seed, same tremor, on every machine
@@ -17,6 +17,14 @@ struct HandSettings {
   double limit_time_s = 0.5;        ///< commanded at the limit for longer than this: fault force_exceeded
   double recovery_time_s = 1.0;     ///< after a fault the device stays unusable at least this long
 };
+
+/// The hand of every scripted device the application makes. A script cannot look and correct itself as a person does,
+/// so it is firmer than an arm: 1 N moves it by a third of a millimetre (assumed).
+inline HandSettings firm_hand() {
+  HandSettings hand;
+  hand.stiffness_n_m = 3000.0;
+  return hand;
+}
 
 /// A command of at least this share of the limit counts as "at the limit".
 constexpr double kAtLimitShare = 0.99;

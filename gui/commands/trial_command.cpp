@@ -2,9 +2,7 @@
 #include <spdlog/spdlog.h>
 #include <unistd.h>
 
-#include <atomic>
 #include <chrono>
-#include <csignal>
 #include <cstdio>
 #include <iostream>
 #include <memory>
@@ -13,6 +11,7 @@
 
 #include "gui/commands/commands.h"
 #include "gui/commands/headless_application.h"
+#include "gui/commands/interruption.h"
 #include "gui/commands/score_table.h"
 #include "gui/session/device_choice.h"
 #include "gui/session/files.h"
@@ -23,9 +22,6 @@ namespace vallecula::gui {
 namespace fs = std::filesystem;
 
 namespace {
-
-std::atomic<bool> interrupted{false};
-static_assert(std::atomic<bool>::is_always_lock_free, "set from a signal handler");
 
 struct TrialOptions {
   std::string patient, scenario, curriculum, device, out;
@@ -48,18 +44,17 @@ void name_scenario(const TrialOptions& options, TrialSetup& setup) {
 
 int run_headless(const TrialSetup& setup, bool json) {
   const HeadlessApplication application;
-  std::signal(SIGINT, [](int) { interrupted = true; });
-  std::signal(SIGTERM, [](int) { interrupted = true; });
+  watch_for_interruption();
   TrialSession session(setup);
   spdlog::info("scene built; {} with {} begins", session.scenario().id, setup.device);
   session.start();
   const bool show_progress = isatty(STDERR_FILENO) != 0;
-  while (!session.finished() && !interrupted) {
+  while (!session.finished() && !interrupted()) {
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
     if (show_progress) std::fprintf(stderr, "\rtrial: %5.1f s", session.latest().time_s);
   }
   if (show_progress) std::fputs("\r              \r", stderr);
-  if (interrupted)
+  if (interrupted())
     throw std::runtime_error("the trial was interrupted; what was recorded until then is in " + setup.out.string());
   const TrialOutcome outcome = session.finish("ended");
   if (json) {
@@ -82,8 +77,7 @@ void add_trial_command(CLI::App& app, int& exit_code) {
   command->add_option("--curriculum", options->curriculum, "Curriculum file (the shipped one if left out)");
   command
       ->add_option(
-          "--device", options->device,
-          "mouse, scripted:expert, scripted:novice, scripted:press or scripted:FILE.csv (t,x,y,z[,qw,qx,qy,qz])")
+          "--device", options->device, device_names() + " (t,x,y,z[,qw,qx,qy,qz]; s, m)")
       ->required();
   command->add_flag("--headless", options->headless, "No window");
   command->add_flag("--asap", options->as_fast_as_possible, "Headless only: as fast as it goes instead of 1 kHz");

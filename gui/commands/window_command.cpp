@@ -5,6 +5,7 @@
 #include "gui/commands/commands.h"
 #include "gui/pages/main_window.h"
 #include "gui/pages/window_application.h"
+#include "gui/session/device_choice.h"
 #include "gui/session/user_paths.h"
 
 namespace vallecula::gui {
@@ -27,7 +28,7 @@ int run_window_trial(const TrialSetup& setup) {
   QObject::connect(&window, &MainWindow::trial_failed,
                    [&](const QString& message) { failure = message.toStdString(); });
   window.show();
-  window.prepare(setup, setup.device != "mouse");  // a person presses Start; a script waits for nobody
+  window.prepare(setup, is_scripted(setup.device));  // a person presses Start; a script waits for nobody
   application.qt().exec();
   if (!failure.empty()) throw std::runtime_error(failure);
   if (!finished)

@@ -9,6 +9,8 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "device/factory.h"
+
 namespace vallecula::gui {
 
 StartPage::StartPage(QWidget* parent) : QWidget(parent) {
@@ -28,7 +30,11 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
   patient_ = new QComboBox(this);
   patient_->addItem("Built-in manikin, made for the scenario", QString());
   device_ = new QComboBox(this);
-  device_->addItem("Mouse and keyboard", "mouse");
+  for (const device::DeviceKind& kind : device::device_kinds()) {
+    if (!kind.argument.empty()) continue;  // asks for more than a choice
+    const QString about = QString::fromStdString(kind.description);
+    device_->addItem(about.left(1).toUpper() + about.mid(1), QString::fromStdString(kind.kind));
+  }
   device_->addItem("Watch a scripted expert", "scripted:expert");
   device_->addItem("Watch a scripted novice", "scripted:novice");
   auto* browse = new QPushButton("Other patient ...", this);

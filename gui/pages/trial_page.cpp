@@ -145,7 +145,9 @@ void TrialPage::open(std::shared_ptr<TrialSession> session, std::shared_ptr<Pati
   readings_->set_scenario(scenario, curricula::mouth_from_landmarks(landmarks_m));
   auto* mouse = dynamic_cast<device::MouseDevice*>(&session_->device());
   control_->steer(mouse);
-  help_->setText(mouse != nullptr ? BladeControl::help() : "A scripted hand holds the blade. Esc ends the trial.");
+  help_->setText(mouse != nullptr                                     ? BladeControl::help()
+                 : session_->device().info().kind == "scripted" ? "A scripted hand holds the blade. Esc ends the trial."
+                                                                      : "Enter starts the trial, Esc ends it.");
   show_banner("");
   show_buttons();
   timer_.start();

@@ -24,11 +24,12 @@ const char* set_variable(const char* name) {
   return value != nullptr && *value != '\0' ? value : nullptr;
 }
 
+/// Empty: none is known.
 fs::path cache_folder() {
   if (const char* home = set_variable("VALLECULA_HOME")) return fs::path(home) / "cache";
   if (const char* cache = set_variable("XDG_CACHE_HOME")) return fs::path(cache) / "vallecula";
   if (const char* home = set_variable("HOME")) return fs::path(home) / ".cache" / "vallecula";
-  throw std::runtime_error("no folder for the user's cache is known: set VALLECULA_HOME to one");
+  return {};
 }
 
 bool readable(const fs::path& package) {
@@ -83,11 +84,18 @@ fs::path make_manikin_patient(const curricula::ManikinSpec& manikin, const fs::p
   return import.out;
 }
 
+fs::path builtin_patients_folder() {
+  const fs::path cache = cache_folder();
+  return cache.empty() ? fs::path() : cache / "patients";
+}
+
 fs::path builtin_patient(const curricula::ManikinSpec& manikin, const PatientProgress& progress) {
   // Another build may make another patient of the same weight and seed.
   char name[64];
   std::snprintf(name, sizeof name, "manikin-%.2fkg-%u-", manikin.weight_kg, manikin.seed);
-  const fs::path kept = cache_folder() / "patients" / (name + sha256_of_program().substr(0, 12) + ".patient");
+  const fs::path folder = builtin_patients_folder();
+  if (folder.empty()) throw std::runtime_error("no folder for the user's cache is known: set VALLECULA_HOME to one");
+  const fs::path kept = folder / (name + sha256_of_program().substr(0, 12) + ".patient");
   if (readable(kept)) return kept;
   const WorkFolder work(kept.string() + ".making-" + std::to_string(getpid()));
   const fs::path made = make_manikin_patient(manikin, work.path(), progress);

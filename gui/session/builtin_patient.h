@@ -21,4 +21,7 @@ std::filesystem::path make_manikin_patient(const curricula::ManikinSpec& manikin
 /// made at first use by this build, whole or not at all; a damaged one is made anew.
 std::filesystem::path builtin_patient(const curricula::ManikinSpec& manikin, const PatientProgress& progress = {});
 
+/// Where builtin_patient keeps them; empty when no folder for the user's cache is known.
+std::filesystem::path builtin_patients_folder();
+
 }  // namespace vallecula::gui

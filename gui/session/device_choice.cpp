@@ -5,66 +5,86 @@
 
 #include "device/drivers/mouse_device.h"
 #include "device/drivers/scripted_device.h"
+#include "device/factory.h"
 #include "gui/session/scripted_hands.h"
 
 namespace vallecula::gui {
 
 namespace {
 
+/// Hands planned from the patient's landmarks: the only devices the factory cannot make, for it knows no patient.
 constexpr std::array<const char*, 3> kScriptedHands = {"expert", "novice", "press"};
+constexpr const char* kScripted = "scripted";
 
 struct DeviceName {
   std::string kind, argument;
+  bool has_argument = false;
 };
 
 DeviceName split(const std::string& name) {
   const std::size_t colon = name.find(':');
-  if (colon == std::string::npos) return {name, ""};
-  return {name.substr(0, colon), name.substr(colon + 1)};
+  if (colon == std::string::npos) return {name, "", false};
+  return {name.substr(0, colon), name.substr(colon + 1), true};
 }
 
-bool is_scripted_hand(const std::string& argument) {
-  return std::find(kScriptedHands.begin(), kScriptedHands.end(), argument) != kScriptedHands.end();
+bool is_scripted_hand(const DeviceName& device) {
+  return device.kind == kScripted &&
+         std::find(kScriptedHands.begin(), kScriptedHands.end(), device.argument) != kScriptedHands.end();
 }
 
-bool is_csv(const std::string& argument) {
-  const std::string ending = ".csv";
-  return argument.size() > ending.size() &&
-         argument.compare(argument.size() - ending.size(), ending.size(), ending) == 0;
+/// Whether `given` has the form of `wanted`, the factory's word for an argument: "" nothing, "FILE.csv" that ending.
+bool fits(const std::string& wanted, const DeviceName& given) {
+  if (wanted.empty()) return !given.has_argument;
+  const std::size_t dot = wanted.rfind('.');
+  if (dot == std::string::npos) return !given.argument.empty();
+  const std::string ending = wanted.substr(dot);
+  return given.argument.size() > ending.size() &&
+         given.argument.compare(given.argument.size() - ending.size(), ending.size(), ending) == 0;
 }
 
 }  // namespace
 
+std::string device_names() {
+  std::vector<std::string> names;
+  for (const device::DeviceKind& kind : device::device_kinds()) {
+    if (kind.kind == kScripted) {
+      for (const char* hand : kScriptedHands) names.push_back(std::string(kScripted) + ":" + hand);
+    }
+    names.push_back(kind.kind + (kind.argument.empty() ? "" : ":" + kind.argument));
+  }
+  std::string list;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    list += (i == 0 ? "" : i + 1 == names.size() ? " or " : ", ") + names[i];
+  return list;
+}
+
+bool is_scripted(const std::string& name) { return split(name).kind == kScripted; }
+
 void check_device_name(const std::string& name) {
-  const DeviceName device = split(name);
-  const bool mouse = device.kind == "mouse" && device.argument.empty() && name == "mouse";
-  const bool scripted = device.kind == "scripted" && (is_scripted_hand(device.argument) || is_csv(device.argument));
-  if (mouse || scripted) return;
-  throw UnknownDevice("there is no device '" + name +
-                      "'; take mouse, scripted:expert, scripted:novice, scripted:press or scripted:FILE.csv");
+  const DeviceName given = split(name);
+  if (is_scripted_hand(given)) return;
+  for (const device::DeviceKind& kind : device::device_kinds()) {
+    if (kind.kind == given.kind && fits(kind.argument, given)) return;
+  }
+  throw UnknownDevice("there is no device '" + name + "'; take " + device_names());
 }
 
 std::unique_ptr<device::HapticDevice> make_device(const std::string& name, const pipeline::PatientPackage& package,
                                                   const curricula::Scenario& scenario) {
   check_device_name(name);
-  const DeviceName device = split(name);
-  if (device.kind == "mouse") {
-    auto mouse = std::make_unique<device::MouseDevice>();
+  const DeviceName given = split(name);
+  if (is_scripted_hand(given)) {
+    return std::make_unique<device::ScriptedDevice>(scripted_hand(given.argument, package, scenario),
+                                                    device::firm_hand());
+  }
+  std::unique_ptr<device::HapticDevice> made = device::make_device(given.kind, given.argument);
+  if (auto* mouse = dynamic_cast<device::MouseDevice*>(made.get())) {
     // The person begins where the scripted expert does: in front of the mouth, blade ready.
     const device::Trajectory expert = scripted_hand("expert", package, scenario);
     const device::Keyframe start = expert.at(expert.start_s());
     mouse->place(start.position_m, start.rotation_wxyz);
-    return mouse;
   }
-  // A script cannot look and correct itself as a person does, so its hand is firm: 1 N moves it by a third of a
-  // millimetre (assumed).
-  device::HandSettings hand;
-  hand.stiffness_n_m = 3000.0;
-  if (is_csv(device.argument)) {
-    return std::make_unique<device::ScriptedDevice>(device::Trajectory(device::read_trajectory_csv(device.argument)),
-                                                    hand);
-  }
-  return std::make_unique<device::ScriptedDevice>(scripted_hand(device.argument, package, scenario), hand);
+  return made;
 }
 
 }  // namespace vallecula::gui

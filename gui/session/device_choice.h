@@ -1,4 +1,5 @@
-// From a device's name on the command line to the device.
+// From a device's name on the command line to the device: whatever device/factory makes, and the hands that are planned
+// from the patient.
 #pragma once
 
 #include <memory>
@@ -17,12 +18,15 @@ class UnknownDevice : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// The forms `name` may have, for a person: "mouse, scripted:expert, ...".
+std::string device_names();
+/// Nobody's hand: it starts by itself and ends by itself.
+bool is_scripted(const std::string& name);
 /// Throws UnknownDevice when `name` is none of the forms that make_device takes. Reads no file.
 void check_device_name(const std::string& name);
 
-/// `name` is KIND[:ARG]: "mouse", "scripted:expert", "scripted:novice", "scripted:press", "scripted:FILE.csv"
-/// (t,x,y,z[,qw,qx,qy,qz], s and m, patient axes). Throws UnknownDevice, or std::runtime_error naming the file at
-/// fault.
+/// `name` is KIND[:ARG] with a kind of device::device_kinds(), or "scripted:expert", "scripted:novice",
+/// "scripted:press". Throws UnknownDevice, or std::runtime_error naming the file at fault.
 std::unique_ptr<device::HapticDevice> make_device(const std::string& name, const pipeline::PatientPackage& package,
                                                   const curricula::Scenario& scenario);
 

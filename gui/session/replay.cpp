@@ -6,6 +6,7 @@
 #include "curricula/scenario.h"
 #include "engine/haptics/runner.h"
 #include "gui/session/files.h"
+#include "gui/session/log_paths.h"
 #include "gui/session/scene_from_package.h"
 #include "pipeline/package/patient_package.h"
 
@@ -17,15 +18,12 @@ namespace {
 
 fs::path find_package(const curricula::LogHeader& header, const fs::path& log_file, const fs::path& patient) {
   if (!patient.empty()) return patient;
-  const fs::path logged = header.package_path;
   const fs::path folder = fs::is_directory(log_file) ? log_file : log_file.parent_path();
-  for (const fs::path& candidate :
-       {logged, folder / logged, folder / logged.filename(), folder.parent_path() / logged.filename()}) {
-    if (fs::exists(candidate / "patient.yaml")) return candidate;
-  }
-  throw std::runtime_error(logged.string() +
-                           ": the patient package this trial was done on is not there; name where it is now "
-                           "with --patient");
+  const fs::path found = package_of_log(header.package_path, folder);
+  if (!found.empty()) return found;
+  throw std::runtime_error(fs::path(header.package_path).filename().string() +
+                           ": the patient package this trial was done on is neither where it was nor near the trial's "
+                           "folder; name where it is now with --patient");
 }
 
 }  // namespace

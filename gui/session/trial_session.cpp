@@ -9,7 +9,6 @@
 
 #include "curricula/records/records.h"
 #include "curricula/trial_log.h"
-#include "device/drivers/mouse_device.h"
 #include "device/output_chain.h"
 #include "engine/haptics/runner.h"
 #include "gui/report/force_chart.h"
@@ -17,6 +16,7 @@
 #include "gui/session/device_choice.h"
 #include "gui/session/files.h"
 #include "gui/session/log_conversion.h"
+#include "gui/session/log_paths.h"
 #include "gui/session/results_folder.h"
 #include "gui/session/scene_from_package.h"
 #include "gui/session/user_paths.h"
@@ -154,9 +154,9 @@ curricula::LogHeader TrialSession::Impl::header() const {
   header.build_hash = sha256_of_program();
   header.instruction_set = engine::instruction_set();
   header.package_name = package.name;
-  header.package_path = setup.patient.string();
+  header.package_path = path_for_log(setup.patient, results.folder());
   header.package_sha256 = package_sha256;
-  header.curriculum_path = setup.curriculum.string();
+  header.curriculum_path = path_for_log(setup.curriculum, results.folder());
   header.scenario_id = scenario.id;
   header.scenario_yaml = scenario.yaml;
   header.scenario_sha256 = sha256_of_bytes(scenario.yaml);
@@ -180,6 +180,7 @@ curricula::LogFooter TrialSession::Impl::footer(bool complete, const std::string
   if (setup.realtime) footer.loop_rate_hz = timing.loop_rate_hz;  // else there is no servo whose rate could be told
   footer.deadline_misses = timing.deadline_misses;
   footer.overruns = timing.overruns;
+  footer.real_time_setup = timing.priority;
   return footer;
 }
 
@@ -304,7 +305,7 @@ void TrialSession::reset() {
   impl_->stop();
   impl_->discard_log();
   // A live device stays (the window holds it); a script starts again from its first line, faults forgotten.
-  if (dynamic_cast<device::MouseDevice*>(impl_->device.get()) == nullptr) {
+  if (is_scripted(impl_->setup.device)) {
     impl_->runner.reset();
     impl_->device = make_device(impl_->setup.device, impl_->package, impl_->scenario);
   }

@@ -1,0 +1,63 @@
+// Whatever the device factory makes can be named, chosen and used.
+#include "gui/session/device_choice.h"
+
+#include <gtest/gtest.h>
+
+#include "device/drivers/scripted_device.h"
+#include "device/factory.h"
+#include "tests/gui/block_patient.h"
+#include "tests/gui/program.h"
+
+namespace vallecula::gui::test {
+namespace {
+
+TEST(DeviceChoice, TakesEveryKindOfTheFactory) {
+  const Sandbox box;
+  const std::string csv = write_press(box.folder()).string();
+  const pipeline::PatientPackage patient = block_patient();
+  for (const device::DeviceKind& kind : device::device_kinds()) {
+    const std::string name = kind.kind + (kind.argument.empty() ? "" : ":" + csv);
+    EXPECT_NO_THROW(check_device_name(name)) << name;
+    EXPECT_EQ(make_device(name, patient, {})->info().kind, kind.kind);
+    EXPECT_NE(device_names().find(kind.kind), std::string::npos);
+    EXPECT_THROW(check_device_name(kind.kind + (kind.argument.empty() ? ":x" : "")), UnknownDevice);
+  }
+  for (const std::string hand : {"scripted:expert", "scripted:novice"}) {
+    EXPECT_TRUE(is_scripted(hand));
+    EXPECT_EQ(make_device(hand, patient, {})->info().kind, "scripted");
+  }
+  EXPECT_FALSE(is_scripted("mouse"));
+}
+
+TEST(DeviceChoice, AnUnknownNameIsAnsweredWithAllThereAre) {
+  for (const std::string name :
+       {"joystick", "", "mouse:left", "scripted", "scripted:", "scripted:.csv", "scripted:a.txt"}) {
+    try {
+      check_device_name(name);
+      FAIL() << name;
+    } catch (const UnknownDevice& error) {
+      for (const std::string part : {"mouse", "scripted:expert", "scripted:press", "scripted:FILE.csv"})
+        EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
+    }
+  }
+}
+
+/// A planned hand and a hand from a file yield alike: 1 N moves either by the same third of a millimetre.
+TEST(DeviceChoice, EveryScriptedHandIsEquallyFirm) {
+  const Sandbox box;
+  const pipeline::PatientPackage patient = block_patient();
+  for (const std::string& name : {"scripted:" + write_press(box.folder()).string(), std::string("scripted:expert")}) {
+    const auto pushed = make_device(name, patient, {}), free = make_device(name, patient, {});
+    device::DeviceReading a, b;
+    for (int i = 0; i < 200; ++i) {
+      a = pushed->read(0.001 * i);
+      b = free->read(0.001 * i);
+      pushed->write({1.0, 0.0, 0.0});
+      free->write({0.0, 0.0, 0.0});
+    }
+    EXPECT_NEAR(a.position_m[0] - b.position_m[0], 1.0 / device::firm_hand().stiffness_n_m, 1e-9) << name;
+  }
+}
+
+}  // namespace
+}  // namespace vallecula::gui::test
