@@ -101,8 +101,7 @@ void judge(const TrialLog& log, const Scenario& scenario, const Moments& moments
   score.criteria.push_back(
       at_most("time_over_force_limit_s", "s", score.time_over_force_limit_s, pass.time_over_device_limit_s,
               moments.longest_off_tracking_s,
-              "Device at its force limit of " + limit_text(log.header.device_limit_n) +
-                  " N, or lost and not yet taken hold of again, for",
+              "Device at its force limit of " + limit_text(log.header.device_limit_n) + " N or lost, for",
               since("longest from", moments.longest_off_tracking_s)));
   if (moments.not_finite_s >= 0.0) {
     score.criteria.push_back(fact(

@@ -140,11 +140,10 @@ void ResultPage::show_figures(const TrialOutcome& outcome, const curricula::Scen
       "at most " + number(pass.time_over_device_limit_s, 1, "s"), true,
       score.time_over_force_limit_s <= pass.time_over_device_limit_s);
   add("Loop", score.loop_rate_hz > 0.0 ? number(score.loop_rate_hz, 0, "Hz") : QString("no real time"),
-      QString("%1 late, %2 steps dropped of %3").arg(score.deadline_misses).arg(score.overruns).arg(score.ticks), false,
-      true);
-  QString about =
-      "Late: forces written more than 1 ms after they were due. Dropped: ticks whose simulation step was not finished "
-      "in time.";
+      QString("%1 late, %2 steps dropped").arg(score.deadline_misses).arg(score.overruns), false, true);
+  QString about = QString("Of %1 ticks. Late: forces written more than 1 ms after they were due. Dropped: ticks whose "
+                          "simulation step was not finished in time.")
+                      .arg(score.ticks);
   if (!score.real_time_setup.empty())
     about += "\nReal-time set-up: " + QString::fromStdString(score.real_time_setup) + ".";
   for (int column = 0; column < 3; ++column) figures_->itemAtPosition(row - 1, column)->widget()->setToolTip(about);

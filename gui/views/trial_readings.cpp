@@ -97,10 +97,13 @@ TrialReadings::TrialReadings(QWidget* parent) : QWidget(parent) {
   caption("Loop", 4, 0);
   loop_ = new QLabel(this);
   loop_->setToolTip(
-      "Late: forces written more than 1 ms after they were due. Dropped: ticks whose simulation step was not finished "
-      "in time. The result page says what real-time priority was granted.");
-  loop_->setObjectName("loop");
+      "Late: forces written more than 1 ms after they were due. The result page says what real-time priority was "
+      "granted.");
   grid->addWidget(loop_, 4, 1);
+  caption("Simulation", 5, 0);
+  steps_ = new QLabel(this);
+  steps_->setToolTip("Dropped: ticks whose simulation step was not finished in time.");
+  grid->addWidget(steps_, 5, 1);
   grid->setColumnStretch(1, 1);
   grid->setColumnMinimumWidth(0, 130);
   clear();
@@ -123,6 +126,7 @@ void TrialReadings::clear() {
   sight_->show_percent(0.0, 0.0, sight_percent_);
   state_->setText("ready");
   loop_->setText("not running");
+  steps_->setText("not running");
 }
 
 void TrialReadings::show_snapshot(const engine::Snapshot& snapshot) {
@@ -139,11 +143,11 @@ void TrialReadings::show_snapshot(const engine::Snapshot& snapshot) {
   state_->setText(words_for(snapshot.state, invalid).name);
   state_->setStyleSheet(
       snapshot.state == engine::HapticState::tracking ? QString() : QString("color: %1").arg(theme::kDevice.name()));
-  loop_->setText(QString("%1 Hz, %2 late, %3 steps dropped of %4")
+  loop_->setText(QString("%1 Hz, %2 late of %3")
                      .arg(snapshot.loop_rate_hz, 0, 'f', 0)
                      .arg(snapshot.deadline_misses)
-                     .arg(snapshot.overruns)
                      .arg(snapshot.ticks));
+  steps_->setText(QString("%1 steps dropped of %2").arg(snapshot.overruns).arg(snapshot.ticks));
 }
 
 }  // namespace vallecula::gui

@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 #include "gui/commands/headless_application.h"
+#include "gui/commands/score_table.h"
 #include "gui/report/force_chart.h"
 #include "tests/gui/block_patient.h"
 #include "tests/gui/program.h"
@@ -97,6 +99,8 @@ TEST(Report, HoldsReasonsFiguresChartAndPicturesAndNothingFromOutside) {
   score.peak_tongue_force_n = 7.25;
   score.time_of_peak_tongue_force_s = 10.0;
   score.attempt_time_s = 12.0;
+  score.overruns = 123;
+  score.real_time_setup = "servo: ordinary priority";
   score.reasons = {"tongue force 7.25 N over 6.80 N at 10.0 s", "glottis <never> seen"};
   score.criteria = {{"peak_tongue_force_n", "N", 7.25, 6.8, 10.0, false, ""},
                     {"peak_gum_force_n", "N", 0.0, 3.0, -1.0, true, ""}};
@@ -110,7 +114,13 @@ TEST(Report, HoldsReasonsFiguresChartAndPicturesAndNothingFromOutside) {
   EXPECT_NE(page.find("7.25 N, at 10.0 s</td><td>at most 6.80 N</td><td class=\"missed\">"), std::string::npos);
   EXPECT_NE(page.find("0.00 N</td><td>at most 3.00 N</td><td class=\"met\">"), std::string::npos);
   EXPECT_NE(page.find("training tool, not a medical device"), std::string::npos);
+  EXPECT_NE(page.find("servo: ordinary priority"), std::string::npos);
+  EXPECT_NE(page.find("largest single tick"), std::string::npos) << "what a peak is";
   EXPECT_EQ(page.find("http"), std::string::npos) << "self-contained";
+  std::ostringstream table;
+  print_score(table, score, scenario);
+  EXPECT_NE(table.str().find("simulation steps dropped                123 ("), std::string::npos) << table.str();
+  EXPECT_NE(table.str().find("real-time set-up: servo: ordinary priority"), std::string::npos) << table.str();
   EXPECT_EQ(page.find("operator-"), std::string::npos);
 
   const std::string marker = "data:image/png;base64,";

@@ -1,5 +1,6 @@
 // The window as a person uses it: choosing, steering, ending, closing; and the virtual display it is tested on.
 #include <QCloseEvent>
+#include <QLabel>
 #include <QListWidget>
 #include <QMouseEvent>
 #include <QPushButton>
@@ -214,6 +215,10 @@ TEST_F(Window, RunsAScriptedTrialToItsResultPage) {
   for (const char* name : {"trial.vtrial", "score.json", "report.html", "force.png"})
     EXPECT_TRUE(fs::exists(box_ / "out" / name)) << name;
   EXPECT_GT(colours_in(window.grab().toImage()), 20) << "the plot and the figures";
+  const auto labels = window.findChild<ResultPage*>()->findChildren<QLabel*>();
+  EXPECT_TRUE(std::any_of(labels.begin(), labels.end(), [](const QLabel* label) {
+    return label->text().contains("steps dropped") && label->toolTip().contains("Real-time set-up: servo: ");
+  }));
 }
 
 TEST_F(Window, SaysWhatIsWrongWithAPatientAndStaysOpen) {

@@ -1,4 +1,5 @@
 // What the views show, judged on the pictures themselves.
+#include <QLabel>
 #include <cmath>
 #include <map>
 #include <thread>
@@ -214,6 +215,21 @@ TEST_F(Views, BarsTurnOverTheTargetAndKeepThePeak) {
   EXPECT_DOUBLE_EQ(bars.gum_peak_n(), 2.5);
   bars.clear();
   EXPECT_DOUBLE_EQ(bars.tongue_peak_n(), 0.0);
+}
+
+TEST_F(Views, WhatTheLoopCouldNotDoIsInSight) {
+  TrialReadings readings;
+  readings.set_scenario({}, std::nullopt);
+  engine::Snapshot snapshot;
+  snapshot.loop_rate_hz = 1000.0;
+  snapshot.ticks = 9000;
+  snapshot.deadline_misses = 11;
+  snapshot.overruns = 250;
+  readings.show_snapshot(snapshot);
+  QStringList shown;
+  for (const QLabel* label : readings.findChildren<QLabel*>()) shown << label->text();
+  EXPECT_TRUE(shown.contains("1000 Hz, 11 late of 9000")) << shown.join(" | ").toStdString();
+  EXPECT_TRUE(shown.contains("250 steps dropped of 9000")) << shown.join(" | ").toStdString();
 }
 
 TEST(StateWords, ALimitIsTheDevicesAndNeverTissueGivingWay) {

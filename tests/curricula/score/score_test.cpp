@@ -136,7 +136,7 @@ TEST(Score, EachLimitFailsAloneForItsOwnReasonWithFigureLimitAndSecond) {
          if (t.tick >= 8000 && t.tick < 8500) t.state = LoggedState::limited;
        },
        14,
-       {"limit of 7.9 N, or lost", "for 0.50 s (longest from 8.00 s)", "0.2 s allowed"}},
+       {"limit of 7.9 N or lost", "for 0.50 s (longest from 8.00 s)", "0.2 s allowed"}},
       {"not a number",
        [](LogTick& t) {
          if (t.tick == 9000) t.loads[kPalate].force_n[1] = std::nan("");
