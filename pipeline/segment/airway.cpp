@@ -176,9 +176,14 @@ Airway find_airway(const Hounsfield& hu, const Volume<float>& air, const Head& h
     throw std::runtime_error(
         "no trachea was found at the lower end of the airway; the series must reach below the larynx");
   airway.course = follow_upwards(air, trachea, s);
-  if (airway.course.size() < 12) throw std::runtime_error("the trachea cannot be followed up to the larynx");
+  if (airway.course.size() < 12)
+    throw std::runtime_error(
+        "the trachea cannot be followed up to the larynx; the series must show the whole airway, without a tube in it");
   airway.glottis = find_glottis(air, airway.course, s);
-  if (!airway.glottis.found) throw std::runtime_error("no glottis was found between trachea and pharynx");
+  if (!airway.glottis.found)
+    throw std::runtime_error(
+        "no glottis was found between trachea and pharynx; the series must show the whole airway, without a tube in "
+        "it");
   airway.glottis_outline = outline_of(air, airway.glottis, 32, 14.0 * s);
   {
     // The centre lies half way between the front and the back commissure, not at the centroid of a triangle.

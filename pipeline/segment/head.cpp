@@ -259,7 +259,8 @@ Mask find_body(const Hounsfield& hu, const Thresholds& t) {
   const auto coarse = thinned(tissue, k);
   // In proportion to the patient, so that a couch under an adult is cut off and the lips of a preterm infant are not.
   const auto whole_tissue = components(coarse);
-  if (whole_tissue.sizes.size() < 2) throw std::runtime_error("the series shows no tissue, only air");
+  if (whole_tissue.sizes.size() < 2)
+    throw std::runtime_error("the series shows no tissue, only air; name the folder of a CT of the head");
   const double radius = 0.045 * std::cbrt(static_cast<double>(whole_tissue.sizes[1]) * coarse.grid.voxel_mm3());
   const auto core = largest_component(opened(coarse, radius));
   const auto near = dilated(core, radius + 4.0);

@@ -216,7 +216,10 @@ void find_landmarks(Segmentation& s) {
   m["operator_eye"] = operator_eye(upper, glottis, k);
   for (const auto* name : kLandmarks) {
     for (const double v : m.at(name)) {
-      if (!std::isfinite(v)) throw std::runtime_error(std::string("the landmark ") + name + " could not be found");
+      if (!std::isfinite(v))
+        throw std::runtime_error(std::string("the landmark ") + name +
+                                 " could not be found; the series must show the head from above the palate to the "
+                                 "trachea");
     }
   }
 }
