@@ -87,7 +87,7 @@ void look(const Scene& scene, SceneState& state) {
 
 SceneState::SceneState(const Scene& scene)
     : tissue(scene.model),
-      contacts(scene.tree.spheres.size()),
+      contacts(scene.tree),
       sight(scene.sight.make_scratch(
           std::max<std::size_t>(scene.model.rest.size(), scene.description.tool.surface.points.size()))) {}
 
@@ -132,7 +132,7 @@ StepResult step(const Scene& scene, SceneState& state, const StepInput& input) n
   step_tissue(scene, state, before, result.loads, times);
   if (!tissue_finite(state) || !usable(state.proxy.pose)) {
     state.tissue.set_rest(scene.model);
-    std::fill(state.contacts.memory.begin(), state.contacts.memory.end(), SphereContact{});
+    state.contacts.forget();
     state.tissue_wrench = Wrench{};
     state.proxy = ProxyState{};
     state.proxy.pose = state.device;

@@ -7,7 +7,7 @@ namespace vallecula::engine {
 namespace {
 
 constexpr int kMaxIterations = 10;        // Algorithm 1, MaxIterationNumber
-constexpr float kAugmentation = 6.0f;     // contact stiffness over a surface node's own, compliant
+constexpr float kAugmentation = 60.0f;     // contact stiffness over a surface node's own, compliant
 constexpr float kPenaltyShare = 0.1f;     // of that stiffness: an explicit penalty spring above it diverges at h = 1 ms
 
 /// The paper to the letter: free step, then each colliding sphere's centre is projected out along its normal and the
@@ -44,6 +44,7 @@ StepStatistics projection(const SphereTree& tree, const std::vector<std::array<i
     const Vec3 correction = to_vec3(tissue.external[i].v);
     tissue.displacement[i] += correction;
     tissue.velocity[i] += correction / h;
+    tissue.fastest_m = std::max(tissue.fastest_m, correction.norm() + h * tissue.velocity[i].norm());
   }
   std::fill(tissue.external.begin(), tissue.external.end(), Float4{});
   clock.add_to(times.response_s);
@@ -94,7 +95,7 @@ float contact_stiffness_per_area(const TissueModel& model, const SoftSurface& su
   for (int i = 0; i < model.nodes; ++i) stiffness += on_surface[i] ? model.mass[i] / (h * h) : 0.0;
   for (const TetPack& pack : model.packs)
     for (int c = 0; c < 4; ++c)
-      for (int lane = 0; lane < 4; ++lane) {
+      for (int lane = 0; lane < kLanes; ++lane) {
         if (!on_surface[pack.node[c][lane]]) continue;
         double squared = 0.0;
         for (int a = 0; a < 3; ++a) squared += double(pack.gradient[c][a][lane]) * pack.gradient[c][a][lane];

@@ -13,7 +13,7 @@ namespace vallecula::engine {
 SignedDistanceGrid::SignedDistanceGrid(const TriangleMesh& mesh, const Vec3& low, const Vec3& high, double spacing,
                                        double band, const std::vector<std::uint8_t>& triangle_class)
     : low_(low), spacing_(spacing), inverse_spacing_(1.0 / spacing), band_(band) {
-  constexpr double kMostCells = 4e7;  // 160 MB: a larger grid means wrong units, not a finer tool
+  constexpr double kMostCells = 2e7;  // 320 MB: a larger grid means wrong units, not a finer tool
   double cells = 1;
   for (int a = 0; a < 3; ++a) {
     const double n = std::ceil((high[a] - low[a]) / spacing) + 1;
@@ -21,10 +21,10 @@ SignedDistanceGrid::SignedDistanceGrid(const TriangleMesh& mesh, const Vec3& low
     size_[a] = static_cast<int>(n);
     cells *= n;
   }
-  if (cells > kMostCells) throw std::invalid_argument("distance field: more than 40 million samples; check the units");
+  if (cells > kMostCells) throw std::invalid_argument("distance field: more than 20 million samples; check the units");
   const TriangleBvh bvh(mesh);
   constexpr float kUnknown = std::numeric_limits<float>::infinity();
-  values_.assign(static_cast<std::size_t>(cells), kUnknown);
+  values_.assign(static_cast<std::size_t>(cells), Float4{F4{0, 0, 0, kUnknown}});
   if (!triangle_class.empty()) classes_.assign(values_.size(), kNoClass);
 
   // Only samples within the band of some triangle are worth an exact query: mark them by the triangles' boxes.
@@ -41,21 +41,25 @@ SignedDistanceGrid::SignedDistanceGrid(const TriangleMesh& mesh, const Vec3& low
     }
     for (int k = from[2]; k <= to[2]; ++k)
       for (int j = from[1]; j <= to[1]; ++j)
-        for (int i = from[0]; i <= to[0]; ++i) values_[index(i, j, k)] = 0.0f;
+        for (int i = from[0]; i <= to[0]; ++i) values_[index(i, j, k)].v[3] = 0.0f;
   }
   const auto fill_slices = [&](int first, int step) {
     for (int k = first; k < size_[2]; k += step)
       for (int j = 0; j < size_[1]; ++j)
         for (int i = 0; i < size_[0]; ++i) {
-          float& value = values_[index(i, j, k)];
-          if (value == kUnknown) continue;
+          F4& value = values_[index(i, j, k)].v;
+          if (value[3] == kUnknown) continue;
           TriangleBvh::Hit hit;
-          const double d = bvh.signed_distance(low_ + spacing_ * Vec3(i, j, k), band, &hit);
+          const Vec3 p = low_ + spacing_ * Vec3(i, j, k);
+          const double d = bvh.signed_distance(p, band, &hit);
           if (hit.triangle < 0) {
-            value = kUnknown;
+            value[3] = kUnknown;
             continue;
           }
-          value = static_cast<float>(d);
+          // On the surface itself the way to it has no direction: the face's normal is it.
+          const Vec3 gradient = std::abs(d) > 1e-9 ? Vec3((p - hit.point) / d) : bvh.triangle_normal(hit.triangle);
+          value = from_vec3(gradient);
+          value[3] = static_cast<float>(d);
           if (!classes_.empty()) classes_[index(i, j, k)] = triangle_class[hit.triangle];
         }
   };
@@ -77,55 +81,60 @@ SignedDistanceGrid::SignedDistanceGrid(const TriangleMesh& mesh, const Vec3& low
           float known = kUnknown;
           for (int s = 0; s < n[axis]; ++s) {
             at[axis] = direction == 0 ? s : n[axis] - 1 - s;
-            float& value = values_[index(at[0], at[1], at[2])];
+            F4& node = values_[index(at[0], at[1], at[2])].v;
+            const float value = node[3];
             if (value != kUnknown) {
               known = value;
             } else if (known != kUnknown) {
-              value = static_cast<float>(known < 0 ? -band : band);
+              node[3] = static_cast<float>(known < 0 ? -band : band);
             }
           }
         }
   };
   for (int axis = 0; axis < 3; ++axis) spread(axis);
-  for (float& value : values_)
-    if (value == kUnknown) value = static_cast<float>(band);
+  for (Float4& node : values_)
+    if (node.v[3] == kUnknown) node.v[3] = static_cast<float>(band);
 }
 
-bool SignedDistanceGrid::locate(const Vec3& p, int cell[3], double frac[3]) const noexcept {
+bool SignedDistanceGrid::locate(const Vec3& p, int cell[3], float frac[3]) const noexcept {
   for (int a = 0; a < 3; ++a) {
     const double s = (p[a] - low_[a]) * inverse_spacing_;
     if (!(s >= 0) || !(s < size_[a] - 1)) return false;
     cell[a] = static_cast<int>(s);
-    frac[a] = s - cell[a];
+    frac[a] = static_cast<float>(s - cell[a]);
   }
   return true;
 }
 
-SignedDistanceGrid::Sample SignedDistanceGrid::sample(const Vec3& p) const noexcept {
-  int c[3];
-  double f[3];
-  if (!locate(p, c, f)) return {band_, Vec3::Zero()};
-  const std::size_t base = index(c[0], c[1], c[2]);
+F4 SignedDistanceGrid::interpolate(const int c[3], const float f[3]) const noexcept {
   const std::size_t dy = size_[0], dz = static_cast<std::size_t>(size_[0]) * size_[1];
-  const float* v = values_.data() + base;
-  const double v000 = v[0], v100 = v[1], v010 = v[dy], v110 = v[dy + 1];
-  const double v001 = v[dz], v101 = v[dz + 1], v011 = v[dz + dy], v111 = v[dz + dy + 1];
-  const double x00 = v000 + f[0] * (v100 - v000), x10 = v010 + f[0] * (v110 - v010);
-  const double x01 = v001 + f[0] * (v101 - v001), x11 = v011 + f[0] * (v111 - v011);
-  const double y0 = x00 + f[1] * (x10 - x00), y1 = x01 + f[1] * (x11 - x01);
-  const double gx0 = (v100 - v000) + f[1] * ((v110 - v010) - (v100 - v000));
-  const double gx1 = (v101 - v001) + f[1] * ((v111 - v011) - (v101 - v001));
-  Vec3 gradient(gx0 + f[2] * (gx1 - gx0), (x10 - x00) + f[2] * ((x11 - x01) - (x10 - x00)), y1 - y0);
-  const double length = gradient.norm();
-  if (length > 0) gradient /= length;
-  return {y0 + f[2] * (y1 - y0), gradient};
+  const Float4* v = values_.data() + index(c[0], c[1], c[2]);
+  const F4 fx = splat(f[0]), fy = splat(f[1]), fz = splat(f[2]);
+  const F4 x00 = v[0].v + fx * (v[1].v - v[0].v), x10 = v[dy].v + fx * (v[dy + 1].v - v[dy].v);
+  const F4 x01 = v[dz].v + fx * (v[dz + 1].v - v[dz].v), x11 = v[dz + dy].v + fx * (v[dz + dy + 1].v - v[dz + dy].v);
+  const F4 y0 = x00 + fy * (x10 - x00), y1 = x01 + fy * (x11 - x01);
+  return y0 + fz * (y1 - y0);
 }
 
-double SignedDistanceGrid::distance(const Vec3& p) const noexcept { return sample(p).distance; }
+SignedDistanceGrid::Sample SignedDistanceGrid::sample(const Vec3& p) const noexcept {
+  int c[3];
+  float f[3];
+  if (!locate(p, c, f)) return {band_, Vec3::Zero()};
+  const F4 v = interpolate(c, f);
+  const Vec3 gradient = to_vec3(v);
+  const double length = gradient.norm();
+  return {v[3], length > 1e-3 ? Vec3(gradient / length) : Vec3::Zero()};
+}
+
+double SignedDistanceGrid::distance(const Vec3& p) const noexcept {
+  int c[3];
+  float f[3];
+  return locate(p, c, f) ? interpolate(c, f)[3] : band_;
+}
 
 std::uint8_t SignedDistanceGrid::class_at(const Vec3& p) const noexcept {
   int c[3];
-  double f[3];
+  float f[3];
   if (classes_.empty() || !locate(p, c, f)) return kNoClass;
   return classes_[index(c[0] + (f[0] > 0.5), c[1] + (f[1] > 0.5), c[2] + (f[2] > 0.5))];
 }

@@ -1,8 +1,10 @@
-// The signed distance field of a closed rigid surface, sampled on a grid and read by trilinear interpolation.
+// The signed distance field of a closed rigid surface, sampled on a grid and read by trilinear interpolation: of the
+// distance and of its exact gradient, so that normals turn smoothly about edges and never jump from cell to cell.
 #pragma once
 
 #include <vector>
 
+#include "engine/tissue/float4.h"
 #include "engine/types.h"
 
 namespace vallecula::engine {
@@ -14,7 +16,7 @@ class SignedDistanceGrid {
 
   struct Sample {
     double distance;      ///< m, negative inside; +-band beyond the band
-    Vec3 gradient;        ///< unit where it is defined, else zero
+    Vec3 gradient;        ///< out of the solid, unit; zero beyond the band and where no side is nearer
   };
 
   SignedDistanceGrid() = default;
@@ -31,7 +33,8 @@ class SignedDistanceGrid {
   double spacing() const noexcept { return spacing_; }
 
  private:
-  bool locate(const Vec3& p, int cell[3], double frac[3]) const noexcept;
+  bool locate(const Vec3& p, int cell[3], float frac[3]) const noexcept;
+  F4 interpolate(const int cell[3], const float frac[3]) const noexcept;
   std::size_t index(int i, int j, int k) const noexcept {
     return (static_cast<std::size_t>(k) * size_[1] + j) * size_[0] + i;
   }
@@ -39,7 +42,7 @@ class SignedDistanceGrid {
   Vec3 low_ = Vec3::Zero();
   double spacing_ = 1.0, inverse_spacing_ = 1.0, band_ = 0.0;
   int size_[3] = {0, 0, 0};
-  std::vector<float> values_;
+  std::vector<Float4> values_;   ///< gradient and distance
   std::vector<std::uint8_t> classes_;
 };
 

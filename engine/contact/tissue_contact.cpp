@@ -37,18 +37,30 @@ double exit_distance(const SignedDistanceGrid& field, const Vec3& p, const Vec3&
 
 }  // namespace
 
+void ContactState::forget() {
+  std::fill(memory.begin(), memory.end(), SphereContact{});
+  std::fill(cluster_check.begin(), cluster_check.end(), 0.0);
+  count = 0;
+  travel = 0.0;
+}
+
 void find_contacts(const SphereTree& tree, const SoftSurface& surface, const std::vector<std::array<int, 4>>& tets,
-                   const TissueModel& model, const TissueState& tissue, const ToolField& field, const Pose& tool, const Pose& previous, float contact_stiffness_per_area,
-                   ContactState& contacts) noexcept {
+                   const TissueModel& model, const TissueState& tissue, const ToolField& field, const Pose& tool,
+                   const Pose& previous, float contact_stiffness_per_area, ContactState& contacts) noexcept {
   contacts.count = 0;
   contacts.queried_spheres = 0;
   const Mat3 to_world = tool.rotation.toRotationMatrix();
   const Mat3 to_tool = to_world.transpose();
-  // How far any part of the tool within 0.1 m of its tip moved in this tick.
-  const double moved = (tool.position - previous.position).norm() + 0.1 * tool.rotation.angularDistance(previous.rotation);
+  // How far any part of the tool moved in this tick, and any node in the last.
+  const double moved =
+      (tool.position - previous.position).norm() + field.radius * tool.rotation.angularDistance(previous.rotation);
+  const double approach = moved + tissue.fastest_m;
+  contacts.travel += approach;
   const double reach = std::min(kReach + moved, field.fine.band() * 0.9);
 
-  for (const SphereCluster& cluster : tree.clusters) {
+  for (std::size_t n = 0; n < tree.clusters.size(); ++n) {
+    const SphereCluster& cluster = tree.clusters[n];
+    if (contacts.travel < contacts.cluster_check[n]) continue;
     Vec3 low = node_position(model, tissue, tree.cluster_nodes[cluster.first_node]), high = low;
     for (int i = 1; i < cluster.node_count; ++i) {
       const Vec3 p = node_position(model, tissue, tree.cluster_nodes[cluster.first_node + i]);
@@ -56,15 +68,17 @@ void find_contacts(const SphereTree& tree, const SoftSurface& surface, const std
       high = high.cwiseMax(p);
     }
     const double half = 0.5 * (high - low).norm();
-    const Vec3 centre = to_tool * (0.5 * (low + high) - tool.position);
-    if (field.coarse.distance(centre) > half + reach) {
-      for (int s = cluster.first; s < cluster.first + cluster.count; ++s) contacts.memory[s] = SphereContact{};
+    const double clear = field.coarse.distance(to_tool * (0.5 * (low + high) - tool.position)) - half - kReach;
+    if (clear > moved) {
+      contacts.cluster_check[n] = contacts.travel + clear;
+      for (int s = cluster.first; s < cluster.first + cluster.count; ++s)
+        if (contacts.memory[s].touching) contacts.memory[s] = SphereContact{};
       continue;
     }
     for (int s = cluster.first; s < cluster.first + cluster.count; ++s) {
       const InnerSphere& sphere = tree.spheres[s];
       SphereContact& memory = contacts.memory[s];
-      if (!sphere.touchable) continue;
+      if (!sphere.touchable || contacts.travel < memory.next_check) continue;
       ++contacts.queried_spheres;
       ContactConstraint& c = contacts.constraints[contacts.count];  // taken only if it turns out to be in reach
       const double offset = sphere.core ? kCoreShare * sphere.radius : 0.0;
@@ -78,6 +92,7 @@ void find_contacts(const SphereTree& tree, const SoftSurface& surface, const std
       const SignedDistanceGrid::Sample here = field.fine.sample(local);
       if (here.distance - offset > reach && !(memory.touching && memory.multiplier > 0)) {
         memory = SphereContact{};
+        memory.next_check = contacts.travel + here.distance - offset - kReach;
         continue;
       }
       double gap = here.distance;  // of the point; the offset is taken off at the end
@@ -85,16 +100,20 @@ void find_contacts(const SphereTree& tree, const SoftSurface& surface, const std
         // Met within the tick: the side is where the point was seen from a tick ago if it is inside by now.
         const Vec3 before = gap < 0 ? field.fine.sample(previous.to_local(world)).gradient : here.gradient;
         memory.side = before.squaredNorm() > 0 ? before : here.gradient;
-      } else if (gap > -kShallow && (here.gradient.dot(memory.side) > kSameSide || gap > 0)) {
-        memory.side = here.gradient;
+        memory.gap = 0.0f;  // it was outside
+      } else if (gap > -kShallow) {
+        // Outside, or so little inside that the nearest way out is still on the near side: the side turns with the field.
+        if (here.gradient.squaredNorm() > 0) memory.side = here.gradient;
       }
       if (!(memory.side.squaredNorm() > 0.5)) {
         memory = SphereContact{};
         continue;
       }
-      if (gap < 0 && (gap < -kShallow || here.gradient.dot(memory.side) <= kSameSide))
+      if (gap <= -kShallow || (gap < 0 && here.gradient.dot(memory.side) <= kSameSide))
         gap = -exit_distance(field.fine, local, memory.side);
       gap -= offset;
+      gap = std::max(gap, std::min(0.0, double(memory.gap)) - approach);
+      memory.gap = static_cast<float>(gap);
       memory.touching = gap < kTouching || memory.multiplier > 0;
 
       ++contacts.count;
@@ -103,7 +122,7 @@ void find_contacts(const SphereTree& tree, const SoftSurface& surface, const std
       c.stiffness = static_cast<float>(contact_stiffness_per_area * sphere.area);
       c.multiplier = memory.multiplier;
       c.sphere = s;
-      c.active = false;
+      c.active = memory.pushing || gap < 0;
     }
   }
 }
@@ -112,6 +131,7 @@ void keep_multipliers(ContactState& contacts) noexcept {
   for (int i = 0; i < contacts.count; ++i) {
     float& kept = contacts.memory[contacts.constraints[i].sphere].multiplier;
     kept += kCarriedShare * (contacts.constraints[i].multiplier - kept);
+    contacts.memory[contacts.constraints[i].sphere].pushing = contacts.constraints[i].multiplier > 0;
   }
 }
 

@@ -15,16 +15,27 @@ namespace vallecula::engine {
 struct SphereContact {
   Vec3 side = Vec3::Zero();  ///< tool frame: outward normal of the last side that was not penetrating
   float multiplier = 0.0f;   ///< N
+  float gap = 0.0f;          ///< m, of the last tick in which it was looked at
   bool touching = false;
+  bool pushing = false;      ///< carried force in the last tick: where the solver's choice of contacts begins
+  double next_check = 0.0;   ///< of ContactState::travel: until then the tool cannot be in reach
 };
 
 struct ContactState {
-  explicit ContactState(std::size_t spheres) : memory(spheres), constraints(spheres) {}
+  explicit ContactState(const SphereTree& tree)
+      : memory(tree.spheres.size()), constraints(tree.spheres.size()), cluster_check(tree.clusters.size(), 0.0) {}
 
   std::vector<SphereContact> memory;           ///< per sphere
   std::vector<ContactConstraint> constraints;  ///< the first `count` are this tick's
   int count = 0;
+  /// What tool and tissue can have moved towards each other since rest, m: the sum over the ticks of the tool's way and
+  /// of the fastest node's. A sphere or cluster seen far away need not be looked at before the travel has used up the
+  /// distance.
+  double travel = 0.0;
+  std::vector<double> cluster_check;           ///< per cluster, as SphereContact::next_check
   std::int64_t queried_spheres = 0;            ///< of this tick, for the laboratory
+
+  void forget();                               ///< as before the first tick
 };
 
 /// Finds this tick's constraints with the tool at `tool` (it was at `previous` a tick ago). A constraint's gap is that of
@@ -33,10 +44,11 @@ struct ContactState {
 /// the tool early by the strain times r + g: 0.3 mm under a 30 % press with 1 mm spheres.
 /// Where the surface has spheres of its own, the grid's spheres within are the second line: they keep the tool's edges
 /// and tip, which may slip between surface points, from cutting into the tissue (kCoreShare of their radius).
-/// The normal is that of the tool's field on the last side that was not penetrating, kept while in contact.
+/// The normal is that of the tool's field on the last side that was not penetrating, kept while in contact. A gap falls
+/// from tick to tick by no more than tool and tissue moved: a side that is lost at an edge cannot turn into a blow.
 void find_contacts(const SphereTree& tree, const SoftSurface& surface, const std::vector<std::array<int, 4>>& tets,
-                   const TissueModel& model, const TissueState& tissue, const ToolField& field, const Pose& tool, const Pose& previous, float contact_stiffness_per_area,
-                   ContactState& contacts) noexcept;
+                   const TissueModel& model, const TissueState& tissue, const ToolField& field, const Pose& tool,
+                   const Pose& previous, float contact_stiffness_per_area, ContactState& contacts) noexcept;
 
 /// Hands the constraints' multipliers back to the spheres' memory (after the step).
 void keep_multipliers(ContactState& contacts) noexcept;

@@ -38,6 +38,7 @@ TriangleMesh checked(const TriangleMesh& mesh) {
 
 ToolField::ToolField(const TriangleMesh& surface)
     : fine(field(checked(surface), kFineSpacing, kFineBand)), coarse(field(surface, kCoarseSpacing, kCoarseBand)) {
+  for (const Vec3& p : surface.points) radius = std::max(radius, p.norm());
   std::set<std::array<long long, 3>> taken;  // one sample a cell of the sample spacing
   for (const auto& t : surface.triangles) {
     const Vec3 &a = surface.points[t[0]], &b = surface.points[t[1]], &c = surface.points[t[2]];

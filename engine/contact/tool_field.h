@@ -13,6 +13,7 @@ struct ToolField {
 
   SignedDistanceGrid fine;     ///< exact within 2 mm
   SignedDistanceGrid coarse;   ///< to prune by, exact within 16 mm
+  double radius = 0.0;         ///< of the surface's farthest point from the tool's origin, m
   std::vector<Vec3> samples;   ///< points on the surface about 1.5 mm apart, tool frame, m
 };
 

@@ -5,6 +5,7 @@
 #include <ctime>
 
 #include "engine/mesh/soft_mesh.h"
+#include "engine/mesh/triangle_bvh.h"
 #include "engine/state.h"
 
 namespace vallecula::engine {
@@ -13,10 +14,12 @@ namespace {
 
 constexpr double kMissedS = 0.001;            // a force written later after it was due is a miss (DESIGN 4.5)
 constexpr int kPenetrationParts = 4;      // a surface triangle is looked at in 15 points
+constexpr double kNear = 0.001;           // m; nearer than this the distance is taken from the tool's triangles, exactly
 constexpr int kStiffnessWindow = 20;      // steps over which the contact's stiffness is taken
 
 /// Points of the tissue's surface in the tool: vertices and a lattice in each triangle near it.
-double deepest_penetration(const Scene& scene, const Pose& tool, const std::vector<Vec3>& nodes) {
+double deepest_penetration(const Scene& scene, const TriangleBvh& surface, const Pose& tool,
+                           const std::vector<Vec3>& nodes) {
   const Mat3 to_tool = tool.rotation.toRotationMatrix().transpose();
   double deepest = 0.0;
   for (const auto& t : scene.surface.triangles) {
@@ -28,7 +31,7 @@ double deepest_penetration(const Scene& scene, const Pose& tool, const std::vect
     for (int i = 0; i <= kPenetrationParts; ++i)
       for (int j = 0; i + j <= kPenetrationParts; ++j) {
         const Vec3 p = a + (b - a) * (double(i) / kPenetrationParts) + (c - a) * (double(j) / kPenetrationParts);
-        deepest = std::max(deepest, -scene.tool.fine.distance(p));
+        if (scene.tool.fine.distance(p) < kNear) deepest = std::max(deepest, -surface.signed_distance(p, kNear));
       }
   }
   return deepest;
@@ -173,6 +176,7 @@ ExperimentResult run_experiment(const Scene& scene, const std::function<Pose(dou
     high = high.cwiseMax(p);
   }
 
+  const TriangleBvh tool_surface(scene.description.tool.surface);
   SceneState state(scene);
   LimitedTool tool(settings, h, (high - low).norm());
   ExperimentResult result;
@@ -213,7 +217,7 @@ ExperimentResult run_experiment(const Scene& scene, const std::function<Pose(dou
     s.finite = std::isfinite(sum) && std::abs(sum) < 1e12;
     if (s.finite && settings.measure_tissue) {
       s.volume_change = volume_of(result.final_nodes, s.inverted) / rest_volume - 1;
-      s.penetration_m = deepest_penetration(scene, state.proxy.pose, result.final_nodes);
+      s.penetration_m = deepest_penetration(scene, tool_surface, state.proxy.pose, result.final_nodes);
     }
     if (s.state == HapticState::limited) result.time_limited_s += h;
     if (s.state == HapticState::lost) result.time_lost_s += h;

@@ -44,9 +44,10 @@ void refresh_coarse(const TissueModel& model, TissueState& state, float mass_sca
     for (std::int32_t b = model.row_start[i]; b < model.row_start[i + 1]; ++b) {
       const std::int32_t other = model.coarse_index[model.column[b]];
       if (other < 0) continue;
+      const Block3 k = state.stiffness_block(b);
       Mat3 block;
-      for (int c = 0; c < 3; ++c) block.col(c) = stiffness_scale * to_vec3(state.stiffness[b].column[c]);
-      if (model.column[b] == i) block.diagonal().array() += mass_scale * model.mass[i];
+      for (int c = 0; c < 3; ++c) block.col(c) = stiffness_scale * to_vec3(k.column[c]);
+      if (b == model.diagonal[i]) block.diagonal().array() += mass_scale * model.mass[i];
       add_block(block, arm_of(state, static_cast<int>(n)), arm_of(state, other), 6 * group,
                 6 * model.coarse_nodes[other].group, size, coarse.base.data());
     }

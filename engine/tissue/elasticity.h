@@ -6,13 +6,15 @@
 namespace vallecula::engine {
 
 /// Elastic forces at the present displacement: state.force[i] = -dE/du_i (N) for every node (anchored ones included,
-/// their bodies' entries zero). Updates rotations (two warm-started iterations of Mueller et al. 2016).
+/// their bodies' entries zero). Updates rotations
+/// (two warm-started iterations of Mueller et al. 2016).
 void elastic_forces(const TissueModel& model, TissueState& state) noexcept;
 
-/// Brings the stiffness up to the present rotations for the tetrahedra that turned since they were last assembled, at
-/// most `most` of them a call (round robin). The matrix is that of plain corotational tetrahedra, which bounds the
-/// nodally averaged energy from above (Jensen), so that steps taken with it are stable and come to rest at its minimum.
-void refresh_stiffness(const TissueModel& model, TissueState& state, int most) noexcept;
+/// Brings the stiffness up to the present deformation for tetrahedra that turned or were squeezed since they were last
+/// assembled: looks at `visit` packs a call (round robin) and renews at most about `most` tetrahedra. The matrix is that of
+/// plain tetrahedra, which bounds the nodally averaged energy from above (Jensen), so that steps taken with it are stable
+/// and come to rest at its minimum. Marks the nodes whose diagonal blocks changed as stale.
+void refresh_stiffness(const TissueModel& model, TissueState& state, int visit, int most) noexcept;
 
 /// Assembles everything anew at the present rotations (outside any tick: after a reset).
 void assemble_stiffness(const TissueModel& model, TissueState& state);

@@ -24,21 +24,5 @@ inline float dot3(F4 a, F4 b) {
   const F4 p = a * b;
   return p[0] + p[1] + p[2];
 }
-inline F4 sqrt4(F4 a) {
-  F4 r;
-  for (int i = 0; i < 4; ++i) r[i] = std::sqrt(a[i]);
-  return r;
-}
-inline F4 abs4(F4 a) { return (F4)((I4)a & I4{0x7fffffff, 0x7fffffff, 0x7fffffff, 0x7fffffff}); }
-
-/// Rows a, b, c, d become lanes: afterwards a holds the first components, b the second, c the third.
-inline void transpose(F4& a, F4& b, F4& c, F4& d) {
-  const F4 ab_low = __builtin_shuffle(a, b, I4{0, 4, 1, 5}), ab_high = __builtin_shuffle(a, b, I4{2, 6, 3, 7});
-  const F4 cd_low = __builtin_shuffle(c, d, I4{0, 4, 1, 5}), cd_high = __builtin_shuffle(c, d, I4{2, 6, 3, 7});
-  a = __builtin_shuffle(ab_low, cd_low, I4{0, 1, 4, 5});
-  b = __builtin_shuffle(ab_low, cd_low, I4{2, 3, 6, 7});
-  c = __builtin_shuffle(ab_high, cd_high, I4{0, 1, 4, 5});
-  d = __builtin_shuffle(ab_high, cd_high, I4{2, 3, 6, 7});
-}
 
 }  // namespace vallecula::engine

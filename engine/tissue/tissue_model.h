@@ -1,25 +1,29 @@
-// The soft body as the solver sees it: element data in packs of four, the sparsity of its stiffness, masses, anchors.
+// The soft body as the solver sees it: element data in packs of eight, the sparsity of its stiffness, masses, anchors.
 // Fixed during a trial; what changes is TissueState.
 //
-// Elasticity: corotational linear tetrahedra (Mueller and Gross 2004) with the volumetric part averaged at the nodes
-// (Bonet and Burton 1998), since plain linear tetrahedra lock as nu nears 0.5. Per material and node n
-//   energy = sum_t V_t mu |sym(R^T F) - I|^2 + 1/2 sum_n lambda V_n theta_n^2,
-//   theta_n = sum_{t at n} (V_t/4) tr(R^T F - I) / V_n.
+// Elasticity: corotational tetrahedra whose volume is averaged at the nodes (Bonet and Burton 1998), since plain linear
+// tetrahedra lock as nu nears 0.5. Per material and node n
+//   energy = sum_t V_t mu |sym(R^T F) - 1|^2 + 1/2 sum_n lambda V_n (Jn - 1)^2,
+//   Jn = sum_{t at n} (V_t/4) det F_t / V_n.
+// The volumetric part measures det F (as the fixed corotated energy of Stomakhin et al. 2012 does), not the trace of the
+// corotated strain: by the trace a tongue pressed by a third of its thickness loses 8 % of its volume without knowing.
 #pragma once
 
 #include <vector>
 
 #include "engine/scene.h"
-#include "engine/tissue/float4.h"
+#include "engine/tissue/lanes.h"
 
 namespace vallecula::engine {
 
 struct TetPack {
-  std::int32_t node[4][4];      ///< [corner][lane]
-  std::int32_t pressure[4][4];  ///< [corner][lane]: index of the (node, material) pair whose pressure the corner feels
-  F4 gradient[4][3];            ///< rest shape gradients [corner][axis], 1/m
-  F4 volume;                    ///< m^3; zero in lanes that only pad the last pack
-  F4 mu, lambda;                ///< Pa
+  std::int32_t node[4][kLanes];      ///< [corner][lane]
+  std::int32_t pressure[4][kLanes];  ///< [corner][lane]: index of the (node, material) pair whose pressure the corner feels
+  std::int32_t tet[kLanes];          ///< index in the description; -1 in lanes that only pad the last pack
+  F8 gradient[4][3];                 ///< rest shape gradients [corner][axis], 1/m
+  F8 volume;                         ///< m^3; zero in padding lanes
+  F8 mu, lambda;                     ///< Pa
+  F8 tolerance;                      ///< change of rotation and cofactor (squared norm) that renews the stiffness
 };
 
 struct TissueModel {
@@ -30,13 +34,16 @@ struct TissueModel {
   double step_s = 0.001;
   std::vector<Vec3> rest;               ///< per node, m
   std::vector<float> mass;              ///< lumped, kg, per node
-  std::vector<TetPack> packs;
+  std::vector<TetPack> packs;           ///< tetrahedra of which a node can move
   std::vector<float> pressure_lambda;   ///< per (node, material) pair, Pa
   std::vector<float> pressure_inverse_volume;
 
-  /// Block rows of the stiffness: row i has blocks row_start[i] .. row_start[i+1]; column indices ascend.
+  /// Block rows of the stiffness: row i has blocks row_start[i] .. row_start[i+1]; column indices ascend. Nodes fastened
+  /// to a fixed body have no row, and no one's row has them. Blocks are stored in pairs (tissue_state.h), so that rows
+  /// begin and end at even indices; a block that only pads has its own row's column.
   std::vector<std::int32_t> row_start, column, diagonal;
-  std::vector<std::array<std::int32_t, 16>> tet_block;  ///< per tet: block index of (corner i, corner j) at 4 i + j
+  std::vector<std::array<std::int32_t, 16>> tet_block;  ///< per pack and lane: block of (corner i, corner j) at 4 i + j, or -1
+  std::vector<std::int32_t> moving;     ///< nodes with a row, ascending
 
   std::vector<SprungBody> bodies;
   std::vector<std::int8_t> anchor;          ///< per node, -1 free
@@ -44,7 +51,8 @@ struct TissueModel {
     std::int32_t node, body;
     F4 arm;                                 ///< hinge: displacement of the node per radian, m/rad
   };
-  std::vector<AnchoredNode> anchored;
+  std::vector<AnchoredNode> anchored;       ///< to bodies that move
+  std::vector<std::int32_t> fixed_nodes;    ///< anchored to bodies that do not
 
   /// Coarse space of the preconditioner (coarse_space.h): free nodes of the stiff tissue in groups of neighbours. Empty
   /// for a body of one material.
@@ -59,6 +67,11 @@ struct TissueModel {
   /// Rayleigh damping, D = alpha M + beta K: light, so that a released tongue settles within about 0.2 s (assumed).
   static constexpr float kMassDamping = 4.0f;        // 1/s
   static constexpr float kStiffnessDamping = 0.0005f;  // s
+
+  /// True for nodes fastened to a body that never moves.
+  bool fixed(int node) const {
+    return anchor[node] >= 0 && bodies[anchor[node]].motion == SprungBody::Motion::fixed;
+  }
 
  private:
   void build_coarse_space(const SoftBodyDescription& soft);

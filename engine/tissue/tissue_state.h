@@ -12,12 +12,34 @@ struct Block3 {
   F4 column[3] = {{0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}};
 };
 
-/// Rotations and stresses of a pack's four tetrahedra, filled by the element pass.
+/// Two 3x3 blocks side by side: lanes 0-2 of each column are the first's, 4-6 the second's; lanes 3 and 7 are zero.
+struct BlockPair {
+  F8 column[3] = {};
+  Block3 block(int half) const {
+    Block3 b;
+    for (int k = 0; k < 3; ++k) b.column[k] = half == 0 ? low_half(column[k]) : high_half(column[k]);
+    return b;
+  }
+  void add(int half, int k, F4 to_column) {
+    const F4 none = {0, 0, 0, 0};
+    column[k] += half == 0 ? join(to_column, none) : join(none, to_column);
+  }
+};
+
+/// Rotations and stresses of a pack's tetrahedra, filled by the element pass.
 struct PackState {
-  F4 quaternion[4];          ///< w x y z; warm start of the rotation
-  F4 rotation[9];            ///< row major
-  F4 deviatoric[9];          ///< R 2 mu (sym(R^T F) - I), row major, Pa
-  F4 assembled_rotation[9];  ///< the rotation the stiffness blocks were last built with
+  F8 quaternion[4];   ///< w x y z; warm start of the rotation
+  F8 rotation[9];     ///< row major
+  F8 cofactor[9];     ///< of F: d(det F)/dF, row major
+  F8 deviatoric[9];   ///< R 2 mu (sym(R^T F) - 1), row major, Pa
+  F8 pressure;        ///< lambda (Jn - 1), mean of the corners, Pa
+};
+
+/// What a pack's stiffness blocks were last built with.
+struct PackAssembly {
+  F8 rotation[9];
+  F8 cofactor[9];
+  F8 pressure;        ///< its size, Pa
 };
 
 /// Second level of the preconditioner (coarse_space.h).
@@ -36,19 +58,31 @@ struct TissueState {
   std::vector<Vec3> velocity;       ///< per node, m/s; zero in anchored nodes
   std::vector<Vec3> body_displacement, body_velocity;  ///< per body: translation (m), or angle (rad) in x
 
+  double fastest_m = 0.0;           ///< the farthest way of a node in the last step, m
+
   std::vector<PackState> packs;
-  std::vector<Block3> stiffness;    ///< assembled K by block row
+  std::vector<PackAssembly> assembly;
+  std::vector<BlockPair> stiffness; ///< assembled K by block row, two blocks an entry
   std::int32_t refresh_at = 0;      ///< where the next tick's stiffness refresh begins
+
+  /// Inverses of the system's diagonal blocks (the preconditioner), kept between ticks; `stale` marks nodes whose block
+  /// has changed.
+  std::vector<Block3> inverse_diagonal;
+  std::vector<char> stale;
+  std::vector<Block3> contact_diagonal;      ///< work space: diagonal blocks of the nodes in contact
+  std::vector<std::int32_t> contact_nodes;   ///< the first contact_node_count are this tick's
+  std::vector<char> in_contact;
+  std::int32_t contact_node_count = 0;
 
   CoarseState coarse;
   std::int64_t steps = 0;           ///< implicit steps taken since rest
 
-  // Work space of a step: node vectors with the bodies' unknowns appended.
+  // Work space of a step: node vectors with the bodies' unknowns appended, an even number of entries.
   std::vector<Float4> external;     ///< forces from outside in this tick, N; cleared by the step that used them
   std::vector<Float4> displacement_f, force, rhs, solution, residual, direction, product, preconditioned;
-  std::vector<Block3> inverse_diagonal;
   std::vector<float> pressure;
 
+  Block3 stiffness_block(std::int32_t b) const { return stiffness[b / 2].block(b % 2); }
   void set_rest(const TissueModel& model);
 };
 
