@@ -42,6 +42,7 @@ std::uint32_t take_device(const Scene& scene, SceneState& state, const Pose& pos
 /// Force of the tissue on the tool (N, and N m about the tip) and its share by structure, from the multipliers.
 void collect_tissue_load(const Scene& scene, SceneState& state, std::array<StructureLoad, kLoadedStructures>& loads) {
   state.tissue_wrench = Wrench{};
+  state.tissue_stiffness.setZero();
   std::array<double, kLoadedStructures> weight{};
   for (int i = 0; i < state.contacts.count; ++i) {
     const ContactConstraint& c = state.contacts.constraints[i];
@@ -51,7 +52,11 @@ void collect_tissue_load(const Scene& scene, SceneState& state, std::array<Struc
       at += c.weight[k] * (scene.model.rest[c.node[k]] + state.tissue.displacement[c.node[k]]);
     const Vec3 force = -c.multiplier * to_vec3(c.normal);
     state.tissue_wrench.force += force;
-    state.tissue_wrench.torque += (at - state.proxy.pose.position).cross(force);
+    const Vec3 arm = at - state.proxy.pose.position;
+    state.tissue_wrench.torque += arm.cross(force);
+    Eigen::Matrix<double, 6, 1> direction;
+    direction << to_vec3(c.normal), arm.cross(to_vec3(c.normal));
+    state.tissue_stiffness += c.stiffness / kContactAugmentation * direction * direction.transpose();
     const int tet = scene.surface.tet[scene.tree.spheres[c.sphere].triangle];
     const int structure = static_cast<int>(scene.description.soft.tet_structure[tet]);
     if (structure >= kLoadedStructures) continue;
@@ -125,7 +130,8 @@ StepResult step(const Scene& scene, SceneState& state, const StepInput& input) n
   } else {
     const bool bounded = state.limit.state == HapticState::recovering;
     rigid = move_proxy(scene.proxy, scene.rigid, scene.tool.samples, state.device, state.device_velocity,
-                       state.limit.coupling_scale, bounded ? settings.device_limit_n : 1e3, state.tissue_wrench, state.proxy);
+                       state.limit.coupling_scale, bounded ? settings.device_limit_n : 1e3, state.tissue_wrench, state.tissue_stiffness,
+                       state.proxy);
   }
 
   StageTimes times;
@@ -134,6 +140,7 @@ StepResult step(const Scene& scene, SceneState& state, const StepInput& input) n
     state.tissue.set_rest(scene.model);
     state.contacts.forget();
     state.tissue_wrench = Wrench{};
+    state.tissue_stiffness.setZero();
     state.proxy = ProxyState{};
     state.proxy.pose = state.device;
     result.loads = {};
@@ -146,8 +153,7 @@ StepResult step(const Scene& scene, SceneState& state, const StepInput& input) n
   result.model_torque_nm = state.tissue_wrench.torque + rigid.wrench.torque;
 
   const Vec3 pull = coupling_wrench(scene.proxy, state.proxy.pose, state.device, 1.0).force;
-  judge_limit(settings, scene.model.step_s, trial_force(pull, result.model_force_n), result.model_force_n.norm(), valid,
-              state.limit);
+  judge_limit(settings, scene.model.step_s, trial_force(pull, result.model_force_n), valid, state.limit);
   if (state.step % kSightEverySteps == 0) look(scene, state);
 
   result.device_pose = state.device;

@@ -36,6 +36,7 @@ struct SceneState {
   ProxyState proxy;
   LimitState limit;
   Wrench tissue_wrench;        ///< of the last step, on the tool
+  Mat6 tissue_stiffness = Mat6::Zero();  ///< of the contacts that pushed in it: how the tissue resists a move within a tick
   Wrench device_velocity;      ///< filtered; force holds m/s, torque rad/s
   Pose device;                 ///< last good device pose
   bool placed = false;         ///< the first good pose has placed the proxy

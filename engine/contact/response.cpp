@@ -7,8 +7,7 @@ namespace vallecula::engine {
 namespace {
 
 constexpr int kMaxIterations = 10;        // Algorithm 1, MaxIterationNumber
-constexpr float kAugmentation = 60.0f;     // contact stiffness over a surface node's own, compliant
-constexpr float kPenaltyShare = 0.1f;     // of that stiffness: an explicit penalty spring above it diverges at h = 1 ms
+constexpr float kPenaltyShare = 0.01f;    // of the augmented Lagrangian's stiffness: an explicit penalty spring above it diverges at h = 1 ms
 
 /// The paper to the letter: free step, then each colliding sphere's centre is projected out along its normal and the
 /// correction goes to the vertices of its tetrahedron; the velocity is taken from the corrected positions. Its force
@@ -101,7 +100,7 @@ float contact_stiffness_per_area(const TissueModel& model, const SoftSurface& su
         for (int a = 0; a < 3; ++a) squared += double(pack.gradient[c][a][lane]) * pack.gradient[c][a][lane];
         stiffness += 4.0 / 3.0 * pack.volume[lane] * pack.mu[lane] * squared;
       }
-  return static_cast<float>(kAugmentation * stiffness / area);
+  return static_cast<float>(kContactAugmentation * stiffness / area);
 }
 
 }  // namespace vallecula::engine

@@ -11,8 +11,11 @@ StepStatistics respond(Response response, const SphereTree& tree, const std::vec
                        const TissueModel& model, TissueState& tissue, ContactState& contacts,
                        StageTimes& times) noexcept;
 
-/// Stiffness of the augmented Lagrangian per surface area (N/m^3): a few times the stiffness a surface node offers in one
-/// step over the area it answers for. It sets how fast the multipliers settle, not the force they settle at.
+/// Stiffness of the augmented Lagrangian over what a surface node itself offers within a step.
+constexpr float kContactAugmentation = 60.0f;
+
+/// Stiffness of the augmented Lagrangian per surface area (N/m^3): kContactAugmentation times the stiffness a surface node
+/// offers in one step over the area it answers for. It sets how fast the multipliers settle, not the force they settle at.
 float contact_stiffness_per_area(const TissueModel& model, const SoftSurface& surface);
 
 }  // namespace vallecula::engine

@@ -11,7 +11,7 @@ double trial_force(const Vec3& coupling_force, const Vec3& model_force) {
   return std::max(0.0, -coupling_force.dot(model_force) / held);
 }
 
-void judge_limit(const HapticSettings& settings, double step_s, double trial_n, double model_n, bool device_valid,
+void judge_limit(const HapticSettings& settings, double step_s, double trial_n, bool device_valid,
                  LimitState& limit) noexcept {
   const auto enter = [&limit](HapticState state) {
     limit.state = state;
@@ -25,7 +25,7 @@ void judge_limit(const HapticSettings& settings, double step_s, double trial_n, 
   }
   switch (limit.state) {
     case HapticState::tracking:
-      if (std::max(trial_n, model_n) > settings.device_limit_n) enter(HapticState::limited);
+      if (trial_n > settings.device_limit_n) enter(HapticState::limited);
       break;
     case HapticState::limited:
       if (below) {

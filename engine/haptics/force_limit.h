@@ -21,7 +21,7 @@ constexpr double kLeaveShare = 0.95;      // of f_max: the limit is left below i
 double trial_force(const Vec3& coupling_force, const Vec3& model_force);
 
 /// One tick's judgement. `device_valid`: the device can be used now.
-void judge_limit(const HapticSettings& settings, double step_s, double trial_n, double model_n, bool device_valid,
+void judge_limit(const HapticSettings& settings, double step_s, double trial_n, bool device_valid,
                  LimitState& limit) noexcept;
 
 /// True while the proxy is held at its last admissible pose.

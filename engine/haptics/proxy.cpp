@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <array>
+
 #include <Eigen/Cholesky>
 
 namespace vallecula::engine {
@@ -15,18 +17,21 @@ constexpr double kRigidStiffness = 8000.0;  // N/m
 constexpr double kCouplingDamping = 0.7;    // share of critical
 
 using Vec6 = Eigen::Matrix<double, 6, 1>;
-using Mat6 = Eigen::Matrix<double, 6, 6>;
 
-/// Calls visit(world arm from the tip, normal, depth, structure) for each sample point inside rigid anatomy.
+// Points this near to rigid anatomy may come into contact within the tick.
+constexpr double kRigidReach = 0.0008;  // m
+constexpr int kMostRigidPoints = 256, kRigidPasses = 5;
+
+/// Calls visit(world arm from the tip, normal, depth, structure) for each sample point deeper than `least_depth`.
 template <class Visit>
 void for_each_rigid_contact(const SignedDistanceGrid& rigid, const std::vector<Vec3>& samples, const Pose& tool,
-                            Visit visit) {
+                            double least_depth, Visit visit) {
   const Mat3 to_world = tool.rotation.toRotationMatrix();
   for (const Vec3& local : samples) {
     const Vec3 arm = to_world * local;
     const Vec3 world = tool.position + arm;
     const SignedDistanceGrid::Sample s = rigid.sample(world);
-    if (!(s.distance < 0)) continue;
+    if (!(s.distance < -least_depth)) continue;
     // Deeper than the field's band nothing is known of what is touched or which way is out.
     const std::uint8_t structure = rigid.class_at(world);
     if (structure >= kLoadedStructures) continue;
@@ -54,7 +59,7 @@ Wrench coupling_wrench(const ProxySettings& settings, const Pose& proxy, const P
 RigidContacts rigid_contacts(const SignedDistanceGrid& rigid, const std::vector<Vec3>& samples, const Pose& tool) noexcept {
   RigidContacts out;
   std::array<double, kLoadedStructures> weight{};
-  for_each_rigid_contact(rigid, samples, tool, [&](const Vec3& arm, const Vec3& n, double depth, Structure structure) {
+  for_each_rigid_contact(rigid, samples, tool, 0.0, [&](const Vec3& arm, const Vec3& n, double depth, Structure structure) {
     const Vec3 force = kRigidStiffness * depth * n;
     out.wrench.force += force;
     out.wrench.torque += arm.cross(force);
@@ -71,7 +76,7 @@ RigidContacts rigid_contacts(const SignedDistanceGrid& rigid, const std::vector<
 
 RigidContacts move_proxy(const ProxySettings& settings, const SignedDistanceGrid& rigid, const std::vector<Vec3>& samples,
                          const Pose& device, const Wrench& device_velocity, double coupling_scale, double force_limit,
-                         const Wrench& tissue, ProxyState& proxy) noexcept {
+                         const Wrench& tissue, const Mat6& tissue_stiffness, ProxyState& proxy) noexcept {
   const double h = settings.step_s;
   const double k = settings.stiffness_n_m * coupling_scale, kr = settings.rotation_nm_rad * coupling_scale;
   const double b = 2 * kCouplingDamping * std::sqrt(k * settings.mass_kg);
@@ -83,19 +88,43 @@ RigidContacts move_proxy(const ProxySettings& settings, const SignedDistanceGrid
     pull.force *= force_limit / strength;
     pull.torque *= force_limit / strength;
   }
-  Mat6 matrix = Mat6::Zero();
+  Mat6 matrix = tissue_stiffness;
   Vec6 right;
-  matrix.diagonal().head<3>().setConstant(settings.mass_kg / (h * h) + b / h + k);
-  matrix.diagonal().tail<3>().setConstant(settings.inertia_kg_m2 / (h * h) + br / h + kr);
+  matrix.diagonal().head<3>().array() += settings.mass_kg / (h * h) + b / h + k;
+  matrix.diagonal().tail<3>().array() += settings.inertia_kg_m2 / (h * h) + br / h + kr;
   right.head<3>() = settings.mass_kg / h * proxy.velocity + b * device_velocity.force + pull.force + tissue.force;
   right.tail<3>() = settings.inertia_kg_m2 / h * proxy.angular_velocity + br * device_velocity.torque + pull.torque + tissue.torque;
-  for_each_rigid_contact(rigid, samples, proxy.pose, [&](const Vec3& arm, const Vec3& n, double depth, Structure) {
-    Vec6 j;
-    j << n, arm.cross(n);
-    matrix += kRigidStiffness * j * j.transpose();
-    right += kRigidStiffness * depth * j;
-  });
-  const Vec6 move = matrix.llt().solve(right);
+  // Springs that push only: which of them do at the end of the move is found by trying (a few passes settle it).
+  std::array<Vec6, kMostRigidPoints> direction;
+  std::array<double, kMostRigidPoints> depth;
+  std::array<bool, kMostRigidPoints> pushes;
+  int points = 0;
+  for_each_rigid_contact(rigid, samples, proxy.pose, -kRigidReach,
+                         [&](const Vec3& arm, const Vec3& n, double deep, Structure) {
+                           if (points == kMostRigidPoints) return;
+                           direction[points] << n, arm.cross(n);
+                           depth[points] = deep;
+                           pushes[points] = deep > 0;
+                           ++points;
+                         });
+  Vec6 move = Vec6::Zero();
+  for (int pass = 0; pass < kRigidPasses; ++pass) {
+    Mat6 with = matrix;
+    Vec6 load = right;
+    for (int i = 0; i < points; ++i) {
+      if (!pushes[i]) continue;
+      with += kRigidStiffness * direction[i] * direction[i].transpose();
+      load += kRigidStiffness * depth[i] * direction[i];
+    }
+    move = with.llt().solve(load);
+    bool changed = false;
+    for (int i = 0; i < points; ++i) {
+      const bool push = depth[i] - direction[i].dot(move) > 0;
+      changed |= push != pushes[i];
+      pushes[i] = push;
+    }
+    if (!changed) break;
+  }
   proxy.velocity = move.head<3>() / h;
   proxy.angular_velocity = move.tail<3>() / h;
   proxy.pose.position += move.head<3>();

@@ -26,6 +26,9 @@ struct Wrench {
   Vec3 force = Vec3::Zero(), torque = Vec3::Zero();
 };
 
+/// Stiffness of what presses on the tool, over a move (m, rad) about the blade tip, world axes.
+using Mat6 = Eigen::Matrix<double, 6, 6>;
+
 /// Contacts of the tool with rigid anatomy in one tick.
 struct RigidContacts {
   Wrench wrench;                                         ///< on the tool
@@ -39,12 +42,14 @@ Vec3 rotation_between(const Quat& from, const Quat& to);
 Wrench coupling_wrench(const ProxySettings& settings, const Pose& proxy, const Pose& device, double scale);
 
 /// One implicit step of the proxy: (M/h^2 + B/h + K) dx = M v/h + coupling + tissue + rigid contact, where K holds the
-/// coupling's and the rigid contacts' stiffness. `tissue` is the last tick's force of the tissue on the tool.
-/// `device_velocity` (m/s, rad/s): the damper works against the hand, so that moving freely costs no force.
-/// `force_limit`: the coupling pulls with no more than this (N). Returns the rigid contacts at the new pose.
+/// coupling's, the tissue's and the rigid contacts' stiffness. `tissue` is the last tick's force of the tissue on the tool and
+/// `tissue_stiffness` what it would change by if the tool moved within a tick: taken as a mere load, a blade wedged between
+/// tissue and gum chattered at the tick's rate. `device_velocity` (m/s, rad/s): the damper works against the hand, so that
+/// moving freely costs no force. `force_limit`: the coupling pulls with no more than this (N). Returns the rigid contacts at
+/// the new pose.
 RigidContacts move_proxy(const ProxySettings& settings, const SignedDistanceGrid& rigid, const std::vector<Vec3>& samples,
                          const Pose& device, const Wrench& device_velocity, double coupling_scale, double force_limit,
-                         const Wrench& tissue, ProxyState& proxy) noexcept;
+                         const Wrench& tissue, const Mat6& tissue_stiffness, ProxyState& proxy) noexcept;
 
 /// Rigid contacts of a proxy that is held still.
 RigidContacts rigid_contacts(const SignedDistanceGrid& rigid, const std::vector<Vec3>& samples, const Pose& tool) noexcept;

@@ -22,14 +22,15 @@ TickRecord servo_tick(const Scene& scene, std::int64_t tick, const PortInput& in
     record.glottis_visible = used.glottis_visible;
     record.has_sight = used.step != servo.last_used && used.step % kSightEverySteps == 0;
   }
-  const bool fault = !input.valid || used.step < 0 ||
-                     (used.faults & (kFaultTissue | kFaultDevicePose | kFaultDeviceInvalid)) != 0;
   const Vec3 pull = used.limit.coupling_scale * scene.proxy.stiffness_n_m * (input.pose.position - used.proxy_pose.position);
-  servo.displayed = displayed_force(scene.description.haptics, scene.model.step_s, used.limit, pull, !fault, servo.displayed);
-  if (!servo.displayed.allFinite()) {
-    servo.displayed.setZero();
+  bool fault = !input.valid || used.step < 0 ||
+               (used.faults & (kFaultTissue | kFaultDevicePose | kFaultDeviceInvalid)) != 0;
+  // A pose that is not finite is the device's fault and named as such; with a finite one, a pull that is not is ours.
+  if (!fault && input.pose.position.allFinite() && !(pull.allFinite() && used.model_force_n.allFinite())) {
+    fault = true;
     record.faults |= kFaultForce;
   }
+  servo.displayed = displayed_force(scene.description.haptics, scene.model.step_s, used.limit, pull, !fault, servo.displayed);
   record.displayed_force_n = servo.displayed;
   servo.last_used = used.step;
   return record;

@@ -18,7 +18,7 @@ using pipeline::Tissue;
 constexpr double kMetres = 0.001;  // the one conversion from the package's millimetres
 
 // Springs that hold hyoid and mandible (DESIGN 4.1: the hyoid follows 0.3-0.4 of the lift). No measured stiffness was
-// found; these give that share on the term manikin (figures in engine/README.md) and scale with the infant's size.
+// found; these were tried out on the term manikin and scale with the infant's size.
 constexpr double kTermSize = 0.0503;         // m, upper gum to vallecula of the term manikin
 constexpr double kHyoidStiffness = 80.0;    // N/m
 constexpr double kLarynxStiffness = 35.0;    // N/m
