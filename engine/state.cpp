@@ -93,6 +93,7 @@ void look(const Scene& scene, SceneState& state) {
 SceneState::SceneState(const Scene& scene)
     : tissue(scene.model),
       contacts(scene.tree),
+      rigid_scan(scene.tool.samples.size()),
       sight(scene.sight.make_scratch(
           std::max<std::size_t>(scene.model.rest.size(), scene.description.tool.surface.points.size()))) {}
 
@@ -126,10 +127,10 @@ StepResult step(const Scene& scene, SceneState& state, const StepInput& input) n
   } else if (proxy_held(state.limit.state)) {
     state.proxy.velocity.setZero();
     state.proxy.angular_velocity.setZero();
-    rigid = rigid_contacts(scene.rigid, scene.tool.samples, state.proxy.pose);
+    rigid = rigid_contacts(scene.rigid, scene.tool, state.rigid_scan, state.proxy.pose);
   } else {
     const bool bounded = state.limit.state == HapticState::recovering;
-    rigid = move_proxy(scene.proxy, scene.rigid, scene.tool.samples, state.device, state.device_velocity,
+    rigid = move_proxy(scene.proxy, scene.rigid, scene.tool, state.rigid_scan, state.device, state.device_velocity,
                        state.limit.coupling_scale, bounded ? settings.device_limit_n : 1e3, state.tissue_wrench, state.tissue_stiffness,
                        state.proxy);
   }

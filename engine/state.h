@@ -34,6 +34,7 @@ struct SceneState {
   TissueState tissue;
   ContactState contacts;
   ProxyState proxy;
+  RigidScan rigid_scan;
   LimitState limit;
   Wrench tissue_wrench;        ///< of the last step, on the tool
   Mat6 tissue_stiffness = Mat6::Zero();  ///< of the contacts that pushed in it: how the tissue resists a move within a tick

@@ -22,15 +22,23 @@ using Vec6 = Eigen::Matrix<double, 6, 1>;
 constexpr double kRigidReach = 0.0008;  // m
 constexpr int kMostRigidPoints = 256, kRigidPasses = 5;
 
-/// Calls visit(world arm from the tip, normal, depth, structure) for each sample point deeper than `least_depth`.
+/// Calls visit(world arm from the tip, normal, depth, structure) for each sample point deeper than `least_depth`, which is
+/// no more than kRigidReach outside.
 template <class Visit>
-void for_each_rigid_contact(const SignedDistanceGrid& rigid, const std::vector<Vec3>& samples, const Pose& tool,
+void for_each_rigid_contact(const SignedDistanceGrid& rigid, const ToolField& tool, RigidScan& scan, const Pose& pose,
                             double least_depth, Visit visit) {
-  const Mat3 to_world = tool.rotation.toRotationMatrix();
-  for (const Vec3& local : samples) {
-    const Vec3 arm = to_world * local;
-    const Vec3 world = tool.position + arm;
+  scan.travel += (pose.position - scan.last.position).norm() + tool.radius * pose.rotation.angularDistance(scan.last.rotation);
+  scan.last = pose;
+  const Mat3 to_world = pose.rotation.toRotationMatrix();
+  for (std::size_t i = 0; i < tool.samples.size(); ++i) {
+    if (scan.travel < scan.next_check[i]) continue;
+    const Vec3 arm = to_world * tool.samples[i];
+    const Vec3 world = pose.position + arm;
     const SignedDistanceGrid::Sample s = rigid.sample(world);
+    if (!(s.distance < kRigidReach)) {
+      scan.next_check[i] = scan.travel + s.distance - kRigidReach;
+      continue;
+    }
     if (!(s.distance < -least_depth)) continue;
     // Deeper than the field's band nothing is known of what is touched or which way is out.
     const std::uint8_t structure = rigid.class_at(world);
@@ -56,16 +64,17 @@ Wrench coupling_wrench(const ProxySettings& settings, const Pose& proxy, const P
   return w;
 }
 
-RigidContacts rigid_contacts(const SignedDistanceGrid& rigid, const std::vector<Vec3>& samples, const Pose& tool) noexcept {
+RigidContacts rigid_contacts(const SignedDistanceGrid& rigid, const ToolField& tool, RigidScan& scan,
+                             const Pose& pose) noexcept {
   RigidContacts out;
   std::array<double, kLoadedStructures> weight{};
-  for_each_rigid_contact(rigid, samples, tool, 0.0, [&](const Vec3& arm, const Vec3& n, double depth, Structure structure) {
+  for_each_rigid_contact(rigid, tool, scan, pose, 0.0, [&](const Vec3& arm, const Vec3& n, double depth, Structure structure) {
     const Vec3 force = kRigidStiffness * depth * n;
     out.wrench.force += force;
     out.wrench.torque += arm.cross(force);
     StructureLoad& load = out.loads[static_cast<int>(structure)];
     load.force_n += force;
-    load.centre_m += kRigidStiffness * depth * (tool.position + arm);
+    load.centre_m += kRigidStiffness * depth * (pose.position + arm);
     weight[static_cast<int>(structure)] += kRigidStiffness * depth;
     ++load.contacts;
   });
@@ -74,8 +83,8 @@ RigidContacts rigid_contacts(const SignedDistanceGrid& rigid, const std::vector<
   return out;
 }
 
-RigidContacts move_proxy(const ProxySettings& settings, const SignedDistanceGrid& rigid, const std::vector<Vec3>& samples,
-                         const Pose& device, const Wrench& device_velocity, double coupling_scale, double force_limit,
+RigidContacts move_proxy(const ProxySettings& settings, const SignedDistanceGrid& rigid, const ToolField& tool,
+                         RigidScan& scan, const Pose& device, const Wrench& device_velocity, double coupling_scale, double force_limit,
                          const Wrench& tissue, const Mat6& tissue_stiffness, ProxyState& proxy) noexcept {
   const double h = settings.step_s;
   const double k = settings.stiffness_n_m * coupling_scale, kr = settings.rotation_nm_rad * coupling_scale;
@@ -99,7 +108,7 @@ RigidContacts move_proxy(const ProxySettings& settings, const SignedDistanceGrid
   std::array<double, kMostRigidPoints> depth;
   std::array<bool, kMostRigidPoints> pushes;
   int points = 0;
-  for_each_rigid_contact(rigid, samples, proxy.pose, -kRigidReach,
+  for_each_rigid_contact(rigid, tool, scan, proxy.pose, -kRigidReach,
                          [&](const Vec3& arm, const Vec3& n, double deep, Structure) {
                            if (points == kMostRigidPoints) return;
                            direction[points] << n, arm.cross(n);
@@ -135,7 +144,7 @@ RigidContacts move_proxy(const ProxySettings& settings, const SignedDistanceGrid
     proxy.pose.rotation = Quat(Eigen::AngleAxisd(angle, axis)) * proxy.pose.rotation;
     proxy.pose.rotation.normalize();
   }
-  return rigid_contacts(rigid, samples, proxy.pose);
+  return rigid_contacts(rigid, tool, scan, proxy.pose);
 }
 
 }  // namespace vallecula::engine

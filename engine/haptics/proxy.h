@@ -35,6 +35,15 @@ struct RigidContacts {
   std::array<StructureLoad, kLoadedStructures> loads{};  ///< by Structure
 };
 
+/// Which of the tool's sample points need not be looked at yet: a point seen at some distance from rigid anatomy, which stands
+/// still, cannot touch it before the tool has travelled that far.
+struct RigidScan {
+  explicit RigidScan(std::size_t samples) : next_check(samples, 0.0) {}
+  double travel = 0.0;             ///< of the tool's fastest point since the scan began, m
+  std::vector<double> next_check;  ///< per sample, as travel
+  Pose last;                       ///< of the tool, when travel was added to
+};
+
 /// Rotation vector (axis times angle, rad) that turns `from` into `to`, world axes.
 Vec3 rotation_between(const Quat& from, const Quat& to);
 
@@ -47,11 +56,12 @@ Wrench coupling_wrench(const ProxySettings& settings, const Pose& proxy, const P
 /// tissue and gum chattered at the tick's rate. `device_velocity` (m/s, rad/s): the damper works against the hand, so that
 /// moving freely costs no force. `force_limit`: the coupling pulls with no more than this (N). Returns the rigid contacts at
 /// the new pose.
-RigidContacts move_proxy(const ProxySettings& settings, const SignedDistanceGrid& rigid, const std::vector<Vec3>& samples,
-                         const Pose& device, const Wrench& device_velocity, double coupling_scale, double force_limit,
+RigidContacts move_proxy(const ProxySettings& settings, const SignedDistanceGrid& rigid, const ToolField& tool,
+                         RigidScan& scan, const Pose& device, const Wrench& device_velocity, double coupling_scale, double force_limit,
                          const Wrench& tissue, const Mat6& tissue_stiffness, ProxyState& proxy) noexcept;
 
 /// Rigid contacts of a proxy that is held still.
-RigidContacts rigid_contacts(const SignedDistanceGrid& rigid, const std::vector<Vec3>& samples, const Pose& tool) noexcept;
+RigidContacts rigid_contacts(const SignedDistanceGrid& rigid, const ToolField& tool, RigidScan& scan,
+                             const Pose& pose) noexcept;
 
 }  // namespace vallecula::engine

@@ -17,7 +17,7 @@ constexpr double kLeastForce = 1e-4;     // N; scale of the tolerance in tissue 
 constexpr double kFastest = 1.5;         // m/s; no tissue moves faster: what does is a body crushed beyond its law, braked here
 constexpr int kActivePasses = 4;         // the contacts that push are chosen anew at most this often in a tick
 constexpr int kCoarseRefreshSteps = 8;
-constexpr int kRefreshVisits = 2;        // half of the packs is looked at in a tick,
+constexpr int kRefreshVisits = 4;        // a quarter of the packs is looked at in a tick,
 constexpr int kRefreshShare = 8;         // and one tetrahedron in 8 gets new stiffness blocks at most
 
 using Motion = SprungBody::Motion;
