@@ -63,13 +63,14 @@ VALLECULA_INLINE void displacement_gradient(const TetPack& pack, const Float4* u
   }
 }
 
-/// Columns of the blocks of one tetrahedron, added `sign` times:
-/// K_ij = V [lambda c_i c_j^T + mu (g_j g_i^T + (g_i . g_j) 1) + s |p| (g_i . g_j) 1] with g = R and c = cof F times the
-/// rest gradients: the corotational shear part, the Gauss-Newton part of the plain (not averaged) volumetric energy, and a
-/// bound on the rest of it. That rest, p d2(det F)/dF2, has eigenvalues of both signs as large as |p| times a stretch;
-/// left out, tissue squeezed under an edge, where |p| exceeds mu, swings itself to pieces.
-void add_tet_stiffness(const TetPack& pack, std::size_t lane, const PackAssembly& at,
-                       const std::array<std::int32_t, 16>& blocks, float sign, BlockPair* stiffness) {
+/// What the blocks of one tetrahedron are made of: rest gradients turned by R and by cof F, and the spherical stiffness.
+struct TetFrame {
+  F4 g[4], v[4];
+  float mu, lambda, spherical;  ///< times the volume
+};
+
+TetFrame frame_of(const TetPack& pack, std::size_t lane, const PackAssembly& at) {
+  TetFrame frame;
   const auto turned = [&](const F8 m[9], F4 out[4]) {
     F4 column[3];
     for (int k = 0; k < 3; ++k) column[k] = F4{m[k][lane], m[3 + k][lane], m[6 + k][lane], 0.0f};
@@ -77,20 +78,37 @@ void add_tet_stiffness(const TetPack& pack, std::size_t lane, const PackAssembly
       out[c] = column[0] * splat(pack.gradient[c][0][lane]) + column[1] * splat(pack.gradient[c][1][lane]) +
                column[2] * splat(pack.gradient[c][2][lane]);
   };
-  F4 g[4], v[4];
-  turned(at.rotation, g);
-  turned(at.cofactor, v);
-  const float scale = sign * pack.volume[lane];
-  const float mu = scale * pack.mu[lane], lambda = scale * pack.lambda[lane];
-  const float spherical = mu + scale * kPressureShare * at.pressure[lane];
+  turned(at.rotation, frame.g);
+  turned(at.cofactor, frame.v);
+  frame.mu = pack.volume[lane] * pack.mu[lane];
+  frame.lambda = pack.volume[lane] * pack.lambda[lane];
+  frame.spherical = frame.mu + pack.volume[lane] * kPressureShare * at.pressure[lane];
+  return frame;
+}
+
+/// Column k of block (i, j):
+/// K_ij = V [lambda c_i c_j^T + mu (g_j g_i^T + (g_i . g_j) 1) + s |p| (g_i . g_j) 1] with g = R and c = cof F times the
+/// rest gradients: the corotational shear part, the Gauss-Newton part of the plain (not averaged) volumetric energy, and a
+/// bound on the rest of it. That rest, p d2(det F)/dF2, has eigenvalues of both signs as large as |p| times a stretch;
+/// left out, tissue squeezed under an edge, where |p| exceeds mu, swings itself to pieces.
+VALLECULA_INLINE F4 block_column(const TetFrame& t, int i, int j, int k, float product) {
+  F4 column = splat(t.lambda * t.v[j][k]) * t.v[i] + splat(t.mu * t.g[i][k]) * t.g[j];
+  column[k] += t.spherical * product;
+  return column;
+}
+
+/// Adds the tetrahedron's blocks to the stiffness, less those it had (`before` may be null).
+void add_tet_stiffness(const TetFrame* before, const TetFrame& now, const std::array<std::int32_t, 16>& blocks,
+                       BlockPair* stiffness) {
   for (int i = 0; i < 4; ++i)
     for (int j = 0; j < 4; ++j) {
       const std::int32_t b = blocks[4 * i + j];
       if (b < 0) continue;
-      const float isotropic = spherical * dot3(g[i], g[j]);
+      const float product = dot3(now.g[i], now.g[j]);
+      const float product_before = before != nullptr ? dot3(before->g[i], before->g[j]) : 0.0f;
       for (int k = 0; k < 3; ++k) {
-        F4 column = splat(lambda * v[j][k]) * v[i] + splat(mu * g[i][k]) * g[j];
-        column[k] += isotropic;
+        F4 column = block_column(now, i, j, k, product);
+        if (before != nullptr) column -= block_column(*before, i, j, k, product_before);
         stiffness[b / 2].add(b % 2, k, column);
       }
     }
@@ -193,6 +211,7 @@ void elastic_forces(const TissueModel& model, TissueState& state) noexcept {
 void refresh_stiffness(const TissueModel& model, TissueState& state, int visit, int most) noexcept {
   const int count = static_cast<int>(model.packs.size());
   int left = most;
+  const float softest = static_cast<float>(TissueModel::kRefreshTolerance);
   int at = state.refresh_at;
   for (int visited = 0; visited < std::min(visit, count) && left > 0; ++visited, at = at + 1 < count ? at + 1 : 0) {
     const PackState& s = state.packs[at];
@@ -203,15 +222,15 @@ void refresh_stiffness(const TissueModel& model, TissueState& state, int visit, 
     for (std::size_t lane = 0; lane < kLanes; ++lane) {
       if (!(change[lane] > pack.tolerance[lane]) || pack.tet[lane] < 0) continue;
       const auto& blocks = model.tet_block[static_cast<std::size_t>(at) * kLanes + lane];
-      add_tet_stiffness(pack, lane, a, blocks, -1.0f, state.stiffness.data());
+      const TetFrame before = frame_of(pack, lane, a);
       for (int i = 0; i < 9; ++i) {
         a.rotation[i][lane] = s.rotation[i][lane];
         a.cofactor[i][lane] = s.cofactor[i][lane];
       }
       a.pressure[lane] = std::abs(s.pressure[lane]);
-      add_tet_stiffness(pack, lane, a, blocks, 1.0f, state.stiffness.data());
+      add_tet_stiffness(&before, frame_of(pack, lane, a), blocks, state.stiffness.data());
       for (int c = 0; c < 4; ++c) state.stale[pack.node[c][lane]] = 1;
-      --left;
+      if (pack.tolerance[lane] >= softest) --left;
     }
   }
   state.refresh_at = at;
@@ -228,7 +247,8 @@ void assemble_stiffness(const TissueModel& model, TissueState& state) {
     a.pressure = abs8(s.pressure);
     for (std::size_t lane = 0; lane < kLanes; ++lane)
       if (model.packs[p].tet[lane] >= 0)
-        add_tet_stiffness(model.packs[p], lane, a, model.tet_block[p * kLanes + lane], 1.0f, state.stiffness.data());
+        add_tet_stiffness(nullptr, frame_of(model.packs[p], lane, a), model.tet_block[p * kLanes + lane],
+                          state.stiffness.data());
   }
 }
 

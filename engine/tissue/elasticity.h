@@ -11,7 +11,8 @@ namespace vallecula::engine {
 void elastic_forces(const TissueModel& model, TissueState& state) noexcept;
 
 /// Brings the stiffness up to the present deformation for tetrahedra that turned or were squeezed since they were last
-/// assembled: looks at `visit` packs a call (round robin) and renews at most about `most` tetrahedra. The matrix is that of
+/// assembled: looks at `visit` packs a call (round robin) and renews at most about `most` tetrahedra of
+/// the softest tissue, and all that need it of stiffer. The matrix is that of
 /// plain tetrahedra, which bounds the nodally averaged energy from above (Jensen), so that steps taken with it are stable
 /// and come to rest at its minimum. Marks the nodes whose diagonal blocks changed as stale.
 void refresh_stiffness(const TissueModel& model, TissueState& state, int visit, int most) noexcept;

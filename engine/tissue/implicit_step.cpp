@@ -18,7 +18,7 @@ constexpr double kFastest = 1.5;         // m/s; no tissue moves faster: what do
 constexpr int kActivePasses = 4;         // the contacts that push are chosen anew at most this often in a tick
 constexpr int kCoarseRefreshSteps = 8;
 constexpr int kRefreshVisits = 4;        // a quarter of the packs is looked at in a tick,
-constexpr int kRefreshShare = 8;         // and one tetrahedron in 8 gets new stiffness blocks at most
+constexpr int kRefreshShare = 16;        // and one tetrahedron in 16 gets new stiffness blocks at most
 
 using Motion = SprungBody::Motion;
 

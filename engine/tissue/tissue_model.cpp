@@ -11,11 +11,6 @@ namespace vallecula::engine {
 
 namespace {
 
-// A tetrahedron of the softest tissue gets new stiffness blocks once it has turned by 2 degrees or been strained by a few
-// hundredths; stiffer tissue sooner, in inverse proportion: blocks that lag behind a turning cartilage make its steps
-// unstable (seen on a leaf of 200 kPa on muscle of 6 kPa).
-constexpr double kRefreshTolerance = 2.5e-3;
-
 double lame_lambda(const TissueMaterial& m) {
   return m.young_pa * m.poisson / ((1 + m.poisson) * (1 - 2 * m.poisson));
 }

@@ -1,6 +1,7 @@
 // Everything about the soft body that changes from tick to tick, sized once.
 #pragma once
 
+#include <cstring>
 #include <vector>
 
 #include "engine/tissue/tissue_model.h"
@@ -21,8 +22,11 @@ struct BlockPair {
     return b;
   }
   void add(int half, int k, F4 to_column) {
-    const F4 none = {0, 0, 0, 0};
-    column[k] += half == 0 ? join(to_column, none) : join(none, to_column);
+    char* at = reinterpret_cast<char*>(&column[k]) + sizeof(F4) * static_cast<std::size_t>(half);
+    F4 own;
+    std::memcpy(&own, at, sizeof own);
+    own += to_column;
+    std::memcpy(at, &own, sizeof own);
   }
 };
 
