@@ -26,6 +26,8 @@ void check(const SceneDescription& d) {
   positive(d.haptics.coupling_rotation_nm_rad, "the coupling's rotational stiffness", "N m/rad");
   positive(d.haptics.force_rate_n_s, "the force rate", "N/s");
   positive(d.haptics.limit_time_s, "the time over the limit", "s");
+  if (!(d.friction >= 0) || !(d.friction <= 2))
+    throw std::invalid_argument("the friction is " + std::to_string(d.friction) + "; it must lie between 0 and 2");
   positive(d.sphere_ratio, "the sphere ratio", "tetrahedron volumes");
   if (d.sphere_levels < 1 || d.sphere_levels > 6)
     throw std::invalid_argument("the sphere tree's grid has " + std::to_string(d.sphere_levels) + " levels; 1 to 6 work");
@@ -84,6 +86,8 @@ Scene::Scene(const SceneDescription& d)
         s.levels = d.sphere_levels;
         return s;
       }())),
+      triangles(d.collision == Collision::triangles ? TriangleCollision(d.soft.nodes, surface, d.tool.surface)
+                                                    : TriangleCollision()),
       tool(d.tool.surface),
       rigid(rigid_field(d)),
       sight(d.sight),

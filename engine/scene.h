@@ -9,6 +9,7 @@
 namespace vallecula::engine {
 
 enum class Response : std::uint8_t { compliant, projection, penalty };
+enum class Collision : std::uint8_t { aist, triangles };  ///< sphere tree, or direct tests of primitives (the baseline)
 enum class Coverage : std::uint8_t { full, paper };
 
 struct TissueMaterial {
@@ -70,7 +71,9 @@ struct SceneDescription {
   ToolDescription tool;
   SightDescription sight;
   HapticSettings haptics;
+  double friction = 0.0;               ///< Coulomb's coefficient of the tool on the tissue
   Response response = Response::compliant;
+  Collision collision = Collision::aist;
   Coverage coverage = Coverage::full;
   double sphere_ratio = 10.0;          ///< AIST: coarse sphere's volume over the mean tetrahedron's (paper 3.1.1)
   int sphere_levels = 2;               ///< AIST: levels of the paper's grid

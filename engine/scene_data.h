@@ -3,6 +3,7 @@
 
 #include "engine/aist/sphere_tree.h"
 #include "engine/contact/tool_field.h"
+#include "engine/contact/triangle_contact.h"
 #include "engine/haptics/proxy.h"
 #include "engine/scene.h"
 #include "engine/sight/line_of_sight.h"
@@ -18,6 +19,7 @@ class Scene {
   TissueModel model;
   SoftSurface surface;
   SphereTree tree;
+  TriangleCollision triangles;   ///< only where the description asks for it
   ToolField tool;
   SignedDistanceGrid rigid;      ///< empty (nothing inside) without rigid anatomy
   LineOfSight sight;

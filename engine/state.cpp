@@ -50,14 +50,14 @@ void collect_tissue_load(const Scene& scene, SceneState& state, std::array<Struc
     Vec3 at = Vec3::Zero();
     for (int k = 0; k < 4; ++k)
       at += c.weight[k] * (scene.model.rest[c.node[k]] + state.tissue.displacement[c.node[k]]);
-    const Vec3 force = -c.multiplier * to_vec3(c.normal);
+    const Vec3 force = -c.multiplier * to_vec3(c.normal) - to_vec3(c.friction);
     state.tissue_wrench.force += force;
     const Vec3 arm = at - state.proxy.pose.position;
     state.tissue_wrench.torque += arm.cross(force);
     Eigen::Matrix<double, 6, 1> direction;
     direction << to_vec3(c.normal), arm.cross(to_vec3(c.normal));
     state.tissue_stiffness += c.stiffness / kContactAugmentation * direction * direction.transpose();
-    const int tet = scene.surface.tet[scene.tree.spheres[c.sphere].triangle];
+    const int tet = scene.surface.tet[c.triangle];
     const int structure = static_cast<int>(scene.description.soft.tet_structure[tet]);
     if (structure >= kLoadedStructures) continue;
     StructureLoad& load = loads[structure];
@@ -92,7 +92,10 @@ void look(const Scene& scene, SceneState& state) {
 
 SceneState::SceneState(const Scene& scene)
     : tissue(scene.model),
-      contacts(scene.tree),
+      contacts(scene.description.collision == Collision::aist
+                   ? ContactState(scene.tree)
+                   : ContactState(scene.triangles.vertices.size(), scene.triangles.most_contacts())),
+      triangles(scene.triangles),
       rigid_scan(scene.tool.samples.size()),
       sight(scene.sight.make_scratch(
           std::max<std::size_t>(scene.model.rest.size(), scene.description.tool.surface.points.size()))) {}
@@ -100,12 +103,16 @@ SceneState::SceneState(const Scene& scene)
 StepStatistics step_tissue(const Scene& scene, SceneState& state, const Pose& before,
                            std::array<StructureLoad, kLoadedStructures>& loads, StageTimes& times) noexcept {
   StageClock clock;
-  if (state.placed)
+  if (state.placed && scene.description.collision == Collision::triangles)
+    find_triangle_contacts(scene.triangles, scene.surface, scene.model, state.tissue, state.proxy.pose, before,
+                           scene.contact_stiffness, state.triangles, state.contacts);
+  else if (state.placed)
     find_contacts(scene.tree, scene.surface, scene.description.soft.tets, scene.model, state.tissue, scene.tool,
-                  state.proxy.pose, before, scene.contact_stiffness, state.contacts);
+                  state.proxy.pose, before, scene.contact_stiffness,
+                  static_cast<float>(scene.description.friction), state.contacts);
   clock.add_to(times.collision_s);
   const StepStatistics statistics = respond(scene.description.response, scene.tree, scene.description.soft.tets,
-                                            scene.model, state.tissue, state.contacts, times);
+                                            scene.model, state.proxy.pose, state.tissue, state.contacts, times);
   clock = StageClock();
   collect_tissue_load(scene, state, loads);
   clock.add_to(times.response_s);

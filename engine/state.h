@@ -33,6 +33,7 @@ struct SceneState {
 
   TissueState tissue;
   ContactState contacts;
+  TriangleScratch triangles;   ///< where the scene tests triangles
   ProxyState proxy;
   RigidScan rigid_scan;
   LimitState limit;

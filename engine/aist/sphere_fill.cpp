@@ -15,6 +15,12 @@ namespace {
 
 constexpr int kClusterSize = 32;
 constexpr double kMostProtrusion = 0.00005;  // a surface sphere may stick out by 0.05 mm at a bend of the surface
+// Faces give way by this much before they resist between their vertices: a flat face held off a round tool everywhere is
+// too stiff (a 5 mm sphere on 2 mm cells: 30 to 90 %), and a tenth of a millimetre is what a blade may be inside tissue.
+constexpr double kFaceStandoff = -0.00008;
+// A sphere inside resists once the tool is nearer to its centre than this share of its radius: tissue pressed flat by a
+// blade's face never is, tissue that an edge cuts into always.
+constexpr double kCoreShare = 0.35;
 
 /// Finds the tetrahedron of a point by the boxes of the tetrahedra, on a grid of about one tetrahedron a cell.
 class TetLocator {
@@ -125,6 +131,9 @@ void cover_surface(const TriangleBvh& bvh, const FillSettings& settings, std::ve
   struct Sample {
     Vec3 point, normal;
     double area = 0.0;
+    bool vertex = false;
+    std::int32_t triangle = -1;
+    std::array<double, 3> weight{};
   };
   std::map<std::array<long long, 3>, Sample> samples;  // points shared by neighbouring faces are met once
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -133,25 +142,24 @@ void cover_surface(const TriangleBvh& bvh, const FillSettings& settings, std::ve
     const double longest = std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
     const int parts = std::max(1, static_cast<int>(std::ceil(longest / settings.surface_spacing)));
     const double area = (b - a).cross(c - a).norm() / 2;
-    // Each sub-triangle gives a third of its area to each of its corners.
-    const auto add = [&](int i, int j, int corners) {
-      const Vec3 p = a + (b - a) * (double(i) / parts) + (c - a) * (double(j) / parts);
-      const std::array<long long, 3> key = {std::llround(p.x() * 1e8), std::llround(p.y() * 1e8), std::llround(p.z() * 1e8)};
-      Sample& s = samples[key];
-      if (s.area == 0.0) {
-        s.point = p;
-        s.normal = Vec3::Zero();
-      }
-      const double share = corners * area / (3.0 * parts * parts);
-      s.area += share;
-      s.normal += share * bvh.triangle_normal(static_cast<int>(t));
-    };
     for (int i = 0; i <= parts; ++i)
       for (int j = 0; i + j <= parts; ++j) {
-        // Sub-triangles that meet at this lattice point, inside the face.
-        const bool on_ab = j == 0, on_ac = i == 0, on_bc = i + j == parts;
-        const int sides = int(on_ab) + int(on_ac) + int(on_bc);
-        add(i, j, sides == 0 ? 6 : sides == 1 ? 3 : 1);
+        const Vec3 p = a + (b - a) * (double(i) / parts) + (c - a) * (double(j) / parts);
+        const std::array<long long, 3> key = {std::llround(p.x() * 1e8), std::llround(p.y() * 1e8), std::llround(p.z() * 1e8)};
+        Sample& s = samples[key];
+        if (s.triangle < 0) {
+          s.point = p;
+          s.normal = Vec3::Zero();
+          s.triangle = static_cast<std::int32_t>(t);
+          s.weight = {1.0 - double(i + j) / parts, double(i) / parts, double(j) / parts};
+        }
+        // Vertices share the whole surface among themselves: they carry the force. A face's other points share it again, by
+        // the sub-triangles that meet at each (6 inside the face, 3 on an edge).
+        s.vertex = (i == 0 && j == 0) || i == parts || j == parts;
+        const int sides = int(i == 0) + int(j == 0) + int(i + j == parts);
+        const double share = s.vertex ? area / 3 : (sides == 0 ? 6 : 3) * area / (3.0 * parts * parts);
+        s.area += share;
+        s.normal += share * bvh.triangle_normal(static_cast<int>(t));
       }
   }
   for (const auto& [key, s] : samples) {
@@ -169,6 +177,9 @@ void cover_surface(const TriangleBvh& bvh, const FillSettings& settings, std::ve
     sphere.radius = radius;
     sphere.level = settings.levels + (radius < 0.5 * settings.surface_radius ? 1 : 0);
     sphere.area = s.area;
+    sphere.triangle = s.triangle;
+    sphere.surface_weight = s.weight;
+    sphere.standoff = s.vertex ? 0.0 : kFaceStandoff;
     out.push_back(sphere);
   }
 }
@@ -235,13 +246,17 @@ SphereTree fill_spheres(const SoftBodyDescription& soft, const SoftSurface& surf
     s.tet = locator.locate(s.centre, s.weight);
     s.tied = locator.count_within(s.centre, s.radius);
     const TriangleBvh::Hit hit = bvh.closest(s.centre, reach);
-    s.triangle = hit.triangle;
-    for (int k = 0; k < 3; ++k) s.surface_weight[k] = hit.weights[k];
     s.rest_gap = hit.distance - s.radius;
-    if (s.area == 0.0) s.area = M_PI * s.radius * s.radius;  // a grid sphere answers for its shadow
-    const auto& face = mesh.triangles[hit.triangle];
     s.core = settings.coverage == Coverage::full && s.level < settings.levels;
-    s.touchable = s.core || soft.node_anchor[face[0]] < 0 || soft.node_anchor[face[1]] < 0 || soft.node_anchor[face[2]] < 0;
+    if (s.core) s.standoff = kCoreShare * s.radius;
+    if (s.triangle < 0) {  // of the grid
+      s.triangle = hit.triangle;
+      for (int k = 0; k < 3; ++k) s.surface_weight[k] = hit.weights[k];
+      s.area = M_PI * s.radius * s.radius;  // it answers for its shadow
+    }
+    s.touchable = s.core;
+    for (int k = 0; k < 3; ++k)
+      s.touchable |= s.surface_weight[k] > 0 && soft.node_anchor[mesh.triangles[s.triangle][k]] < 0;
     if (static_cast<int>(tree.spheres_per_level.size()) <= s.level) tree.spheres_per_level.resize(s.level + 1, 0);
     ++tree.spheres_per_level[s.level];
   }

@@ -16,12 +16,15 @@ struct InnerSphere {
   std::int32_t tet = -1;           ///< that contains the centre
   std::array<double, 4> weight{};  ///< of that tet's nodes, in file order
   std::int32_t tied = 0;           ///< number of tetrahedra the sphere encloses (their centroids lie in it)
-  std::int32_t triangle = -1;      ///< nearest face of the soft body's surface
-  std::array<double, 3> surface_weight{};  ///< the nearest surface point in it
+  std::int32_t triangle = -1;      ///< face of the soft body's surface that its surface point lies in
+  std::array<double, 3> surface_weight{};  ///< of the surface point next to it, in that face
   double rest_gap = 0.0;           ///< g: from the sphere's surface to the tissue's surface at rest, m
   double area = 0.0;               ///< surface area the sphere answers for, m^2 (contact stiffness is per area)
   bool core = false;               ///< of the grid, behind surface spheres: the second line of contact
-  bool touchable = true;           ///< false where all three nodes of its surface face are anchored: nothing gets there
+  /// Contact resists once the tool is this near, m: zero at the surface's vertices, which carry the force; negative on
+  /// faces (a flat face may not keep a curved tool off further than this), positive for the core.
+  double standoff = 0.0;
+  bool touchable = true;           ///< false where every node it hangs on is anchored: nothing gets there
 };
 
 /// Spheres that lie together; bounded by the box of the tissue nodes they hang on (a centre is a convex combination of
@@ -45,7 +48,7 @@ struct FillSettings {
   Coverage coverage = Coverage::full;
   double sphere_ratio = 10.0;          ///< sphere volume over mean tetrahedron volume (the paper's optimum)
   int levels = 2;                      ///< of the paper's grid: coarse and split cells
-  double surface_spacing = 0.00125;    ///< `full`: largest distance of surface spheres along an edge, m
+  double surface_spacing = 0.001;    ///< `full`: largest distance of surface spheres along an edge, m
   double surface_radius = 0.001;       ///< `full`: their largest radius, m
 };
 

@@ -21,8 +21,10 @@ StepStatistics projection(const SphereTree& tree, const std::vector<std::array<i
   for (int i = 0; i < kMaxIterations; ++i)
     for (int c = 0; c < contacts.count; ++c) {
       ContactConstraint& contact = contacts.constraints[c];
-      const InnerSphere& sphere = tree.spheres[contact.sphere];
-      const auto& tet = tets[sphere.tet];
+      // Of a sphere the vertices of its tetrahedron are corrected, of a point found by triangles those it hangs on.
+      const InnerSphere* sphere = contacts.of_spheres ? &tree.spheres[contact.memory] : nullptr;
+      const auto node = [&](int k) { return sphere ? tets[sphere->tet][k] : contact.node[k]; };
+      const auto weight = [&](int k) { return sphere ? sphere->weight[k] : double(contact.weight[k]); };
       const Vec3 n = to_vec3(contact.normal);
       // The gap at the tick's start plus the surface point's way since: solution holds the free step's increments,
       // external the corrections so far.
@@ -31,12 +33,12 @@ StepStatistics projection(const SphereTree& tree, const std::vector<std::array<i
         gap += contact.weight[k] * n.dot(to_vec3(tissue.solution[contact.node[k]].v + tissue.external[contact.node[k]].v));
       if (gap >= 0) continue;
       double squares = 0.0;
-      for (int k = 0; k < 4; ++k) squares += sphere.weight[k] * sphere.weight[k];
+      for (int k = 0; k < 4; ++k) squares += weight(k) * weight(k);
       for (int k = 0; k < 4; ++k) {
-        if (model.anchor[tet[k]] >= 0) continue;
-        const Vec3 move = -gap * sphere.weight[k] / squares * n;
-        tissue.external[tet[k]].v += from_vec3(move);
-        contact.multiplier += static_cast<float>(model.mass[tet[k]] * move.dot(n) / (h * h));
+        if (weight(k) == 0 || model.anchor[node(k)] >= 0) continue;
+        const Vec3 move = -gap * weight(k) / squares * n;
+        tissue.external[node(k)].v += from_vec3(move);
+        contact.multiplier += static_cast<float>(model.mass[node(k)] * move.dot(n) / (h * h));
       }
     }
   for (int i = 0; i < model.nodes; ++i) {
@@ -66,7 +68,7 @@ StepStatistics penalty(const TissueModel& model, TissueState& tissue, ContactSta
 }  // namespace
 
 StepStatistics respond(Response response, const SphereTree& tree, const std::vector<std::array<int, 4>>& tets,
-                       const TissueModel& model, TissueState& tissue, ContactState& contacts,
+                       const TissueModel& model, const Pose& tool, TissueState& tissue, ContactState& contacts,
                        StageTimes& times) noexcept {
   StepStatistics statistics;
   switch (response) {
@@ -76,7 +78,7 @@ StepStatistics respond(Response response, const SphereTree& tree, const std::vec
     case Response::projection: statistics = projection(tree, tets, model, tissue, contacts, times); break;
     case Response::penalty: statistics = penalty(model, tissue, contacts, times); break;
   }
-  keep_multipliers(contacts);
+  keep_multipliers(tool, contacts);
   return statistics;
 }
 

@@ -8,7 +8,7 @@
 namespace vallecula::engine {
 
 StepStatistics respond(Response response, const SphereTree& tree, const std::vector<std::array<int, 4>>& tets,
-                       const TissueModel& model, TissueState& tissue, ContactState& contacts,
+                       const TissueModel& model, const Pose& tool, TissueState& tissue, ContactState& contacts,
                        StageTimes& times) noexcept;
 
 /// Stiffness of the augmented Lagrangian over what a surface node itself offers within a step.

@@ -12,9 +12,7 @@ constexpr double kTouching = 0.00025; // within it a sphere counts as in contact
 constexpr double kShallow = 0.0002;   // up to this depth the field's gradient is still that of the near side
 constexpr double kSameSide = 0.3;     // cosine between the kept side and the field's gradient
 constexpr int kExitSteps = 24;
-// A sphere inside resists once the tool is nearer to its centre than this share of its radius: tissue pressed flat by a
-// blade's face never is, tissue that an edge cuts into always.
-constexpr double kCoreShare = 0.35;
+constexpr float kGripShare = 0.1f;    // of the contact stiffness: how firmly a point sticks to the tool
 // Share of a tick's contact force that is taken over into the kept multiplier. A multiplier that took over all of it
 // would be an undamped integrator on top of the tissue's inertia: it oscillates once the contact stiffness exceeds about
 // twice the nodes' own (seen: a 4-fold force reading on a plate at rest). A twentieth settles in some 20 ms.
@@ -49,7 +47,7 @@ void ContactState::forget() {
 
 void find_contacts(const SphereTree& tree, const SoftSurface& surface, const std::vector<std::array<int, 4>>& tets,
                    const TissueModel& model, const TissueState& tissue, const ToolField& field, const Pose& tool,
-                   const Pose& previous, float contact_stiffness_per_area, ContactState& contacts) noexcept {
+                   const Pose& previous, float contact_stiffness_per_area, float friction, ContactState& contacts) noexcept {
   contacts.count = 0;
   contacts.queried_spheres = 0;
   const Mat3 to_world = tool.rotation.toRotationMatrix();
@@ -84,18 +82,17 @@ void find_contacts(const SphereTree& tree, const SoftSurface& surface, const std
       if (!sphere.touchable || contacts.travel < memory.next_check) continue;
       ++contacts.queried_spheres;
       ContactConstraint& c = contacts.constraints[contacts.count];  // taken only if it turns out to be in reach
-      const double offset = sphere.core ? kCoreShare * sphere.radius : 0.0;
+      Vec3 world = Vec3::Zero();
       for (int k = 0; k < 4; ++k) {
         c.node[k] = sphere.core ? tets[sphere.tet][k] : surface.triangles[sphere.triangle][std::min(k, 2)];
         c.weight[k] = static_cast<float>(sphere.core ? sphere.weight[k] : k < 3 ? sphere.surface_weight[k] : 0.0);
+        world += c.weight[k] * node_position(model, tissue, c.node[k]);
       }
-      Vec3 world = Vec3::Zero();
-      for (int k = 0; k < 4; ++k) world += c.weight[k] * node_position(model, tissue, c.node[k]);
       const Vec3 local = to_tool * (world - tool.position);
       const SignedDistanceGrid::Sample here = field.fine.sample(local);
-      if (here.distance - offset > reach && !(memory.touching && memory.multiplier > 0)) {
+      if (here.distance - sphere.standoff > reach && !(memory.touching && memory.multiplier > 0)) {
         memory = SphereContact{};
-        memory.next_check = contacts.travel + here.distance - offset - kReach;
+        memory.next_check = contacts.travel + here.distance - sphere.standoff - kReach;
         continue;
       }
       double gap = here.distance;  // of the point; the offset is taken off at the end
@@ -114,7 +111,7 @@ void find_contacts(const SphereTree& tree, const SoftSurface& surface, const std
       }
       if (gap <= -kShallow || (gap < 0 && here.gradient.dot(memory.side) <= kSameSide))
         gap = -exit_distance(field.fine, local, memory.side);
-      gap -= offset;
+      gap -= sphere.standoff;
       gap = std::max(gap, std::min(0.0, double(memory.gap)) - approach);
       memory.gap = static_cast<float>(gap);
       memory.touching = gap < kTouching || memory.multiplier > 0;
@@ -124,17 +121,33 @@ void find_contacts(const SphereTree& tree, const SoftSurface& surface, const std
       c.gap = static_cast<float>(gap);
       c.stiffness = static_cast<float>(contact_stiffness_per_area * sphere.area);
       c.multiplier = memory.multiplier;
-      c.sphere = s;
+      c.memory = s;
+      c.triangle = sphere.triangle;
+      c.grip = 0.0f;
+      c.friction = F4{0, 0, 0, 0};
+      if (friction > 0) {
+        const Vec3 before = previous.to_local(world);
+        const Vec3 slip = memory.slip + local - before;
+        c.slip = from_vec3(to_world * (slip - slip.dot(memory.side) * memory.side));
+        c.grip = kGripShare * c.stiffness;
+        c.friction_limit = friction * memory.force;
+        c.sticks = dot3(c.slip, c.slip) * c.grip * c.grip <= c.friction_limit * c.friction_limit;
+      }
       c.active = memory.pushing || gap < 0;
     }
   }
 }
 
-void keep_multipliers(ContactState& contacts) noexcept {
+void keep_multipliers(const Pose& tool, ContactState& contacts) noexcept {
   for (int i = 0; i < contacts.count; ++i) {
-    float& kept = contacts.memory[contacts.constraints[i].sphere].multiplier;
-    kept += kCarriedShare * (contacts.constraints[i].multiplier - kept) - kLeak * kept;
-    contacts.memory[contacts.constraints[i].sphere].pushing = contacts.constraints[i].multiplier > 0;
+    const ContactConstraint& c = contacts.constraints[i];
+    if (c.memory < 0) continue;
+    SphereContact& memory = contacts.memory[c.memory];
+    memory.multiplier += kCarriedShare * (c.multiplier - memory.multiplier) - kLeak * memory.multiplier;
+    memory.pushing = c.multiplier > 0;
+    memory.force = c.multiplier;
+    if (c.grip > 0)  // what the friction that came about holds of the slip
+      memory.slip = tool.rotation.conjugate() * (to_vec3(c.friction) / -double(c.grip));
   }
 }
 

@@ -18,14 +18,20 @@ struct SphereContact {
   float gap = 0.0f;          ///< m, of the last tick in which it was looked at
   bool touching = false;
   bool pushing = false;      ///< carried force in the last tick: where the solver's choice of contacts begins
+  Vec3 slip = Vec3::Zero();  ///< tool frame, as ContactConstraint::slip
+  float force = 0.0f;        ///< normal force of the last tick, N
   double next_check = 0.0;   ///< of ContactState::travel: until then the tool cannot be in reach
 };
 
 struct ContactState {
+  /// For the sphere tree.
   explicit ContactState(const SphereTree& tree)
       : memory(tree.spheres.size()), constraints(tree.spheres.size()), cluster_check(tree.clusters.size(), 0.0) {}
+  /// For `vertices` surface vertices that give at most `most` constraints.
+  ContactState(std::size_t vertices, std::size_t most) : memory(vertices), of_spheres(false), constraints(most) {}
 
-  std::vector<SphereContact> memory;           ///< per sphere
+  std::vector<SphereContact> memory;           ///< per sphere, or per surface vertex where triangles are tested
+  bool of_spheres = true;                      ///< which of the two
   std::vector<ContactConstraint> constraints;  ///< the first `count` are this tick's
   int count = 0;
   /// What tool and tissue can have moved towards each other since rest, m: the sum over the ticks of the tool's way and
@@ -43,14 +49,14 @@ struct ContactState {
 /// g; here the offset r + g is taken as the tissue carries it now (c minus its surface point), since a rigid offset stops
 /// the tool early by the strain times r + g: 0.3 mm under a 30 % press with 1 mm spheres.
 /// Where the surface has spheres of its own, the grid's spheres within are the second line: they keep the tool's edges
-/// and tip, which may slip between surface points, from cutting into the tissue (kCoreShare of their radius).
+/// and tip, which may slip between surface points, from cutting into the tissue.
 /// The normal is that of the tool's field on the last side that was not penetrating, kept while in contact. A gap falls
 /// from tick to tick by no more than tool and tissue moved: a side that is lost at an edge cannot turn into a blow.
 void find_contacts(const SphereTree& tree, const SoftSurface& surface, const std::vector<std::array<int, 4>>& tets,
                    const TissueModel& model, const TissueState& tissue, const ToolField& field, const Pose& tool,
-                   const Pose& previous, float contact_stiffness_per_area, ContactState& contacts) noexcept;
+                   const Pose& previous, float contact_stiffness_per_area, float friction, ContactState& contacts) noexcept;
 
-/// Hands the constraints' multipliers back to the spheres' memory (after the step).
-void keep_multipliers(ContactState& contacts) noexcept;
+/// Hands the constraints' multipliers and slips back to the spheres' memory (after the step with the tool at `tool`).
+void keep_multipliers(const Pose& tool, ContactState& contacts) noexcept;
 
 }  // namespace vallecula::engine

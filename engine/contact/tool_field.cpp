@@ -11,7 +11,7 @@ namespace vallecula::engine {
 
 namespace {
 
-constexpr double kFineSpacing = 0.0004, kFineBand = 0.002;
+constexpr double kFineSpacing = 0.00025, kFineBand = 0.0015;
 constexpr double kCoarseSpacing = 0.002, kCoarseBand = 0.016;
 constexpr double kSampleSpacing = 0.0015;
 

@@ -11,7 +11,7 @@ struct ToolField {
   /// Throws std::invalid_argument when the surface is not closed (naming how many edges are open).
   explicit ToolField(const TriangleMesh& surface);
 
-  SignedDistanceGrid fine;     ///< exact within 2 mm
+  SignedDistanceGrid fine;     ///< exact within 1.5 mm
   SignedDistanceGrid coarse;   ///< to prune by, exact within 16 mm
   double radius = 0.0;         ///< of the surface's farthest point from the tool's origin, m
   std::vector<Vec3> samples;   ///< points on the surface about 1.5 mm apart, tool frame, m

@@ -26,6 +26,25 @@ class TriangleBvh {
   /// feature (Baerentzen and Aanaes 2005), exact for closed meshes. `limit` as in closest(): beyond it +limit.
   double signed_distance(const Vec3& p, double limit, Hit* hit = nullptr) const;
 
+  /// Calls visit(triangle) for the triangles of leaves whose box meets [low, high], until it returns false.
+  template <class Visit>
+  void visit_near(const Vec3& low, const Vec3& high, Visit visit) const {
+    int stack[64];
+    int depth = 0;
+    stack[depth++] = 0;
+    while (depth > 0) {
+      const Node& node = nodes_[static_cast<std::size_t>(stack[--depth])];
+      if ((node.low.array() > high.array()).any() || (node.high.array() < low.array()).any()) continue;
+      if (node.right < 0) {
+        for (int i = node.first; i < node.first + node.count; ++i)
+          if (!visit(order_[static_cast<std::size_t>(i)])) return;
+        continue;
+      }
+      stack[depth++] = node.right;
+      stack[depth++] = static_cast<int>(&node - nodes_.data()) + 1;
+    }
+  }
+
   const TriangleMesh& mesh() const { return mesh_; }
   Vec3 triangle_normal(int t) const { return face_normals_[static_cast<std::size_t>(t)]; }
 

@@ -34,6 +34,17 @@ bool choose_active(const TissueState& state, ContactConstraint* contacts, int co
   return changed;
 }
 
+/// The friction that came about (Coulomb): the sticking spring's at the new slip, no more than its limit allows.
+void settle_friction(const TissueState& state, ContactConstraint& contact) {
+  F4 way = splat(0.0f);
+  for (int k = 0; k < 4; ++k) way += splat(contact.weight[k]) * state.solution[contact.node[k]].v;
+  way -= splat(dot3(contact.normal, way)) * contact.normal;
+  const F4 slip = contact.slip + way;
+  const float size = std::sqrt(dot3(slip, slip));
+  contact.friction = contact.active ? held_friction(contact, slip, size * contact.grip <= contact.friction_limit)
+                                    : splat(0.0f);
+}
+
 }  // namespace
 
 void follow_bodies(const TissueModel& model, TissueState& state) noexcept {
@@ -95,6 +106,7 @@ StepStatistics implicit_step(const TissueModel& model, TissueState& state, Conta
     ContactConstraint& contact = contacts[c];
     contact.multiplier = std::max(0.0f, contact.multiplier - contact.stiffness * gap_after(contact, state.solution.data()));
     contact.active = contact.multiplier > 0;
+    if (contact.grip > 0) settle_friction(state, contact);
   }
 
   float fastest_squared = 0.0f;

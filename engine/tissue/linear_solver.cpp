@@ -88,7 +88,9 @@ void multiply(const TissueModel& model, const TissueState& state, const ContactC
     if (!contact.active) continue;
     F4 way = splat(0.0f);
     for (int k = 0; k < 4; ++k) way += splat(contact.weight[k]) * x[contact.node[k]].v;
-    const F4 force = splat(contact.stiffness * dot3(contact.normal, way)) * contact.normal;
+    const float along = dot3(contact.normal, way);
+    F4 force = splat(contact.stiffness * along) * contact.normal;
+    if (contact.grip > 0 && contact.sticks) force += splat(contact.grip) * (way - splat(along) * contact.normal);
     for (int k = 0; k < 4; ++k) y[contact.node[k]].v += splat(contact.weight[k]) * force;
   }
   reduce(model, y);
@@ -181,8 +183,11 @@ void build_preconditioner(const TissueModel& model, TissueState& state, const Co
         state.contact_diagonal[i] = diagonal_block(model, state, scales, i);
       }
       const float s = contact.stiffness * contact.weight[k] * contact.weight[k];
-      for (int a = 0; a < 3; ++a)
-        state.contact_diagonal[i].column[a] += splat(s * contact.normal[a]) * contact.normal;
+      const float grip = contact.sticks ? contact.grip * contact.weight[k] * contact.weight[k] : 0.0f;
+      for (int a = 0; a < 3; ++a) {
+        state.contact_diagonal[i].column[a] += splat((s - grip) * contact.normal[a]) * contact.normal;
+        state.contact_diagonal[i].column[a][a] += grip;
+      }
     }
   }
   const auto own_block = [&](int i) {
@@ -236,7 +241,8 @@ SolveResult solve(const TissueModel& model, TissueState& state, const ContactCon
   for (int c = 0; c < contact_count; ++c) {
     const ContactConstraint& contact = contacts[c];
     if (!contact.active) continue;
-    const F4 force = splat(contact.multiplier - contact.stiffness * contact.gap) * contact.normal;
+    F4 force = splat(contact.multiplier - contact.stiffness * contact.gap) * contact.normal;
+    if (contact.grip > 0) force += held_friction(contact, contact.slip, contact.sticks);
     for (int k = 0; k < 4; ++k) r[contact.node[k]].v += splat(contact.weight[k]) * force;
   }
   reduce(model, r);

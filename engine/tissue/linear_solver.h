@@ -1,6 +1,9 @@
 // The linear system of one implicit step and its solution by preconditioned conjugate gradients.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+
 #include "engine/contact/contact_constraint.h"
 #include "engine/tissue/tissue_state.h"
 
@@ -21,6 +24,13 @@ struct SolveResult {
 /// `enough_n` (N) or after `most` iterations. Leaves the anchored nodes' entries where their bodies put them.
 SolveResult solve(const TissueModel& model, TissueState& state, const ContactConstraint* contacts, int contact_count,
                   double enough_n, int most) noexcept;
+
+/// Friction on the tissue at a slip: of the sticking spring, or of the limit against the slip where the point slides (N).
+inline F4 held_friction(const ContactConstraint& contact, F4 slip, bool sticks) {
+  const float size = std::sqrt(dot3(slip, slip));
+  if (sticks || size == 0.0f) return splat(-contact.grip) * slip;
+  return splat(-std::min(contact.friction_limit, contact.grip * size) / size) * slip;
+}
 
 /// Gap of a contact after the nodes have moved by `du`, m.
 inline float gap_after(const ContactConstraint& contact, const Float4* du) {

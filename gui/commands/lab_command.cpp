@@ -20,9 +20,9 @@ namespace {
 
 struct LabOptions {
   std::string tet, tool, trajectory, fix, fix_nodes, json, csv, spheres, final_state;
-  std::string response = "compliant", coverage = "full", force_limit = "none", length_unit = "m";
+  std::string response = "compliant", collision = "aist", coverage = "full", force_limit = "none", length_unit = "m";
   double young = 10000.0, poisson = 0.45, density = 1040.0, steps_per_second = 1000.0;
-  double sphere_ratio = 10.0;
+  double sphere_ratio = 10.0, friction = 0.0;
   int levels = 2;
   bool realtime = false, as_fast_as_possible = false;
 };
@@ -51,7 +51,8 @@ QJsonObject settings_json(const LabOptions& o) {
           {"poisson", o.poisson},
           {"density_kg_m3", o.density},
           {"fix", QString::fromStdString(o.fix.empty() ? o.fix_nodes : o.fix)},
-          {"collision", "aist"},
+          {"friction", o.friction},
+          {"collision", QString::fromStdString(o.collision)},
           {"response", QString::fromStdString(o.response)},
           {"coverage", QString::fromStdString(o.coverage)},
           {"force_limit", QString::fromStdString(o.force_limit)},
@@ -85,7 +86,9 @@ void run_lab(const LabOptions& o) {
   d.response = o.response == "compliant"    ? engine::Response::compliant
                : o.response == "projection" ? engine::Response::projection
                                             : engine::Response::penalty;
+  d.collision = o.collision == "aist" ? engine::Collision::aist : engine::Collision::triangles;
   d.coverage = o.coverage == "full" ? engine::Coverage::full : engine::Coverage::paper;
+  d.friction = o.friction;
   d.sphere_ratio = o.sphere_ratio;
   d.sphere_levels = o.levels;
   const auto scene = engine::build_scene(d);
@@ -119,8 +122,12 @@ void add_lab_command(CLI::App& app, int& exit_code) {
   auto* fix = command->add_option("--fix", o->fix, "Fixed nodes by a rule, for instance 'z<-0.003' (m)");
   command->add_option("--fix-nodes", o->fix_nodes, "Fixed nodes by number, one a line, numbered as the mesh file is")
       ->excludes(fix);
+  command->add_option("--friction", o->friction, "Coulomb's coefficient of tool on tissue")->capture_default_str();
   command->add_option("--response", o->response, "compliant, projection or penalty")
       ->check(CLI::IsMember({"compliant", "projection", "penalty"}))
+      ->capture_default_str();
+  command->add_option("--collision", o->collision, "aist, or triangles (direct tests of primitives, the baseline)")
+      ->check(CLI::IsMember({"aist", "triangles"}))
       ->capture_default_str();
   command->add_option("--coverage", o->coverage, "Sphere tree: full, or paper (its rule and nothing else)")
       ->check(CLI::IsMember({"full", "paper"}))

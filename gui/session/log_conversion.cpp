@@ -121,6 +121,10 @@ std::map<std::string, double> settings_of(const engine::SceneDescription& descri
           {"tool_mass_kg", description.tool.mass_kg},
           {"response", static_cast<double>(description.response)},
           {"coverage", static_cast<double>(description.coverage)},
+          {"collision", static_cast<double>(description.collision)},
+          {"friction", description.friction},
+          {"sphere_ratio", description.sphere_ratio},
+          {"sphere_levels", static_cast<double>(description.sphere_levels)},
           {"step_s", description.step_s}};
 }
 

@@ -53,9 +53,9 @@ double resting_force(double young, double poisson, double depth, std::array<int,
     Pose tool = before;
     tool.position.z() = 0.015 - depth * std::min(1.0, n / 200.0);
     find_contacts(scene->tree, scene->surface, scene->description.soft.tets, scene->model, state.tissue, scene->tool, tool, before,
-                  scene->contact_stiffness, state.contacts);
+                  scene->contact_stiffness, 0.0f, state.contacts);
     implicit_step(scene->model, state.tissue, state.contacts.constraints.data(), state.contacts.count, times);
-    keep_multipliers(state.contacts);
+    keep_multipliers(tool, state.contacts);
     before = tool;
     force = 0.0;
     for (int c = 0; c < state.contacts.count; ++c)
