@@ -15,9 +15,10 @@ namespace {
 
 constexpr int kClusterSize = 32;
 constexpr double kMostProtrusion = 0.00005;  // a surface sphere may stick out by 0.05 mm at a bend of the surface
-// Faces give way by this much before they resist between their vertices: a flat face held off a round tool everywhere is
-// too stiff (a 5 mm sphere on 2 mm cells: 30 to 90 %), and a tenth of a millimetre is what a blade may be inside tissue.
-constexpr double kFaceStandoff = -0.00008;
+// A flat face cannot follow a round tool: between its vertices it gives way, before it resists, by what a tool of this radius
+// sinks into a chord as long as its longest edge. Held off everywhere, a 5 mm sphere on 2 mm cells reads 30 to 90 % too much.
+// The least is about what a blade may be inside tissue, the most bounds coarse meshes.
+constexpr double kRoundestTool = 0.005, kLeastSag = 0.00008, kMostSag = 0.00025;  // m
 // A sphere inside resists once the tool is nearer to its centre than this share of its radius: tissue pressed flat by a
 // blade's face never is, tissue that an edge cuts into always.
 constexpr double kCoreShare = 0.35;
@@ -130,7 +131,7 @@ void cover_surface(const TriangleBvh& bvh, const FillSettings& settings, std::ve
   const TriangleMesh& mesh = bvh.mesh();
   struct Sample {
     Vec3 point, normal;
-    double area = 0.0;
+    double area = 0.0, sag = 0.0;
     bool vertex = false;
     std::int32_t triangle = -1;
     std::array<double, 3> weight{};
@@ -159,6 +160,7 @@ void cover_surface(const TriangleBvh& bvh, const FillSettings& settings, std::ve
         const int sides = int(i == 0) + int(j == 0) + int(i + j == parts);
         const double share = s.vertex ? area / 3 : (sides == 0 ? 6 : 3) * area / (3.0 * parts * parts);
         s.area += share;
+        s.sag = std::max(s.sag, std::clamp(longest * longest / (8 * kRoundestTool), kLeastSag, kMostSag));
         s.normal += share * bvh.triangle_normal(static_cast<int>(t));
       }
   }
@@ -179,7 +181,7 @@ void cover_surface(const TriangleBvh& bvh, const FillSettings& settings, std::ve
     sphere.area = s.area;
     sphere.triangle = s.triangle;
     sphere.surface_weight = s.weight;
-    sphere.standoff = s.vertex ? 0.0 : kFaceStandoff;
+    sphere.standoff = s.vertex ? 0.0 : -s.sag;
     out.push_back(sphere);
   }
 }

@@ -22,7 +22,7 @@ struct InnerSphere {
   double area = 0.0;               ///< surface area the sphere answers for, m^2 (contact stiffness is per area)
   bool core = false;               ///< of the grid, behind surface spheres: the second line of contact
   /// Contact resists once the tool is this near, m: zero at the surface's vertices, which carry the force; negative on
-  /// faces (a flat face may not keep a curved tool off further than this), positive for the core.
+  /// faces (a flat face cannot follow a round tool), positive for the core.
   double standoff = 0.0;
   bool touchable = true;           ///< false where every node it hangs on is anchored: nothing gets there
 };
