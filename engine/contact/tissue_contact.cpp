@@ -7,18 +7,20 @@ namespace vallecula::engine {
 
 namespace {
 
-constexpr double kReach = 0.0005;     // constraints are set up this far ahead of touch, plus the tool's way in the tick
-constexpr double kTouching = 0.00025; // within it a sphere counts as in contact and keeps its side
+constexpr double kReach = 0.00012;    // constraints are set up this far ahead of touch, plus the tool's way in the tick
+constexpr double kTouching = 0.0001;  // within it a sphere counts as in contact and keeps its side
 constexpr double kShallow = 0.0002;   // up to this depth the field's gradient is still that of the near side
 constexpr double kSameSide = 0.3;     // cosine between the kept side and the field's gradient
+constexpr int kNearTicks = 8;         // a cluster the tool is at is not asked again before whether it still is
 constexpr int kExitSteps = 24;
-constexpr float kGripShare = 0.1f;    // of the contact stiffness: how firmly a point sticks to the tool
+constexpr float kGripShare = 0.1f;  // of the contact stiffness: how firmly a point sticks to the tool
 // Share of a tick's contact force that is taken over into the kept multiplier. A multiplier that took over all of it
-// would be an undamped integrator on top of the tissue's inertia: it oscillates once the contact stiffness exceeds about
-// twice the nodes' own (seen: a 4-fold force reading on a plate at rest). A twentieth settles in some 20 ms.
+// would be an undamped integrator on top of the tissue's inertia: it oscillates once the contact stiffness exceeds
+// about twice the nodes' own (seen: a 4-fold force reading on a plate at rest). A twentieth settles in some 20 ms.
 constexpr float kCarriedShare = 0.05f;
-// And what a kept multiplier loses a tick: where a gap cannot be closed, on tissue crushed against what it hangs on, it would
-// grow for ever (seen: 7 N/s under a blade at rest). It leaves a twentieth of a gap that is 1 % of the force's way.
+// And what a kept multiplier loses a tick: where a gap cannot be closed, on tissue crushed against what it hangs on, it
+// would grow for ever (seen: 7 N/s under a blade at rest). It leaves a twentieth of a gap that is 1 % of the force's
+// way.
 constexpr float kLeak = 0.0025f;
 
 Vec3 node_position(const TissueModel& model, const TissueState& tissue, int node) {
@@ -41,13 +43,15 @@ double exit_distance(const SignedDistanceGrid& field, const Vec3& p, const Vec3&
 void ContactState::forget() {
   std::fill(memory.begin(), memory.end(), SphereContact{});
   std::fill(cluster_check.begin(), cluster_check.end(), 0.0);
+  std::fill(cluster_near.begin(), cluster_near.end(), 0);
   count = 0;
   travel = 0.0;
 }
 
 void find_contacts(const SphereTree& tree, const SoftSurface& surface, const std::vector<std::array<int, 4>>& tets,
                    const TissueModel& model, const TissueState& tissue, const ToolField& field, const Pose& tool,
-                   const Pose& previous, float contact_stiffness_per_area, float friction, ContactState& contacts) noexcept {
+                   const Pose& previous, float contact_stiffness_per_area, float friction,
+                   ContactState& contacts) noexcept {
   contacts.count = 0;
   contacts.queried_spheres = 0;
   const Mat3 to_world = tool.rotation.toRotationMatrix();
@@ -62,19 +66,24 @@ void find_contacts(const SphereTree& tree, const SoftSurface& surface, const std
   for (std::size_t n = 0; n < tree.clusters.size(); ++n) {
     const SphereCluster& cluster = tree.clusters[n];
     if (contacts.travel < contacts.cluster_check[n]) continue;
-    Vec3 low = node_position(model, tissue, tree.cluster_nodes[cluster.first_node]), high = low;
-    for (int i = 1; i < cluster.node_count; ++i) {
-      const Vec3 p = node_position(model, tissue, tree.cluster_nodes[cluster.first_node + i]);
-      low = low.cwiseMin(p);
-      high = high.cwiseMax(p);
-    }
-    const double half = 0.5 * (high - low).norm();
-    const double clear = field.coarse.distance(to_tool * (0.5 * (low + high) - tool.position)) - half - kReach;
-    if (clear > moved) {
-      contacts.cluster_check[n] = contacts.travel + clear;
-      for (int s = cluster.first; s < cluster.first + cluster.count; ++s)
-        if (contacts.memory[s].touching) contacts.memory[s] = SphereContact{};
-      continue;
+    if (contacts.cluster_near[n] > 0) {
+      --contacts.cluster_near[n];
+    } else {
+      Vec3 low = node_position(model, tissue, tree.cluster_nodes[cluster.first_node]), high = low;
+      for (int i = 1; i < cluster.node_count; ++i) {
+        const Vec3 p = node_position(model, tissue, tree.cluster_nodes[cluster.first_node + i]);
+        low = low.cwiseMin(p);
+        high = high.cwiseMax(p);
+      }
+      const double half = 0.5 * (high - low).norm();
+      const double clear = field.coarse.distance(to_tool * (0.5 * (low + high) - tool.position)) - half - kReach;
+      if (clear > moved) {
+        contacts.cluster_check[n] = contacts.travel + clear;
+        for (int s = cluster.first; s < cluster.first + cluster.count; ++s)
+          if (contacts.memory[s].touching) contacts.memory[s] = SphereContact{};
+        continue;
+      }
+      contacts.cluster_near[n] = kNearTicks;
     }
     for (int s = cluster.first; s < cluster.first + cluster.count; ++s) {
       const InnerSphere& sphere = tree.spheres[s];
@@ -102,7 +111,8 @@ void find_contacts(const SphereTree& tree, const SoftSurface& surface, const std
         memory.side = before.squaredNorm() > 0 ? before : here.gradient;
         memory.gap = 0.0f;  // it was outside
       } else if (gap > -kShallow) {
-        // Outside, or so little inside that the nearest way out is still on the near side: the side turns with the field.
+        // Outside, or so little inside that the nearest way out is still on the near side: the side turns with the
+        // field.
         if (here.gradient.squaredNorm() > 0) memory.side = here.gradient;
       }
       if (!(memory.side.squaredNorm() > 0.5)) {

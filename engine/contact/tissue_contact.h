@@ -26,7 +26,8 @@ struct SphereContact {
 struct ContactState {
   /// For the sphere tree.
   explicit ContactState(const SphereTree& tree)
-      : memory(tree.spheres.size()), constraints(tree.spheres.size()), cluster_check(tree.clusters.size(), 0.0) {}
+      : memory(tree.spheres.size()), constraints(tree.spheres.size()), cluster_check(tree.clusters.size(), 0.0),
+        cluster_near(tree.clusters.size(), 0) {}
   /// For `vertices` surface vertices that give at most `most` constraints.
   ContactState(std::size_t vertices, std::size_t most) : memory(vertices), of_spheres(false), constraints(most) {}
 
@@ -39,6 +40,7 @@ struct ContactState {
   /// distance.
   double travel = 0.0;
   std::vector<double> cluster_check;           ///< per cluster, as SphereContact::next_check
+  std::vector<std::int8_t> cluster_near;       ///< per cluster: ticks for which the tool is taken to be at it
   std::int64_t queried_spheres = 0;            ///< of this tick, for the laboratory
 
   void forget();                               ///< as before the first tick

@@ -9,8 +9,8 @@ namespace vallecula::engine {
 
 namespace {
 
-constexpr double kReach = 0.0005;     // m: constraints are set up this far ahead of touch, plus the tool's way in the tick
-constexpr double kDeepest = 0.002;    // m: a vertex further inside the tool has lost it
+constexpr double kReach = 0.0005;  // m: constraints are set up this far ahead of touch, plus the tool's way in the tick
+constexpr double kDeepest = 0.002;  // m: a vertex further inside the tool has lost it
 constexpr int kLeafSize = 4;
 
 std::int32_t edge_index(std::map<std::pair<int, int>, std::int32_t>& known, std::vector<TriangleCollision::Edge>& edges,
@@ -51,8 +51,8 @@ int build(const std::vector<Vec3>& centres, TriangleCollision& c, int first, int
   return index;
 }
 
-/// Closest points of two segments (Ericson, Real-Time Collision Detection, 5.1.9), as shares of their lengths. False where
-/// one of them lies at an end: then a vertex test sees the pair.
+/// Closest points of two segments (Ericson, Real-Time Collision Detection, 5.1.9), as shares of their lengths. False
+/// where one of them lies at an end: then a vertex test sees the pair.
 bool closest_inside_segments(const Vec3& p, const Vec3& d1, const Vec3& q, const Vec3& d2, double& s, double& t) {
   const Vec3 r = p - q;
   const double a = d1.squaredNorm(), e = d2.squaredNorm(), f = d2.dot(r), c = d1.dot(r), b = d1.dot(d2);
@@ -65,7 +65,8 @@ bool closest_inside_segments(const Vec3& p, const Vec3& d1, const Vec3& q, const
 
 }  // namespace
 
-TriangleCollision::TriangleCollision(const std::vector<Vec3>& rest, const SoftSurface& surface, const TriangleMesh& mesh) {
+TriangleCollision::TriangleCollision(const std::vector<Vec3>& rest, const SoftSurface& surface,
+                                     const TriangleMesh& mesh) {
   std::vector<Vec3> centres;
   vertex_of.assign(rest.size(), -1);
   for (const auto& t : surface.triangles) {
@@ -116,8 +117,8 @@ bool nearer(Meeting& known, double squared, std::int64_t tick, std::vector<std::
 }
 
 /// All primitive tests of one pair of triangles within `reach`.
-void test_pair(const TriangleCollision& c, const SoftSurface& surface, std::int32_t soft, std::int32_t rigid, double reach,
-               TriangleScratch& s) {
+void test_pair(const TriangleCollision& c, const SoftSurface& surface, std::int32_t soft, std::int32_t rigid,
+               double reach, TriangleScratch& s) {
   const TriangleMesh& tool = c.tool[0].mesh();
   const auto& k = surface.triangles[soft];
   const auto& m = tool.triangles[rigid];
@@ -162,7 +163,8 @@ void test_pair(const TriangleCollision& c, const SoftSurface& surface, std::int3
 
 void find_triangle_contacts(const TriangleCollision& collision, const SoftSurface& surface, const TissueModel& model,
                             const TissueState& tissue, const Pose& tool, const Pose& previous,
-                            float contact_stiffness_per_area, TriangleScratch& scratch, ContactState& contacts) noexcept {
+                            float contact_stiffness_per_area, TriangleScratch& scratch,
+                            ContactState& contacts) noexcept {
   contacts.count = 0;
   contacts.queried_spheres = 0;
   ++scratch.tick;
@@ -172,7 +174,8 @@ void find_triangle_contacts(const TriangleCollision& collision, const SoftSurfac
   const TriangleBvh& rigid = collision.tool[0];
   const Mat3 to_world = tool.rotation.toRotationMatrix();
   const Mat3 to_tool = to_world.transpose();
-  const double moved = (tool.position - previous.position).norm() + 0.1 * tool.rotation.angularDistance(previous.rotation);
+  const double moved =
+      (tool.position - previous.position).norm() + 0.1 * tool.rotation.angularDistance(previous.rotation);
   const double reach = std::max(kReach + moved, kDeepest);
 
   for (std::int32_t v : collision.vertices)

@@ -12,10 +12,10 @@ namespace vallecula::engine {
 
 namespace {
 
-constexpr double kMissedS = 0.001;            // a force written later after it was due is a miss (DESIGN 4.5)
-constexpr int kPenetrationParts = 4;      // a surface triangle is looked at in 15 points
-constexpr double kNear = 0.001;           // m; nearer than this the distance is taken from the tool's triangles, exactly
-constexpr int kStiffnessWindow = 20;      // steps over which the contact's stiffness is taken
+constexpr double kMissedS = 0.001;    // a force written later after it was due is a miss (DESIGN 4.5)
+constexpr int kPenetrationParts = 4;  // a surface triangle is looked at in 15 points
+constexpr double kNear = 0.001;       // m; nearer than this the distance is taken from the tool's triangles, exactly
+constexpr int kStiffnessWindow = 20;  // steps over which the contact's stiffness is taken
 
 /// Points of the tissue's surface in the tool: vertices and a lattice in each triangle near it.
 double deepest_penetration(const Scene& scene, const TriangleBvh& surface, const Pose& tool,
@@ -48,10 +48,10 @@ Pose approach(const Pose& from, const Pose& to, double most) {
   return pose;
 }
 
-/// The device's limit without a coupling (DESIGN 4.4): the tool is at the device's pose until the tissue's force is over
-/// the limit; then it stays at its last admissible pose until the trial force has fallen. The trial force is what the
-/// tissue would answer with at the device's pose: the held force and the contact's stiffness, as last felt, over the way
-/// the device has gone on.
+/// The device's limit without a coupling (DESIGN 4.4): the tool is at the device's pose until the tissue's force is
+/// over the limit; then it stays at its last admissible pose until the trial force has fallen. The trial force is what
+/// the tissue would answer with at the device's pose: the held force and the contact's stiffness, as last felt, over
+/// the way the device has gone on.
 class LimitedTool {
  public:
   LimitedTool(const ExperimentSettings& settings, double step_s, double body_size)
@@ -63,9 +63,13 @@ class LimitedTool {
     first_ = false;
     device_ = device;
     switch (state_) {
-      case HapticState::tracking: proxy_ = device; break;
+      case HapticState::tracking:
+        proxy_ = device;
+        break;
       case HapticState::limited:
-      case HapticState::lost: proxy_ = admissible_; break;
+      case HapticState::lost:
+        proxy_ = admissible_;
+        break;
       case HapticState::recovering:
         proxy_ = approach(proxy_, device, settings_.force_rate_n_s * step_s_ / stiffness_);
         break;

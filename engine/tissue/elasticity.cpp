@@ -6,7 +6,7 @@ namespace vallecula::engine {
 
 namespace {
 
-constexpr int kRotationIterations = 2;
+constexpr int kRotationIterations = 1;
 // Half of a bound on a curvature is enough for an implicit step to be stable, stretches beyond one ask for a little more.
 constexpr float kPressureShare = 0.7f;
 VALLECULA_INLINE void rotation_from_quaternion(const F8 q[4], F8 r[9]) {
@@ -122,9 +122,9 @@ VALLECULA_KERNEL void stress_pass(const TissueModel& model, TissueState& state, 
     F8 h[9], f[9], r[9];
     displacement_gradient(pack, state.displacement_f.data(), h);
     for (int i = 0; i < 9; ++i) f[i] = i % 4 == 0 ? h[i] + splat8(1.0f) : h[i];
-    std::copy(s.rotation, s.rotation + 9, r);
+    for (int i = 0; i < 9; ++i) r[i] = s.rotation[i];
     for (int i = 0; i < iterations; ++i) improve_rotation(f, s.quaternion, r);
-    std::copy(r, r + 9, s.rotation);
+    for (int i = 0; i < 9; ++i) s.rotation[i] = r[i];
     F8 m[9];  // R^T F
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j) m[3 * i + j] = r[i] * f[j] + r[3 + i] * f[3 + j] + r[6 + i] * f[6 + j];

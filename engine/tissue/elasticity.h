@@ -7,7 +7,7 @@ namespace vallecula::engine {
 
 /// Elastic forces at the present displacement: state.force[i] = -dE/du_i (N) for every node (anchored ones included,
 /// their bodies' entries zero). Updates rotations
-/// (two warm-started iterations of Mueller et al. 2016).
+/// (one warm-started iteration of Mueller et al. 2016).
 void elastic_forces(const TissueModel& model, TissueState& state) noexcept;
 
 /// Brings the stiffness up to the present deformation for tetrahedra that turned or were squeezed since they were last

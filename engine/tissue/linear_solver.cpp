@@ -150,7 +150,8 @@ VALLECULA_KERNEL void apply_blocks(const Block3* d, const Float4* r, Float4* z, 
 }
 
 void precondition(const TissueModel& model, TissueState& state) {
-  apply_blocks(state.inverse_diagonal.data(), state.residual.data(), state.preconditioned.data(), state.residual.size());
+  apply_blocks(state.inverse_diagonal.data(), state.residual.data(), state.preconditioned.data(),
+               state.residual.size());
   add_coarse_correction(model, state, state.residual, state.preconditioned);
 }
 

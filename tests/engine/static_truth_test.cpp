@@ -77,7 +77,7 @@ TEST(StaticIndentation, ElevenThousandTetsAreNearTheContinuum) {
   }
 }
 
-// The same tetrahedra and law solved by another code, touched at their vertices ("same-law/block 18x18x6", lattice-1). Where
+// The same tetrahedra and law solved by another code, touched at their vertices ("same-law/block-11664/...", lattice-1). Where
 // faces between vertices resist as well, from a quarter of a millimetre inside a tool, ours is stiffer by a little: the
 // sphere, and the plate beyond 1 mm.
 TEST(StaticIndentation, AnotherCodeFindsTheSameOnTheSameTets) {
