@@ -70,6 +70,7 @@ ProxySettings proxy_settings(const SceneDescription& d) {
   p.mass_kg = d.tool.mass_kg;
   p.stiffness_n_m = d.haptics.coupling_stiffness_n_m;
   p.rotation_nm_rad = d.haptics.coupling_rotation_nm_rad;
+  p.force_limit_n = d.haptics.device_limit_n;
   return p;
 }
 

@@ -135,6 +135,10 @@ StepResult step(const Scene& scene, SceneState& state, const StepInput& input) n
     state.proxy.velocity.setZero();
     state.proxy.angular_velocity.setZero();
     rigid = rigid_contacts(scene.rigid, scene.tool, state.rigid_scan, state.proxy.pose);
+    // Admissible is a pose that the device could hold: what the blow of stopping drove into bone beyond that is let out.
+    if (rigid.wrench.force.norm() > settings.device_limit_n)
+      rigid = move_proxy(scene.proxy, scene.rigid, scene.tool, state.rigid_scan, state.proxy.pose, Wrench{}, 1.0,
+                         settings.device_limit_n, Wrench{}, Mat6::Zero(), state.proxy);
   } else {
     const bool bounded = state.limit.state == HapticState::recovering;
     rigid = move_proxy(scene.proxy, scene.rigid, scene.tool, state.rigid_scan, state.device, state.device_velocity,

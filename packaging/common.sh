@@ -35,9 +35,13 @@ build() {
     fresh=(--fresh)
   fi
   say "Configuring (release)"
-  cmake --preset release "${fresh[@]}" -DVALLECULA_TESTS="$with_tests" ||
+  # CMake's words go to a file: GDCM's package complains at length of programs that nobody asked it for.
+  mkdir -p "$build_dir"
+  cmake --preset release "${fresh[@]}" -DVALLECULA_TESTS="$with_tests" > "$build_dir/configure.log" 2>&1 || {
+    cat "$build_dir/configure.log" >&2
     fail 1 "configuring failed; the first error above names what is missing" \
       "run packaging/setup; if it persists, remove $source_dir/build and run this again"
+  }
   say "Building (release), $(build_jobs) at a time"
   cmake --build --preset release --parallel "$(build_jobs)" ||
     fail 1 "building failed; the first error above names the file and the line" \

@@ -14,6 +14,12 @@ namespace {
 // Contact stiffness of rigid anatomy a sample point: gum and palate give by a tenth of a millimetre under a newton or two
 // (assumed); implicit in the proxy's step, so stable at any value.
 constexpr double kRigidStiffness = 8000.0;  // N/m
+// What gum and the hand's own flesh take out of a blow (assumed): without it a levered blade bounced on the gum by 10 to 20 N
+// from tick to tick.
+constexpr double kRigidDamping = 15.0;  // N s/m a sample point
+// A hand on a blade turns it with no more than its force at this lever. A spring that turned without end levered a held
+// blade into the gum with a hundred newtons, whatever the device could give.
+constexpr double kTurningArm = 0.05;  // m (assumed: half a blade)
 constexpr double kCouplingDamping = 0.7;    // share of critical
 
 using Vec6 = Eigen::Matrix<double, 6, 1>;
@@ -27,7 +33,8 @@ constexpr int kMostRigidPoints = 256, kRigidPasses = 5;
 template <class Visit>
 void for_each_rigid_contact(const SignedDistanceGrid& rigid, const ToolField& tool, RigidScan& scan, const Pose& pose,
                             double least_depth, Visit visit) {
-  scan.travel += (pose.position - scan.last.position).norm() + tool.radius * pose.rotation.angularDistance(scan.last.rotation);
+  const double moved = (pose.position - scan.last.position).norm() + tool.radius * pose.rotation.angularDistance(scan.last.rotation);
+  scan.travel += moved;
   scan.last = pose;
   const Mat3 to_world = pose.rotation.toRotationMatrix();
   for (std::size_t i = 0; i < tool.samples.size(); ++i) {
@@ -35,15 +42,22 @@ void for_each_rigid_contact(const SignedDistanceGrid& rigid, const ToolField& to
     const Vec3 arm = to_world * tool.samples[i];
     const Vec3 world = pose.position + arm;
     const SignedDistanceGrid::Sample s = rigid.sample(world);
+    double& known = scan.depth[i];
     if (!(s.distance < kRigidReach)) {
       scan.next_check[i] = scan.travel + s.distance - kRigidReach;
+      known = 0.0;
       continue;
     }
-    if (!(s.distance < -least_depth)) continue;
     // Deeper than the field's band nothing is known of what is touched or which way is out.
     const std::uint8_t structure = rigid.class_at(world);
-    if (structure >= kLoadedStructures) continue;
-    visit(arm, s.gradient, -s.distance, static_cast<Structure>(structure));
+    if (structure >= kLoadedStructures) {
+      known = 0.0;
+      continue;
+    }
+    const double depth = std::min(-s.distance, known + moved);
+    known = std::max(0.0, depth);
+    if (!(depth > least_depth)) continue;
+    visit(arm, s.gradient, depth, static_cast<Structure>(structure));
   }
 }
 
@@ -97,6 +111,8 @@ RigidContacts move_proxy(const ProxySettings& settings, const SignedDistanceGrid
     pull.force *= force_limit / strength;
     pull.torque *= force_limit / strength;
   }
+  const double turning = pull.torque.norm(), most_turning = settings.force_limit_n * kTurningArm;
+  if (turning > most_turning) pull.torque *= most_turning / turning;
   Mat6 matrix = tissue_stiffness;
   Vec6 right;
   matrix.diagonal().head<3>().array() += settings.mass_kg / (h * h) + b / h + k;
@@ -122,7 +138,7 @@ RigidContacts move_proxy(const ProxySettings& settings, const SignedDistanceGrid
     Vec6 load = right;
     for (int i = 0; i < points; ++i) {
       if (!pushes[i]) continue;
-      with += kRigidStiffness * direction[i] * direction[i].transpose();
+      with += (kRigidStiffness + kRigidDamping / h) * direction[i] * direction[i].transpose();
       load += kRigidStiffness * depth[i] * direction[i];
     }
     move = with.llt().solve(load);

@@ -14,6 +14,7 @@ struct ProxySettings {
   double inertia_kg_m2 = 7e-5;         ///< virtual, about the blade tip, the same about every axis
   double stiffness_n_m = 1200.0;       ///< of the coupling
   double rotation_nm_rad = 8.0;
+  double force_limit_n = 7.9;          ///< of the device: bounds what the coupling can turn with
 };
 
 struct ProxyState {
@@ -38,9 +39,12 @@ struct RigidContacts {
 /// Which of the tool's sample points need not be looked at yet: a point seen at some distance from rigid anatomy, which stands
 /// still, cannot touch it before the tool has travelled that far.
 struct RigidScan {
-  explicit RigidScan(std::size_t samples) : next_check(samples, 0.0) {}
+  explicit RigidScan(std::size_t samples) : next_check(samples, 0.0), depth(samples, 0.0) {}
   double travel = 0.0;             ///< of the tool's fastest point since the scan began, m
   std::vector<double> next_check;  ///< per sample, as travel
+  /// Per sample: how deep it is in gum, palate or tooth, m, as far as it can have come since it met them. A point that
+  /// comes through lip or cheek, which do not resist, is met by the gum where it is, not by all that lies above it.
+  std::vector<double> depth;
   Pose last;                       ///< of the tool, when travel was added to
 };
 

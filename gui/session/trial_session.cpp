@@ -9,11 +9,11 @@
 
 #include "curricula/records/records.h"
 #include "curricula/trial_log.h"
-#include "device/output_chain.h"
 #include "engine/haptics/runner.h"
 #include "gui/report/force_chart.h"
 #include "gui/report/report.h"
 #include "gui/session/device_choice.h"
+#include "gui/session/device_port.h"
 #include "gui/session/files.h"
 #include "gui/session/log_conversion.h"
 #include "gui/session/log_paths.h"
@@ -29,37 +29,6 @@ namespace {
 
 constexpr auto kRecorderPeriod = std::chrono::milliseconds(5);  ///< the ring holds 8 s
 constexpr std::int64_t kChunkTicks = 10;  ///< not in real time: ticks between two looks at the stop flag
-
-/// The engine's port onto a device; every force goes through the device's output chain.
-class DevicePort final : public engine::HapticPort {
- public:
-  DevicePort(device::HapticDevice& device, const device::OutputLimits& limits) : device_(device), chain_(limits) {}
-
-  engine::PortInput read(double time_s) noexcept override {
-    const device::DeviceReading reading = device_.read(time_s);
-    engine::PortInput input;
-    input.pose.position = {reading.position_m[0], reading.position_m[1], reading.position_m[2]};
-    const auto& q = reading.rotation_wxyz;
-    input.pose.rotation = engine::Quat(q[0], q[1], q[2], q[3]);
-    input.buttons = reading.buttons;
-    input.valid = reading.valid;
-    return input;
-  }
-
-  void write(const engine::Vec3& force_n) noexcept override {
-    chain_.send(device_, {force_n.x(), force_n.y(), force_n.z()});
-  }
-
-  /// Not under the chain's rate limit: nobody drives the device any more.
-  void let_go() noexcept {
-    chain_.reset();
-    device_.write({0.0, 0.0, 0.0});
-  }
-
- private:
-  device::HapticDevice& device_;
-  device::OutputChain chain_;
-};
 
 curricula::Curriculum curriculum_with(const fs::path& file, const std::string& scenario) {
   curricula::Curriculum curriculum = curricula::load_curriculum(file);
@@ -84,6 +53,8 @@ struct TrialSession::Impl {
   void record_in_real_time();
   void run_at_full_speed();
   void discard_log();
+  void keep_log_of_reset();
+  void add_record(const curricula::TrialLog& log, const curricula::Score& score, const fs::path& file);
   curricula::LogHeader header() const;
   curricula::LogFooter footer(bool complete, const std::string& how) const;
   TrialOutcome finish(const std::string& how);
@@ -248,6 +219,39 @@ void TrialSession::Impl::discard_log() {
   fs::remove(results.unfinished_log(), ignored);
 }
 
+void TrialSession::Impl::add_record(const curricula::TrialLog& log, const curricula::Score& score, const fs::path& file) {
+  curricula::RecordRow row;
+  row.finished_utc = QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString();
+  row.curriculum_id = curriculum.id;
+  row.scenario_id = scenario.id;
+  row.device_kind = log.header.device_kind;
+  // A record must still find its trial when the folder has been put in place.
+  row.trial_path = (setup.final_out.empty() ? results.folder() : fs::absolute(setup.final_out)) / file.filename();
+  row.score = score;
+  try {
+    curricula::Records(records_database()).add(row);
+  } catch (const std::exception& error) {
+    throw std::runtime_error(std::string(error.what()) + " (the trial's results are whole, in " +
+                             results.folder().string() + ")");
+  }
+}
+
+// A reset begins anew; it does not undo what was done: the attempt stays, scored, beside the next one.
+void TrialSession::Impl::keep_log_of_reset() {
+  if (!writer || failure || recorded == 0) {
+    discard_log();
+    return;
+  }
+  writer->close(footer(true, "reset"));
+  writer.reset();
+  fs::path kept;
+  for (int n = 1; kept.empty() || fs::exists(kept); ++n)
+    kept = results.folder() / ("before-reset-" + std::to_string(n) + ".vtrial");
+  fs::rename(results.log(), kept);
+  const curricula::TrialLog log = curricula::read_trial_log(kept);
+  add_record(log, curricula::score_trial(log, scenario), kept);
+}
+
 TrialOutcome TrialSession::Impl::finish(const std::string& how) {
   if (!writer) throw std::logic_error("this trial was not started, or is finished already");
   stop();
@@ -270,21 +274,7 @@ TrialOutcome TrialSession::Impl::finish(const std::string& how) {
   write_force_chart(outcome.force_plot, log, scenario, outcome.score);
   write_report(results.folder(), log, scenario, outcome.score);
 
-  curricula::RecordRow row;
-  row.finished_utc = QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString();
-  row.curriculum_id = curriculum.id;
-  row.scenario_id = scenario.id;
-  row.device_kind = log.header.device_kind;
-  // A record must still find its trial when the folder has been put in place.
-  row.trial_path =
-      (setup.final_out.empty() ? results.folder() : fs::absolute(setup.final_out)) / outcome.log.filename();
-  row.score = outcome.score;
-  try {
-    curricula::Records(records_database()).add(row);
-  } catch (const std::exception& error) {
-    throw std::runtime_error(std::string(error.what()) + " (the trial's results are whole, in " +
-                             results.folder().string() + ")");
-  }
+  add_record(log, outcome.score, outcome.log);
   return outcome;
 }
 
@@ -303,7 +293,7 @@ TrialOutcome TrialSession::finish(const std::string& how) { return impl_->finish
 void TrialSession::reset() {
   const bool running = impl_->writer != nullptr;
   impl_->stop();
-  impl_->discard_log();
+  impl_->keep_log_of_reset();
   // A live device stays (the window holds it); a script starts again from its first line, faults forgotten.
   if (is_scripted(impl_->setup.device)) {
     impl_->runner.reset();

@@ -47,7 +47,7 @@ class TrialSession {
 
   void start();
   bool finished() const;  ///< the script or the scenario's time is over
-  void reset();           ///< tissue to rest, attempt starts anew (a fresh log)
+  void reset();           ///< tissue to rest, attempt starts anew; the one before stays as before-reset-N.vtrial, recorded
   /// Newest whole snapshot; wait-free; to be called by one thread only (the window's).
   const engine::Snapshot& latest();
   TrialOutcome finish(const std::string& how);  ///< stops, closes the log, scores, writes the results, adds the record

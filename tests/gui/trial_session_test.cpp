@@ -97,6 +97,11 @@ TEST_F(SessionRealTime, ResetBeginsAnewWithTissueAtRestAndAFreshLog) {
   EXPECT_LT(log.ticks.size(), 1500u) << "the ticks before the reset are not in it";
   EXPECT_EQ(log.ticks.front().tick, 0);
   EXPECT_EQ(log.ticks.front().loads[curricula::kTongue].contacts, 0);
+  // What was done before the reset is neither undone nor forgotten.
+  const curricula::TrialLog before = curricula::read_trial_log(box_ / "out" / "before-reset-1.vtrial");
+  EXPECT_EQ(before.footer.ended, "reset");
+  EXPECT_GE(before.ticks.size(), 600u);
+  EXPECT_EQ(curricula::Records(box_.home() / "records.sqlite").newest(10).size(), 2u);
 }
 
 TEST_F(SessionRealTime, AbandonedItKeepsAnIncompleteLogAndNoScore) {
