@@ -15,6 +15,7 @@ namespace {
 constexpr double kMissedS = 0.001;    // a force written later after it was due is a miss (DESIGN 4.5)
 constexpr int kPenetrationParts = 4;  // a surface triangle is looked at in 15 points
 constexpr double kNear = 0.001;       // m; nearer than this the distance is taken from the tool's triangles, exactly
+constexpr double kReturnSpeed = 0.1;      // m/s: how fast a held tool follows a hand that has come back, at most
 constexpr int kStiffnessWindow = 20;  // steps over which the contact's stiffness is taken
 
 /// Points of the tissue's surface in the tool: vertices and a lattice in each triangle near it.
@@ -71,7 +72,7 @@ class LimitedTool {
         proxy_ = admissible_;
         break;
       case HapticState::recovering:
-        proxy_ = approach(proxy_, device, settings_.force_rate_n_s * step_s_ / stiffness_);
+        proxy_ = approach(proxy_, device, std::min(settings_.force_rate_n_s / stiffness_, kReturnSpeed) * step_s_);
         break;
     }
     return proxy_;
@@ -83,8 +84,9 @@ class LimitedTool {
     const double size = force.norm(), limit = settings_.force_limit_n;
     time_in_state_ += step_s_;
     if (state_ == HapticState::tracking) feel(size);
-    const double beyond = size > 0 ? std::max(0.0, -(device_.position - proxy_.position).dot(force) / size) : 0.0;
-    const double trial = size + stiffness_ * beyond;
+    // Signed: a hand that has come back is let go by what it has come back, however hard the held tissue presses.
+    const double beyond = size > 0 ? -(device_.position - proxy_.position).dot(force) / size : 0.0;
+    const double trial = std::max(0.0, size + stiffness_ * beyond);
     switch (state_) {
       case HapticState::tracking:
         if (size > limit) enter(HapticState::limited);
@@ -100,7 +102,7 @@ class LimitedTool {
         if (trial < kLeaveShare * limit) enter(HapticState::recovering);
         break;
       case HapticState::recovering:
-        if (size > limit) {
+        if (trial > limit) {
           enter(HapticState::limited);
         } else if ((proxy_.position - device_.position).norm() == 0.0) {
           enter(HapticState::tracking);
