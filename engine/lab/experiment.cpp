@@ -18,11 +18,15 @@ constexpr double kNear = 0.001;       // m; nearer than this the distance is tak
 constexpr double kReturnSpeed = 0.1;      // m/s: how fast a held tool follows a hand that has come back, at most
 constexpr int kStiffnessWindow = 20;  // steps over which the contact's stiffness is taken
 
+struct Penetration {
+  double deepest = 0.0, vertex = 0.0;  // m; of any surface point, of a vertex
+};
+
 /// Points of the tissue's surface in the tool: vertices and a lattice in each triangle near it.
-double deepest_penetration(const Scene& scene, const TriangleBvh& surface, const Pose& tool,
+Penetration deepest_penetration(const Scene& scene, const TriangleBvh& surface, const Pose& tool,
                            const std::vector<Vec3>& nodes) {
   const Mat3 to_tool = tool.rotation.toRotationMatrix().transpose();
-  double deepest = 0.0;
+  Penetration found;
   for (const auto& t : scene.surface.triangles) {
     const Vec3 a = to_tool * (nodes[t[0]] - tool.position), b = to_tool * (nodes[t[1]] - tool.position),
                c = to_tool * (nodes[t[2]] - tool.position);
@@ -32,10 +36,14 @@ double deepest_penetration(const Scene& scene, const TriangleBvh& surface, const
     for (int i = 0; i <= kPenetrationParts; ++i)
       for (int j = 0; i + j <= kPenetrationParts; ++j) {
         const Vec3 p = a + (b - a) * (double(i) / kPenetrationParts) + (c - a) * (double(j) / kPenetrationParts);
-        if (scene.tool.fine.distance(p) < kNear) deepest = std::max(deepest, -surface.signed_distance(p, kNear));
+        if (scene.tool.fine.distance(p) > kNear) continue;
+        const double depth = -surface.signed_distance(p, kNear);
+        found.deepest = std::max(found.deepest, depth);
+        const bool vertex = (i == 0 && j == 0) || i == kPenetrationParts || j == kPenetrationParts;
+        if (vertex) found.vertex = std::max(found.vertex, depth);
       }
   }
-  return deepest;
+  return found;
 }
 
 /// Moves `from` towards `to` by at most `most` (m, and most * 10 in rad: a blade's length is about 0.1 m).
@@ -223,7 +231,9 @@ ExperimentResult run_experiment(const Scene& scene, const std::function<Pose(dou
     s.finite = std::isfinite(sum) && std::abs(sum) < 1e12;
     if (s.finite && settings.measure_tissue) {
       s.volume_change = volume_of(result.final_nodes, s.inverted) / rest_volume - 1;
-      s.penetration_m = deepest_penetration(scene, tool_surface, state.proxy.pose, result.final_nodes);
+      const Penetration in = deepest_penetration(scene, tool_surface, state.proxy.pose, result.final_nodes);
+      s.penetration_m = in.deepest;
+      s.vertex_penetration_m = in.vertex;
     }
     if (s.state == HapticState::limited) result.time_limited_s += h;
     if (s.state == HapticState::lost) result.time_lost_s += h;

@@ -36,6 +36,7 @@ struct ExperimentStep {
   double volume_change = 0.0;  ///< of the whole body, relative, signed
   int inverted = 0;            ///< tetrahedra of negative volume
   double penetration_m = 0.0;  ///< of the deepest surface point inside the tool
+  double vertex_penetration_m = 0.0;  ///< of the deepest vertex of the surface
   bool finite = true;
 };
 

@@ -87,6 +87,7 @@ QJsonObject lab_json(const engine::Scene& scene, const engine::ExperimentSetting
     inverted = std::max(inverted, result.steps[i].inverted);
   }
   const auto depth = each_step(result, [](const ExperimentStep& s) { return s.penetration_m; });
+  const auto vertex_depth = each_step(result, [](const ExperimentStep& s) { return s.vertex_penetration_m; });
   const auto late = each_step(result, [](const ExperimentStep& s) { return 1e3 * s.late_s; });
   const auto iterations = each_step(result, [](const ExperimentStep& s) { return double(s.solver_iterations); });
 
@@ -113,7 +114,10 @@ QJsonObject lab_json(const engine::Scene& scene, const engine::ExperimentSetting
                              {"inverted_max", measured(inverted)},
                              {"residual_m", unless_diverged(result.residual_m)},
                              {"finite", finite}}},
-      {"penetration_m", QJsonObject{{"p50", measured(percentile(depth, 0.5))}, {"max", measured(percentile(depth, 1))}}},
+      {"penetration_m", QJsonObject{{"p50", measured(percentile(depth, 0.5))},
+                                    {"max", measured(percentile(depth, 1))},
+                                    {"vertex_p50", measured(percentile(vertex_depth, 0.5))},
+                                    {"vertex_max", measured(percentile(vertex_depth, 1))}}},
       {"limit", QJsonObject{{"entered", result.limit_entered},
                             {"time_limited_s", result.time_limited_s},
                             {"time_lost_s", result.time_lost_s}}}};
