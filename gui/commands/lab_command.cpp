@@ -1,25 +1,33 @@
 // `vallecula lab`: the laboratory (DESIGN section 6).
 #include <QJsonDocument>
+#include <cstdio>
 #include <iostream>
 #include <memory>
 #include <stdexcept>
+#include <system_error>
 
 #include "device/trajectory.h"
 #include "engine/haptics/runner.h"
 #include "engine/lab/experiment.h"
 #include "engine/scene_data.h"
 #include "gui/commands/commands.h"
+#include "gui/commands/interruption.h"
+#include "gui/lab/figures.h"
 #include "gui/lab/lab_report.h"
 #include "gui/lab/soft_body_file.h"
 #include "gui/lab/tool_shape.h"
+#include "gui/pages/window_application.h"
+#include "gui/session/builtin_patient.h"
 #include "gui/session/files.h"
+#include "gui/session/user_paths.h"
+#include "gui/session/virtual_display.h"
 
 namespace vallecula::gui {
 
 namespace {
 
 struct LabOptions {
-  std::string tet, tool, trajectory, fix, fix_nodes, json, csv, spheres, final_state;
+  std::string tet, tool, trajectory, fix, fix_nodes, json, csv, spheres, final_state, figure, out;
   std::string response = "compliant", collision = "aist", coverage = "full", force_limit = "none", length_unit = "m";
   double young = 10000.0, poisson = 0.45, density = 1040.0, steps_per_second = 1000.0;
   double sphere_ratio = 10.0, friction = 0.0;
@@ -108,14 +116,65 @@ void run_lab(const LabOptions& o) {
   }
 }
 
+void say(const std::string& line) { std::fprintf(stderr, "lab: %s\n", line.c_str()); }
+
+/// On the built-in patient of the shipped curriculum's first scenario (a term infant).
+void draw_figure(const std::string& figure, FigureSetting& setting) {
+  const curricula::Curriculum curriculum = curricula::load_curriculum(default_curriculum());
+  if (curriculum.scenarios.empty()) throw std::runtime_error(curriculum.file.string() + ": holds no scenario");
+  setting.scenario = curriculum.scenarios.front();
+  std::string stage;
+  const std::filesystem::path patient =
+      builtin_patient(setting.scenario.manikin, [&](const std::string& now, double fraction) {
+        setting.pulse();
+        if (now == stage) return;
+        stage = now;
+        std::fprintf(stderr, "lab:   %3.0f %%  %s\n", 100.0 * fraction, now.c_str());
+      });
+  setting.package = pipeline::read_package(patient);
+  say("running the experiment on " + setting.scenario.title);
+  const FigureResult result = figure == "6"   ? write_figure_6(setting)
+                              : figure == "7" ? write_figure_7(setting)
+                              : figure == "8" ? write_figure_8(setting)
+                                                : write_figure_spheres(setting);
+  std::cout << result.seen.toStdString() << "\n";
+  for (const std::string& file : result.files) std::cout << (setting.out / file).string() << "\n";
+}
+
+void run_figure(const LabOptions& o) {
+  watch_for_interruption();
+  FigureSetting setting;
+  setting.out = o.out.empty() ? user_data_folder() / "lab" : std::filesystem::path(o.out);
+  setting.pulse = [] { stop_when_interrupted("the figure"); };
+  std::error_code error;
+  const bool fresh = std::filesystem::create_directories(setting.out, error);
+  if (error || !std::filesystem::is_directory(setting.out))
+    throw std::runtime_error(setting.out.string() + ": cannot be a folder for the figure (" +
+                             (error ? error.message() : "it is a file") + "); name another with --out");
+  say("figure " + o.figure + " will be in " + setting.out.string());
+
+  std::unique_ptr<VirtualDisplay> display;  // before anything takes long: what is missing is said at once
+  if (const std::string problem = display_problem(); !problem.empty()) {
+    display = std::make_unique<VirtualDisplay>();
+    say(problem + "; drawing on a virtual one (" + display->name() + ")");
+  }
+  const WindowApplication application;
+  try {
+    draw_figure(o.figure, setting);
+  } catch (...) {
+    if (fresh) std::filesystem::remove(setting.out, error);  // only while it is empty
+    throw;
+  }
+}
+
 }  // namespace
 
 void add_lab_command(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("lab", "One soft body, one tool, one trajectory: figures as JSON");
   auto o = std::make_shared<LabOptions>();
-  command->add_option("--tet", o->tet, "Soft body: .vtu, or TetGen's .node or .ele")->required();
-  command->add_option("--tool", o->tool, "box:LxWxH or sphere:R (m), or a closed mesh .stl, .obj, .ply")->required();
-  command->add_option("--trajectory", o->trajectory, "Tool poses: CSV t,x,y,z[,qw,qx,qy,qz] (s, m)")->required();
+  command->add_option("--tet", o->tet, "Soft body: .vtu, or TetGen's .node or .ele");
+  command->add_option("--tool", o->tool, "box:LxWxH or sphere:R (m), or a closed mesh .stl, .obj, .ply");
+  command->add_option("--trajectory", o->trajectory, "Tool poses: CSV t,x,y,z[,qw,qx,qy,qz] (s, m)");
   command->add_option("--young", o->young, "Young's modulus, Pa")->capture_default_str();
   command->add_option("--poisson", o->poisson, "Poisson's ratio, 0 to below 0.5")->capture_default_str();
   command->add_option("--density", o->density, "kg/m3")->capture_default_str();
@@ -146,7 +205,28 @@ void add_lab_command(CLI::App& app, int& exit_code) {
   command->add_option("--csv", o->csv, "Write one row a step here");
   command->add_option("--spheres", o->spheres, "Write the spheres at rest here (CSV)");
   command->add_option("--final", o->final_state, "Write the soft body after the last step here (.vtu)");
-  command->callback([o, &exit_code] {
+  const std::vector<const CLI::Option*> of_a_run = [command] {
+    const CLI::App* const all = command;
+    return all->get_options([](const CLI::Option* one) { return one->get_name() != "--help"; });
+  }();
+  auto* figure = command
+                     ->add_option("--figure", o->figure,
+                                  "The paper's experiment anew, on the built-in manikin: 6, 7, 8, or spheres (2 and 3)")
+                     ->check(CLI::IsMember({"6", "7", "8", "spheres"}));
+  command->add_option("--out", o->out, "Folder for a figure's files (lab/ in the user's data folder if left out)");
+  command->callback([o, figure, of_a_run, &exit_code] {
+    if (figure->count() > 0) {
+      for (const CLI::Option* one : of_a_run)
+        if (one->count() > 0)
+          throw CLI::ValidationError("--figure", "brings its own scene: " + one->get_name() + " does not go with it");
+      run_figure(*o);
+      exit_code = 0;
+      return;
+    }
+    if (!o->out.empty()) throw CLI::ValidationError("--out", "is the folder for a --figure; a run's are --json, --csv");
+    if (o->tet.empty()) throw CLI::RequiredError("--tet");
+    if (o->tool.empty()) throw CLI::RequiredError("--tool");
+    if (o->trajectory.empty()) throw CLI::RequiredError("--trajectory");
     if (!(o->steps_per_second >= 10) || !(o->steps_per_second <= 1e5))
       throw CLI::ValidationError("--steps-per-second", "must lie between 10 and 100000");
     if (o->fix.empty() && o->fix_nodes.empty())
