@@ -5,6 +5,8 @@ namespace vallecula::gui {
 std::string what_to_change(const curricula::Score& score, const curricula::Scenario& scenario) {
   const auto& pass = scenario.pass;
   const auto& targets = scenario.targets;
+  if (!score.attempt_begun)
+    return "The blade never entered the mouth: bring its tip in at the right corner, then follow the tongue down.";
   if (score.peak_gum_force_n > pass.peak_gum_force_n)
     return "Lift the whole blade along its handle, to the ceiling and the feet, clear of both gums: turning it about a "
            "gum presses there and opens no view.";

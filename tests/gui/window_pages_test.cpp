@@ -90,6 +90,8 @@ TEST(Advice, PutsTheGumFirstAndAlwaysSaysSomething) {
   scenario.targets = {5.0, 2.0};
   scenario.pass = {6.8, 3.0, 50.0, 30.0, 3.0, 0.2};
   curricula::Score score;
+  EXPECT_NE(what_to_change(score, scenario).find("never entered"), std::string::npos) << "nothing was done yet";
+  score.attempt_begun = true;
   score.passed = true;
   score.glottis_visible_max_percent = 70.0;
   score.peak_tongue_force_n = 4.0;
