@@ -70,6 +70,28 @@ void fill_snapshot(const Scene& scene, const SceneState& state, const StepResult
       s.soft_points[3 * i + a] = static_cast<float>(scene.model.rest[i][a] + state.tissue.displacement[i][a]);
 }
 
+/// The newest ticks, frozen by the first one with a fault: what led to it travels with it. Sized once.
+class FaultRing {
+ public:
+  void add(const TickRecord& record) noexcept {
+    if (frozen_) return;
+    ring_[static_cast<std::size_t>(added_++ % kSize)] = record;
+    frozen_ = (record.faults & (kFaultDevicePose | kFaultTissue | kFaultForce)) != 0;
+  }
+  std::vector<TickRecord> before_fault() const {
+    std::vector<TickRecord> ticks;
+    for (std::int64_t i = std::max<std::int64_t>(0, added_ - kSize); frozen_ && i < added_; ++i)
+      ticks.push_back(ring_[static_cast<std::size_t>(i % kSize)]);
+    return ticks;
+  }
+
+ private:
+  static constexpr std::int64_t kSize = 50;
+  std::array<TickRecord, kSize> ring_;
+  std::int64_t added_ = 0;
+  bool frozen_ = false;
+};
+
 /// Real-time priority and an eager timer where the system grants them; says what was got.
 std::string raise_this_thread(int priority) {
   prctl(PR_SET_TIMERSLACK, 1UL, 0, 0, 0);
@@ -99,6 +121,7 @@ struct Runner::Impl {
   LatestSnapshot snapshots;
 
   // Records: single producer (servo), single consumer.
+  FaultRing last_ticks;
   std::vector<TickRecord> ring;
   std::atomic<std::uint64_t> ring_head{0}, ring_tail{0};
   std::atomic<std::int64_t> dropped{0};
@@ -192,6 +215,7 @@ struct Runner::Impl {
         overruns.fetch_add(1, std::memory_order_relaxed);
       }
       push(record);
+      last_ticks.add(record);
       ticks.store(tick + 1, std::memory_order_relaxed);
       if ((tick + 1) % 1000 == 0) {
         const std::int64_t t = now_ns();
@@ -241,6 +265,8 @@ bool Runner::pop(TickRecord& record) {
 
 const Snapshot& Runner::latest() { return impl_->snapshots.read(); }
 
+std::vector<TickRecord> Runner::ticks_before_fault() const { return impl_->last_ticks.before_fault(); }
+
 TimingReport Runner::timing() const {
   const Impl& m = *impl_;
   TimingReport report;
@@ -274,6 +300,7 @@ void Runner::run(std::int64_t ticks, const std::function<void(const TickRecord&)
     const TickRecord record = servo_tick(*m.scene, tick, in, feeding, m.results[feeding % kResultSlots], false, m.servo);
     m.show(record.displayed_force_n);
     m.ticks = tick + 1;
+    m.last_ticks.add(record);
     sink(record);
   }
   m.ended_ns = now_ns();

@@ -257,6 +257,13 @@ TEST(Scene, NonFinitePoseMeansZeroForceAndANamedFault) {
     EXPECT_EQ(r.displayed_force_n.norm(), 0.0);
     EXPECT_EQ(r.state, HapticState::lost);
   });
+  // What led to the fault is kept: the tick it came in and the 49 before.
+  const std::vector<TickRecord> led = runner.ticks_before_fault();
+  ASSERT_EQ(led.size(), 50u);
+  EXPECT_EQ(led.back().tick, 800);
+  EXPECT_NE(led.back().faults & kFaultDevicePose, 0u);
+  EXPECT_EQ(led.front().tick, 751);
+  EXPECT_EQ(led.front().faults, 0u);
   port.poison = false;
   TickRecord end;
   runner.run(2000, [&](const TickRecord& r) {
