@@ -228,7 +228,8 @@ void add_lab_command(CLI::App& app, int& exit_code) {
     if (o->tool.empty()) throw CLI::RequiredError("--tool");
     if (o->trajectory.empty()) throw CLI::RequiredError("--trajectory");
     if (!(o->steps_per_second >= 10) || !(o->steps_per_second <= 1e5))
-      throw CLI::ValidationError("--steps-per-second", "must lie between 10 and 100000");
+      throw CLI::ValidationError("--steps-per-second",
+                                 std::to_string(o->steps_per_second) + " does not lie between 10 and 100000");
     if (o->fix.empty() && o->fix_nodes.empty())
       throw CLI::ValidationError("--fix", "or --fix-nodes is needed: a body must be held somewhere");
     run_lab(*o);
