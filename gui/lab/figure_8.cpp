@@ -307,7 +307,7 @@ FigureResult write_figure_8(const FigureSetting& setting) {
           .arg(said(most(novice.model_n)),
                (novice.faults & (engine::kFaultTissue | engine::kFaultForce)) != 0
                    ? QStringLiteral("with a fault of the tissue, which was put back to rest")
-                   : QStringLiteral("no fault"),
+                   : QStringLiteral("no fault of the tissue"),
                cut_off ? QStringLiteral(", cut off in the plot") : QString());
   sheet.seen = result.seen;
   write_figure_png(setting, "figure-8.png", draw_sheet(sheet), result);
