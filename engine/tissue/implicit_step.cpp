@@ -15,23 +15,26 @@ constexpr int kMostIterations = 12;      // of conjugate gradients; little moves
 constexpr double kTolerance = 1e-3;      // residual over the elastic forces at which the solver may stop early
 constexpr double kLeastForce = 1e-4;     // N; scale of the tolerance in tissue at rest
 constexpr double kFastest = 1.5;         // m/s; no tissue moves faster: what does is a body crushed beyond its law, braked here
-constexpr int kActivePasses = 4;         // the contacts that push are chosen anew at most this often in a tick
+constexpr int kLeastIterations = 5;      // once the contacts have changed: a force read off an unfinished system is a spike
+constexpr double kUnknownForce = 0.01;   // N; contacts that change by less need no new solution
+constexpr int kActivePasses = 3;         // the contacts that push are chosen anew at most this often in a tick
 constexpr int kCoarseRefreshSteps = 8;
 constexpr int kRefreshVisits = 4;        // a quarter of the packs is looked at in a tick,
 constexpr int kRefreshShare = 16;        // and one tetrahedron in 16 gets new stiffness blocks at most
 
 using Motion = SprungBody::Motion;
 
-/// A contact is active if it pushes after the present increment. Returns whether any changed.
-bool choose_active(const TissueState& state, ContactConstraint* contacts, int contact_count) {
-  bool changed = false;
+/// A contact is active if it pushes after the present increment. Returns the force of those for which that changed, N: what
+/// the system just solved did not know of.
+double choose_active(const TissueState& state, ContactConstraint* contacts, int contact_count) {
+  double unknown = 0.0;
   for (int c = 0; c < contact_count; ++c) {
     ContactConstraint& contact = contacts[c];
-    const bool active = contact.multiplier - contact.stiffness * gap_after(contact, state.solution.data()) > 0;
-    changed |= active != contact.active;
-    contact.active = active;
+    const float force = contact.multiplier - contact.stiffness * gap_after(contact, state.solution.data());
+    if ((force > 0) != contact.active) unknown += std::abs(force);
+    contact.active = force > 0;
   }
-  return changed;
+  return unknown;
 }
 
 /// The friction that came about (Coulomb): the sticking spring's at the new slip, no more than its limit allows.
@@ -96,11 +99,12 @@ StepStatistics implicit_step(const TissueModel& model, TissueState& state, Conta
   // Contacts that turn out to pull are let go, those that turn out to be inside are taken in, and the solver goes on from
   // where it is. Judged once a tick only, a contact may close and open in turns for ever.
   for (int pass = 0; pass < kActivePasses; ++pass) {
-    const SolveResult solved =
-        solve(model, state, contacts, contact_count, enough, kMostIterations - statistics.iterations);
+    const int left = kMostIterations - statistics.iterations;
+    const SolveResult solved = solve(model, state, contacts, contact_count, enough,
+                                     pass == 0 ? left : std::max(left, kLeastIterations));
     statistics.iterations += solved.iterations;
     statistics.residual_n = solved.residual_n;
-    if (statistics.iterations >= kMostIterations || !choose_active(state, contacts, contact_count)) break;
+    if (choose_active(state, contacts, contact_count) < kUnknownForce) break;
   }
   for (int c = 0; c < contact_count; ++c) {
     ContactConstraint& contact = contacts[c];

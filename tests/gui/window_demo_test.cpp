@@ -2,6 +2,9 @@
 #include <iostream>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include <QFile>
 #include <QImage>
 #include <QJsonArray>
@@ -106,6 +109,17 @@ TEST(DemoRealTime, FromCtToScoreTheExpertPassesAndTheNoviceDoesNot) {
               kNoScreen);
   ASSERT_EQ(again.exit_code, 0) << again.err;
   EXPECT_TRUE(json_of(box / "asap" / "score.json")["passed"].toBool()) << again.out;
+  // What the blade moves in a tick changes the tongue's force by hundredths of a newton: a blow is none of the tissue's.
+  double change = 0.0;
+  curricula::LogLoad last;
+  for (const auto& tick : curricula::read_trial_log(box / "asap").ticks) {
+    const curricula::LogLoad& load = tick.loads[curricula::kTongue];
+    double squared = 0.0;
+    for (int a = 0; a < 3; ++a) squared += (load.force_n[a] - last.force_n[a]) * (load.force_n[a] - last.force_n[a]);
+    change = std::max(change, std::sqrt(squared));
+    last = load;
+  }
+  EXPECT_LT(change, 0.2);
   EXPECT_FALSE(novice["passed"].toBool());
   QString reasons;
   for (const auto& reason : novice["reasons"].toArray()) reasons += reason.toString() + "\n";
