@@ -15,9 +15,8 @@ namespace {
 
 constexpr int kClusterSize = 32;
 constexpr double kMostProtrusion = 0.00005;  // a surface sphere may stick out by 0.05 mm at a bend of the surface
-// A flat face cannot follow a round tool: between its vertices it gives way, before it resists, by what a tool of this radius
-// sinks into a chord as long as its longest edge. Held off everywhere, a 5 mm sphere on 2 mm cells reads 30 to 90 % too much.
-// The least is about what a blade may be inside tissue, the most bounds coarse meshes.
+// Of face_sag: the roundest tool a face need follow; the least is about what a blade may be inside tissue, the most bounds coarse
+// meshes.
 constexpr double kRoundestTool = 0.005, kLeastSag = 0.00008, kMostSag = 0.00025;  // m
 // A sphere inside resists once the tool is nearer to its centre than this share of its radius: tissue pressed flat by a
 // blade's face never is, tissue that an edge cuts into always.
@@ -160,7 +159,7 @@ void cover_surface(const TriangleBvh& bvh, const FillSettings& settings, std::ve
         const int sides = int(i == 0) + int(j == 0) + int(i + j == parts);
         const double share = s.vertex ? area / 3 : (sides == 0 ? 6 : 3) * area / (3.0 * parts * parts);
         s.area += share;
-        s.sag = std::max(s.sag, std::clamp(longest * longest / (8 * kRoundestTool), kLeastSag, kMostSag));
+        s.sag = std::max(s.sag, face_sag(longest));
         s.normal += share * bvh.triangle_normal(static_cast<int>(t));
       }
   }
@@ -216,6 +215,10 @@ void cluster(std::vector<InnerSphere>& spheres, int first, int count, std::vecto
 }
 
 }  // namespace
+
+double face_sag(double longest_edge) {
+  return std::clamp(longest_edge * longest_edge / (8 * kRoundestTool), kLeastSag, kMostSag);
+}
 
 SphereTree fill_spheres(const SoftBodyDescription& soft, const SoftSurface& surface, const FillSettings& settings) {
   SphereTree tree;

@@ -44,6 +44,10 @@ struct SphereTree {
   double mean_tet_volume = 0.0;        ///< m^3
 };
 
+/// What a flat face gives way, between its vertices, before it resists: the sag of a round tool's surface over a chord as long
+/// as its longest edge (m), within bounds. Held off everywhere, a 5 mm sphere on 2 mm cells reads 30 to 90 % too much force.
+double face_sag(double longest_edge);
+
 struct FillSettings {
   Coverage coverage = Coverage::full;
   double sphere_ratio = 10.0;          ///< sphere volume over mean tetrahedron volume (the paper's optimum)

@@ -16,7 +16,7 @@ constexpr int kLeafSize = 4;
 std::int32_t edge_index(std::map<std::pair<int, int>, std::int32_t>& known, std::vector<TriangleCollision::Edge>& edges,
                         int a, int b) {
   const auto [it, fresh] = known.try_emplace({std::min(a, b), std::max(a, b)}, static_cast<std::int32_t>(edges.size()));
-  if (fresh) edges.push_back({std::min(a, b), std::max(a, b)});
+  if (fresh) edges.push_back({std::min(a, b), std::max(a, b), 0.0});
   return it->second;
 }
 
@@ -85,6 +85,7 @@ TriangleCollision::TriangleCollision(const std::vector<Vec3>& rest, const SoftSu
   std::iota(order.begin(), order.end(), 0);
   build(centres, *this, 0, static_cast<int>(order.size()));
   triangle_edges = edges_of(surface.triangles, edges);
+  for (Edge& e : edges) e.sag = face_sag((rest[e.a] - rest[e.b]).norm());
   tool_triangle_edges = edges_of(mesh.triangles, tool_edges);
   tool.emplace_back(mesh);
 }
@@ -263,7 +264,9 @@ void find_triangle_contacts(const TriangleCollision& collision, const SoftSurfac
     const Vec3& at = rigid.mesh().points[v];
     const Vec3 on = closest_on_triangle(at, a, b, c, &weights);
     const Vec3 outward = (b - a).cross(c - a).normalized();
-    const double gap = (at - on).dot(outward);
+    double sag = 0.0;
+    for (std::int32_t e : collision.triangle_edges[t]) sag = std::max(sag, collision.edges[e].sag);
+    const double gap = (at - on).dot(outward) + sag;
     if (gap > kReach + moved || gap < -kDeepest || weights.minCoeff() <= 0) continue;
     ContactConstraint& constraint = add(-outward, gap, collision.vertex_area[collision.vertex_of[k[0]]], t);
     for (int i = 0; i < 3; ++i) constraint.weight[i] = static_cast<float>(weights[i]);
@@ -275,9 +278,9 @@ void find_triangle_contacts(const TriangleCollision& collision, const SoftSurfac
     const Vec3 way = at - near.tool_point;
     const double size = way.norm();
     if (!(size > 1e-9)) continue;
-    const double gap = rigid.signed_distance(at, reach) < 0 ? -size : size;
+    const double distance = rigid.signed_distance(at, reach) < 0 ? -size : size, gap = distance + edge.sag;
     if (gap > kReach + moved) continue;
-    ContactConstraint& c = add(way / gap, gap, collision.vertex_area[collision.vertex_of[edge.a]], near.triangle);
+    ContactConstraint& c = add(way / distance, gap, collision.vertex_area[collision.vertex_of[edge.a]], near.triangle);
     for (int k = 0; k < 3; ++k)
       c.weight[k] = static_cast<float>(c.node[k] == edge.a ? 1 - near.along : c.node[k] == edge.b ? near.along : 0.0);
   }

@@ -23,6 +23,7 @@ class TriangleCollision {
   };
   struct Edge {
     std::int32_t a, b;
+    double sag = 0.0;  ///< of the tissue's: what it gives way before it resists between its vertices (face_sag), m
   };
   std::vector<Node> nodes;               ///< a parent before its children
   std::vector<std::int32_t> order;       ///< surface triangles by leaf

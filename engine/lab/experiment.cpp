@@ -110,7 +110,8 @@ class LimitedTool {
         if (trial < kLeaveShare * limit) enter(HapticState::recovering);
         break;
       case HapticState::recovering:
-        if (trial > limit) {
+        // Both: folded tissue may hold a tool that is being drawn out, which is no pressing on.
+        if (size > limit && trial > limit) {
           enter(HapticState::limited);
         } else if ((proxy_.position - device_.position).norm() == 0.0) {
           enter(HapticState::tracking);
