@@ -155,6 +155,7 @@ StepResult step(const Scene& scene, SceneState& state, const StepInput& input) n
     state.tissue_stiffness.setZero();
     state.proxy = ProxyState{};
     state.proxy.pose = state.device;
+    state.rigid_scan.begin_anew(state.device);
     result.loads = {};
     rigid = RigidContacts{};
     result.faults |= kFaultTissue;

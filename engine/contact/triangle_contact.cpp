@@ -241,13 +241,24 @@ void find_triangle_contacts(const TriangleCollision& collision, const SoftSurfac
     c.active = gap < 0;
     return c;
   };
+  // What is out of reach has let go and starts anew.
+  for (std::size_t v = 0; v < collision.vertices.size(); ++v)
+    if (scratch.near_vertex[v].tick != scratch.tick) contacts.memory[v] = SphereContact{};
+  const auto held = [&](const ContactConstraint& c) {
+    for (int k = 0; k < 3; ++k)
+      if (c.weight[k] != 0.0f && !model.fixed(c.node[k])) return false;
+    return true;
+  };
   std::sort(scratch.touched_vertices.begin(), scratch.touched_vertices.end());
   for (std::int32_t v : scratch.touched_vertices) {
     const std::int32_t node = collision.vertices[v];
     if (model.fixed(node)) continue;
     TriangleBvh::Hit hit;
     const double distance = rigid.signed_distance(scratch.position[node], reach, &hit);
-    if (hit.triangle < 0 || distance > kReach + moved || distance < -kDeepest) continue;
+    if (hit.triangle < 0 || distance > kReach + moved || distance < -kDeepest) {
+      contacts.memory[v] = SphereContact{};
+      continue;
+    }
     const Vec3 way = scratch.position[node] - hit.point;
     const Vec3 normal = std::abs(distance) > 1e-9 ? Vec3(way / distance) : rigid.triangle_normal(hit.triangle);
     ContactConstraint& c = add(normal, distance, collision.vertex_area[v], scratch.near_vertex[v].triangle);
@@ -270,6 +281,7 @@ void find_triangle_contacts(const TriangleCollision& collision, const SoftSurfac
     if (gap > kReach + moved || gap < -kDeepest || weights.minCoeff() <= 0) continue;
     ContactConstraint& constraint = add(-outward, gap, collision.vertex_area[collision.vertex_of[k[0]]], t);
     for (int i = 0; i < 3; ++i) constraint.weight[i] = static_cast<float>(weights[i]);
+    if (held(constraint)) --contacts.count;  // nothing there can give way
   }
   for (std::int32_t e : scratch.touched_edges) {
     const TriangleScratch::NearEdge& near = scratch.near_edge[e];
@@ -279,10 +291,11 @@ void find_triangle_contacts(const TriangleCollision& collision, const SoftSurfac
     const double size = way.norm();
     if (!(size > 1e-9)) continue;
     const double distance = rigid.signed_distance(at, reach) < 0 ? -size : size, gap = distance + edge.sag;
-    if (gap > kReach + moved) continue;
+    if (gap > kReach + moved || gap < -kDeepest) continue;
     ContactConstraint& c = add(way / distance, gap, collision.vertex_area[collision.vertex_of[edge.a]], near.triangle);
     for (int k = 0; k < 3; ++k)
       c.weight[k] = static_cast<float>(c.node[k] == edge.a ? 1 - near.along : c.node[k] == edge.b ? near.along : 0.0);
+    if (held(c)) --contacts.count;
   }
 }
 

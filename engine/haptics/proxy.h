@@ -2,6 +2,8 @@
 // rigid anatomy.
 #pragma once
 
+#include <algorithm>
+
 #include "engine/contact/signed_distance_grid.h"
 #include "engine/contact/tool_field.h"
 #include "engine/tick_record.h"
@@ -40,6 +42,13 @@ struct RigidContacts {
 /// still, cannot touch it before the tool has travelled that far.
 struct RigidScan {
   explicit RigidScan(std::size_t samples) : next_check(samples, 0.0), depth(samples, 0.0) {}
+  /// As before the first look, with the tool at `pose`.
+  void begin_anew(const Pose& pose) noexcept {
+    travel = 0.0;
+    std::fill(next_check.begin(), next_check.end(), 0.0);
+    std::fill(depth.begin(), depth.end(), 0.0);
+    last = pose;
+  }
   double travel = 0.0;             ///< of the tool's fastest point since the scan began, m
   std::vector<double> next_check;  ///< per sample, as travel
   /// Per sample: how deep it is in gum, palate or tooth, m, as far as it can have come since it met them. A point that

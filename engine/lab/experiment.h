@@ -29,7 +29,8 @@ struct ExperimentStep {
   StageTimes stages;
   int contacts = 0;            ///< that carry force
   int solver_iterations = 0;
-  Vec3 force_n = Vec3::Zero(), torque_nm = Vec3::Zero();  ///< displayed: on the tool by the tissue
+  Vec3 force_n = Vec3::Zero();     ///< displayed: on the tool by the tissue
+  Vec3 torque_nm = Vec3::Zero();   ///< of the model: devices of three forces display none
   Vec3 model_force_n = Vec3::Zero();
   HapticState state = HapticState::tracking;
   Vec3 proxy_m = Vec3::Zero();

@@ -14,6 +14,7 @@
 #include "gui/commands/interruption.h"
 #include "gui/lab/figures.h"
 #include "gui/lab/lab_report.h"
+#include "gui/lab/number_text.h"
 #include "gui/lab/soft_body_file.h"
 #include "gui/lab/tool_shape.h"
 #include "gui/pages/window_application.h"
@@ -37,11 +38,10 @@ struct LabOptions {
 
 double force_limit(const std::string& word) {
   if (word == "none") return std::numeric_limits<double>::infinity();
-  char* end = nullptr;
-  const double value = std::strtod(word.c_str(), &end);
-  if (word.empty() || *end != '\0' || !(value > 0) || !std::isfinite(value))
+  const std::optional<double> value = number_in(word);
+  if (!value || !(*value > 0))
     throw CLI::ValidationError("--force-limit", "'" + word + "' is not a force in N above 0, or none");
-  return value;
+  return *value;
 }
 
 engine::Pose pose_of(const device::Keyframe& k) {

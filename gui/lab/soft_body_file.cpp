@@ -16,6 +16,7 @@
 #include <stdexcept>
 
 #include "engine/mesh/soft_mesh.h"
+#include "gui/lab/number_text.h"
 #include "gui/session/files.h"
 
 namespace vallecula::gui {
@@ -47,11 +48,10 @@ class NumberLines {
       std::vector<double> values;
       std::string word;
       while (words >> word) {
-        char* end = nullptr;
-        const double value = std::strtod(word.c_str(), &end);
-        if (end == word.c_str() || *end != '\0' || !std::isfinite(value))
+        const std::optional<double> value = number_in(word);
+        if (!value)
           refuse(file_, "line " + std::to_string(number_) + ": '" + word.substr(0, 40) + "' is not a finite number");
-        values.push_back(value);
+        values.push_back(*value);
       }
       if (!values.empty()) return values;
     }
@@ -70,12 +70,14 @@ void read_tetgen(const fs::path& named, SoftBodyFile& body) {
   NumberLines node_lines(nodes);
   const std::vector<double> head = node_lines.next();
   if (head.size() < 2 || head[1] != 3 || !(head[0] >= 4) || head[0] > kMostNodes)
-    refuse(nodes, "its first line must be 'number of points, 3, ...' with 4 to " + std::to_string(kMostNodes) + " points");
+    refuse(nodes,
+           "its first line must be 'number of points, 3, ...' with 4 to " + std::to_string(kMostNodes) + " points");
   const long count = static_cast<long>(head[0]);
   for (long i = 0; i < count; ++i) {
     const std::vector<double> v = node_lines.next();
-    if (v.size() < 4) refuse(nodes, node_lines.where() + "expected 'number x y z'; the file says it has " +
-                                        std::to_string(count) + " points");
+    if (v.size() < 4)
+      refuse(nodes,
+             node_lines.where() + "expected 'number x y z'; the file says it has " + std::to_string(count) + " points");
     if (i == 0) body.first_number = static_cast<int>(v[0]);
     if (v[0] != static_cast<double>(body.first_number + i))
       refuse(nodes, node_lines.where() + "point numbers must run on from " + std::to_string(body.first_number));
@@ -86,7 +88,8 @@ void read_tetgen(const fs::path& named, SoftBodyFile& body) {
   NumberLines ele_lines(eles);
   const std::vector<double> ele_head = ele_lines.next();
   if (ele_head.size() < 2 || ele_head[1] != 4 || !(ele_head[0] >= 1) || ele_head[0] > 8.0 * kMostNodes)
-    refuse(eles, "its first line must be 'number of tetrahedra, 4, ...' (quadratic tetrahedra with 10 nodes are not read)");
+    refuse(eles,
+           "its first line must be 'number of tetrahedra, 4, ...' (quadratic tetrahedra with 10 nodes are not read)");
   for (long t = 0; t < static_cast<long>(ele_head[0]); ++t) {
     const std::vector<double> v = ele_lines.next();
     if (v.size() < 5) refuse(eles, ele_lines.where() + "expected 'number a b c d'");
@@ -94,7 +97,8 @@ void read_tetgen(const fs::path& named, SoftBodyFile& body) {
     for (int k = 0; k < 4; ++k) {
       const double index = v[k + 1] - body.first_number;
       if (!(index >= 0) || !(index < static_cast<double>(count)) || index != std::floor(index))
-        refuse(eles, ele_lines.where() + "point " + std::to_string(static_cast<long long>(v[k + 1])) + " does not exist");
+        refuse(eles,
+               ele_lines.where() + "point " + std::to_string(static_cast<long long>(v[k + 1])) + " does not exist");
       tet[k] = static_cast<int>(index);
     }
     body.soft.tets.push_back(tet);
@@ -104,7 +108,8 @@ void read_tetgen(const fs::path& named, SoftBodyFile& body) {
 void read_vtu(const fs::path& file, SoftBodyFile& body) {
   read_file(file);  // says what is wrong with the name or the permission
   vtkNew<vtkXMLUnstructuredGridReader> reader;
-  if (reader->CanReadFile(file.string().c_str()) == 0) refuse(file, "is not a VTK XML file of an unstructured grid (.vtu)");
+  if (reader->CanReadFile(file.string().c_str()) == 0)
+    refuse(file, "is not a VTK XML file of an unstructured grid (.vtu)");
   reader->SetFileName(file.string().c_str());
   reader->Update();
   vtkUnstructuredGrid* grid = reader->GetOutput();
@@ -120,6 +125,13 @@ void read_vtu(const fs::path& file, SoftBodyFile& body) {
   for (vtkIdType c = 0; c < grid->GetNumberOfCells(); ++c) {
     if (grid->GetCellType(c) != VTK_TETRA) continue;
     grid->GetCellPoints(c, ids);
+    if (ids->GetNumberOfIds() != 4)
+      refuse(file, "cell " + std::to_string(c) + " has " + std::to_string(ids->GetNumberOfIds()) +
+                       " points, a tetrahedron 4");
+    for (int k = 0; k < 4; ++k)
+      if (ids->GetId(k) < 0 || ids->GetId(k) >= grid->GetNumberOfPoints())
+        refuse(file, "cell " + std::to_string(c) + " names point " + std::to_string(ids->GetId(k)) +
+                         ", which does not exist");
     std::array<int, 4> tet;
     for (int k = 0; k < 4; ++k) tet[k] = static_cast<int>(ids->GetId(k));
     body.soft.tets.push_back(tet);
@@ -208,14 +220,12 @@ SoftBodyFile read_soft_body(const fs::path& file, double unit_m) {
 void fix_nodes_by_rule(engine::SoftBodyDescription& soft, const std::string& rule) {
   std::string text = rule;
   text.erase(std::remove(text.begin(), text.end(), ' '), text.end());
-  char* end = nullptr;
-  const double value = text.size() > 2 ? std::strtod(text.c_str() + 2, &end) : NAN;
-  if (text.size() < 3 || text[0] < 'x' || text[0] > 'z' || (text[1] != '<' && text[1] != '>') || *end != '\0' ||
-      !std::isfinite(value))
+  const std::optional<double> value = text.size() > 2 ? number_in(std::string_view(text).substr(2)) : std::nullopt;
+  if (!value || text[0] < 'x' || text[0] > 'z' || (text[1] != '<' && text[1] != '>'))
     throw std::invalid_argument("--fix '" + rule + "': write an axis, < or >, and metres, for instance 'z<-0.003'");
   for (std::size_t i = 0; i < soft.nodes.size(); ++i) {
     const double at = soft.nodes[i][text[0] - 'x'];
-    if (text[1] == '<' ? at < value : at > value) soft.node_anchor[i] = 0;
+    if (text[1] == '<' ? at < *value : at > *value) soft.node_anchor[i] = 0;
   }
   check_fixed(soft, "--fix '" + rule + "'");
 }

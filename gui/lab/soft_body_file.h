@@ -12,8 +12,8 @@ namespace vallecula::gui {
 /// yet. `unit_m`: metres per file unit. TetGen's numbering may begin at 0 or 1; either of the two files may be named.
 /// Tetrahedra listed with the other handedness throughout (as some writers do) are turned; a mesh of both kinds holds
 /// inverted ones and is refused. Throws std::runtime_error naming file, line or tetrahedron and what is wrong: a file
-/// that cannot be read, numbers that are not finite, indices out of range, flat or inverted tetrahedra, parts that are not
-/// joined.
+/// that cannot be read, numbers that are not finite, indices out of range, flat or inverted tetrahedra, parts that are
+/// not joined.
 struct SoftBodyFile {
   engine::SoftBodyDescription soft;
   int first_number = 0;  ///< the file's number of the first node

@@ -15,6 +15,7 @@
 
 #include "engine/mesh/triangle_bvh.h"
 #include "engine/tool/shapes.h"
+#include "gui/lab/number_text.h"
 #include "gui/session/files.h"
 
 namespace vallecula::gui {
@@ -24,15 +25,14 @@ namespace {
 using engine::TriangleMesh;
 using engine::Vec3;
 
-constexpr double kLargest = 1.0;     // m: a tool beyond it was given in other units
-constexpr int kSphereRings = 6;      // 32,768 triangles: 0.03 % of the radius off at most
+constexpr double kLargest = 1.0;  // m: a tool beyond it was given in other units
+constexpr int kSphereRings = 6;   // 32,768 triangles: 0.03 % of the radius off at most
 
 double metres(const std::string& word, const std::string& what) {
-  char* end = nullptr;
-  const double value = std::strtod(word.c_str(), &end);
-  if (word.empty() || *end != '\0' || !(value > 0) || !(value < kLargest))
+  const std::optional<double> value = number_in(word);
+  if (!value || !(*value > 0) || !(*value < kLargest))
     throw std::invalid_argument("--tool " + what + ": '" + word + "' is not a length in metres above 0 and below 1");
-  return value;
+  return *value;
 }
 
 template <class Reader>
@@ -79,7 +79,8 @@ TriangleMesh mesh_file(const std::string& file, double unit_m) {
   for (vtkIdType c = 0; c < data->GetNumberOfCells(); ++c) {
     data->GetCellPoints(c, ids);
     if (ids->GetNumberOfIds() != 3) continue;
-    mesh.triangles.push_back({static_cast<int>(ids->GetId(0)), static_cast<int>(ids->GetId(1)), static_cast<int>(ids->GetId(2))});
+    mesh.triangles.push_back(
+        {static_cast<int>(ids->GetId(0)), static_cast<int>(ids->GetId(1)), static_cast<int>(ids->GetId(2))});
   }
   if (mesh.triangles.empty()) throw std::runtime_error(file + ": holds no triangles");
   const int open = engine::count_open_edges(mesh);
@@ -98,7 +99,8 @@ TriangleMesh mesh_file(const std::string& file, double unit_m) {
 TriangleMesh tool_shape(const std::string& what, double unit_m) {
   if (what.rfind("sphere:", 0) == 0) return engine::sphere_surface(metres(what.substr(7), what), kSphereRings);
   if (what.rfind("box:", 0) == 0) {
-    const std::size_t first = what.find('x', 4), second = first == std::string::npos ? first : what.find('x', first + 1);
+    const std::size_t first = what.find('x', 4),
+                      second = first == std::string::npos ? first : what.find('x', first + 1);
     if (second == std::string::npos)
       throw std::invalid_argument("--tool " + what + ": write box:LxWxH in metres, for instance box:0.06x0.01x0.003");
     return engine::box_surface(Vec3::Zero(), Vec3(metres(what.substr(4, first - 4), what),

@@ -173,14 +173,17 @@ void TrialPage::start() {
 void TrialPage::reset() {
   if (!session_ || ending_) return;
   try {
-    if (auto* mouse = dynamic_cast<device::MouseDevice*>(&session_->device())) {  // the hand begins anew as well
+    session_->reset([this] {
+      auto* mouse = dynamic_cast<device::MouseDevice*>(&session_->device());
+      if (mouse == nullptr) return;  // the hand begins anew as well, once the old attempt is no longer recorded
       const device::Trajectory expert = scripted_hand("expert", session_->package(), session_->scenario());
       const device::Keyframe begin = expert.at(expert.start_s());
       mouse->place(begin.position_m, begin.rotation_wxyz);
-    }
-    session_->reset();
+    });
   } catch (const std::exception& error) {
-    emit failed(QString::fromUtf8(error.what()));
+    const QString message = QString::fromUtf8(error.what());
+    close_trial();
+    emit failed(message);
     return;
   }
   if (running_) since_start_.restart();

@@ -238,7 +238,11 @@ void TrialSession::Impl::add_record(const curricula::TrialLog& log, const curric
 
 // A reset begins anew; it does not undo what was done: the attempt stays, scored, beside the next one.
 void TrialSession::Impl::keep_log_of_reset() {
-  if (!writer || failure || recorded == 0) {
+  if (writer && failure) {  // what could be written is left, and the cause is told
+    writer.reset();
+    std::rethrow_exception(failure);
+  }
+  if (!writer || recorded == 0) {
     discard_log();
     return;
   }
@@ -290,7 +294,7 @@ bool TrialSession::finished() const { return impl_->ended; }
 const engine::Snapshot& TrialSession::latest() { return impl_->runner->latest(); }
 TrialOutcome TrialSession::finish(const std::string& how) { return impl_->finish(how); }
 
-void TrialSession::reset() {
+void TrialSession::reset(const std::function<void()>& between) {
   const bool running = impl_->writer != nullptr;
   impl_->stop();
   impl_->keep_log_of_reset();
@@ -299,6 +303,7 @@ void TrialSession::reset() {
     impl_->runner.reset();
     impl_->device = make_device(impl_->setup.device, impl_->package, impl_->scenario);
   }
+  if (between) between();
   impl_->make_runner();
   if (running) impl_->start();
 }

@@ -1,6 +1,7 @@
 // One trial: joins device, engine and recorder, owns their threads and their shutdown. No window in here.
 #pragma once
 
+#include <functional>
 #include <atomic>
 #include <filesystem>
 #include <memory>
@@ -47,7 +48,8 @@ class TrialSession {
 
   void start();
   bool finished() const;  ///< the script or the scenario's time is over
-  void reset();           ///< tissue to rest, attempt starts anew; the one before stays as before-reset-N.vtrial, recorded
+  /// `between`: called when the old attempt is over and the new one has not begun (a hand is put back then).
+  void reset(const std::function<void()>& between = {});           ///< tissue to rest, attempt starts anew; the one before stays as before-reset-N.vtrial, recorded
   /// Newest whole snapshot; wait-free; to be called by one thread only (the window's).
   const engine::Snapshot& latest();
   TrialOutcome finish(const std::string& how);  ///< stops, closes the log, scores, writes the results, adds the record
