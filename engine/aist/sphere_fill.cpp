@@ -251,7 +251,6 @@ SphereTree fill_spheres(const SoftBodyDescription& soft, const SoftSurface& surf
     s.tet = locator.locate(s.centre, s.weight);
     s.tied = locator.count_within(s.centre, s.radius);
     const TriangleBvh::Hit hit = bvh.closest(s.centre, reach);
-    s.rest_gap = hit.distance - s.radius;
     s.core = settings.coverage == Coverage::full && s.level < settings.levels;
     if (s.core) s.standoff = kCoreShare * s.radius;
     if (s.triangle < 0) {  // of the grid
@@ -270,7 +269,6 @@ SphereTree fill_spheres(const SoftBodyDescription& soft, const SoftSurface& surf
     for (int i = c.first; i < c.first + c.count; ++i) {
       for (int v : soft.tets[spheres[i].tet]) nodes.insert(v);
       for (int v : mesh.triangles[spheres[i].triangle]) nodes.insert(v);
-      c.rest_gap_max = std::max(c.rest_gap_max, spheres[i].radius + std::max(0.0, spheres[i].rest_gap));
     }
     c.first_node = static_cast<std::int32_t>(tree.cluster_nodes.size());
     c.node_count = static_cast<std::int32_t>(nodes.size());

@@ -18,7 +18,6 @@ struct InnerSphere {
   std::int32_t tied = 0;           ///< number of tetrahedra the sphere encloses (their centroids lie in it)
   std::int32_t triangle = -1;      ///< face of the soft body's surface that its surface point lies in
   std::array<double, 3> surface_weight{};  ///< of the surface point next to it, in that face
-  double rest_gap = 0.0;           ///< g: from the sphere's surface to the tissue's surface at rest, m
   double area = 0.0;               ///< surface area the sphere answers for, m^2 (contact stiffness is per area)
   bool core = false;               ///< of the grid, behind surface spheres: the second line of contact
   /// Contact resists once the tool is this near, m: zero at the surface's vertices, which carry the force; negative on
@@ -32,7 +31,6 @@ struct InnerSphere {
 struct SphereCluster {
   std::int32_t first = 0, count = 0;   ///< range of spheres
   std::int32_t first_node = 0, node_count = 0;  ///< range of SphereTree::cluster_nodes
-  double rest_gap_max = 0.0;           ///< largest radius + gap among its spheres, m
 };
 
 struct SphereTree {

@@ -53,7 +53,6 @@ void find_contacts(const SphereTree& tree, const SoftSurface& surface, const std
                    const Pose& previous, float contact_stiffness_per_area, float friction,
                    ContactState& contacts) noexcept {
   contacts.count = 0;
-  contacts.queried_spheres = 0;
   const Mat3 to_world = tool.rotation.toRotationMatrix();
   const Mat3 to_tool = to_world.transpose();
   // How far any part of the tool moved in this tick, and any node in the last.
@@ -89,7 +88,6 @@ void find_contacts(const SphereTree& tree, const SoftSurface& surface, const std
       const InnerSphere& sphere = tree.spheres[s];
       SphereContact& memory = contacts.memory[s];
       if (!sphere.touchable || contacts.travel < memory.next_check) continue;
-      ++contacts.queried_spheres;
       ContactConstraint& c = contacts.constraints[contacts.count];  // taken only if it turns out to be in reach
       Vec3 world = Vec3::Zero();
       for (int k = 0; k < 4; ++k) {

@@ -41,7 +41,6 @@ struct ContactState {
   double travel = 0.0;
   std::vector<double> cluster_check;           ///< per cluster, as SphereContact::next_check
   std::vector<std::int8_t> cluster_near;       ///< per cluster: ticks for which the tool is taken to be at it
-  std::int64_t queried_spheres = 0;            ///< of this tick, for the laboratory
 
   void forget();                               ///< as before the first tick
 };

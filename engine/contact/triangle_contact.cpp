@@ -167,7 +167,6 @@ void find_triangle_contacts(const TriangleCollision& collision, const SoftSurfac
                             float contact_stiffness_per_area, TriangleScratch& scratch,
                             ContactState& contacts) noexcept {
   contacts.count = 0;
-  contacts.queried_spheres = 0;
   ++scratch.tick;
   scratch.touched_vertices.clear();
   scratch.touched_tool_vertices.clear();
