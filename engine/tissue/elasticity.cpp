@@ -7,6 +7,14 @@ namespace vallecula::engine {
 namespace {
 
 constexpr int kRotationIterations = 1;
+// Share of its rest volume below which a tetrahedron resists by itself: the nodes' mean does not see one that is turned
+// inside out between swollen neighbours. Its pressure is lambda (x + kHardening x^3) of what is missing, x = det F - least.
+// Tissue that was turned inside out by more than kTangled all the same goes without barrier until it is whole again:
+// squashed neighbours would bar the way back (seen under a blade 25 mm deep without a force limit).
+constexpr float kLeastVolume = 0.5f;
+constexpr float kHardening = 20.0f;
+constexpr float kTangled = -0.4f;
+constexpr double kHoldTicks = 8.0;
 // Half of a bound on a curvature is enough for an implicit step to be stable, stretches beyond one ask for a little more.
 constexpr float kPressureShare = 0.7f;
 VALLECULA_INLINE void rotation_from_quaternion(const F8 q[4], F8 r[9]) {
@@ -81,7 +89,7 @@ TetFrame frame_of(const TetPack& pack, std::size_t lane, const PackAssembly& at)
   turned(at.rotation, frame.g);
   turned(at.cofactor, frame.v);
   frame.mu = pack.volume[lane] * pack.mu[lane];
-  frame.lambda = pack.volume[lane] * pack.lambda[lane];
+  frame.lambda = pack.volume[lane] * pack.lambda[lane] * (1.0f + 3.0f * at.hardening[lane]);
   frame.spherical = frame.mu + pack.volume[lane] * kPressureShare * at.pressure[lane];
   return frame;
 }
@@ -116,6 +124,8 @@ void add_tet_stiffness(const TetFrame* before, const TetFrame& now, const std::a
 
 /// Rotations, cofactors, deviatoric stresses and nodal pressures at the present displacement.
 VALLECULA_KERNEL void stress_pass(const TissueModel& model, TissueState& state, int iterations) {
+  const F8 barrier_on = splat8(state.tangled ? 0.0f : 1.0f);
+  F8 least = splat8(1.0f);
   for (std::size_t p = 0; p < model.packs.size(); ++p) {
     const TetPack& pack = model.packs[p];
     PackState& s = state.packs[p];
@@ -153,10 +163,19 @@ VALLECULA_KERNEL void stress_pass(const TissueModel& model, TissueState& state, 
     const F8 minors = (h[0] * h[4] - h[1] * h[3]) + (h[0] * h[8] - h[2] * h[6]) + (h[4] * h[8] - h[5] * h[7]);
     const F8 third = h[0] * (h[4] * h[8] - h[5] * h[7]) + h[1] * (h[5] * h[6] - h[3] * h[8]) +
                      h[2] * (h[3] * h[7] - h[4] * h[6]);
-    const F8 dilation = ((h[0] + h[4] + h[8]) + minors + third) * pack.volume * splat8(0.25f);
+    const F8 change = (h[0] + h[4] + h[8]) + minors + third;
+    const F8 left = change + splat8(1.0f);  // det F
+    least = min8(least, left);
+    const F8 squashed = barrier_on * min8(splat8(0.0f), left - splat8(kLeastVolume));
+    s.hardening = splat8(kHardening) * squashed * squashed;
+    s.barrier = pack.lambda * squashed * (splat8(1.0f) + s.hardening);
+    const F8 dilation = change * pack.volume * splat8(0.25f);
     for (int c = 0; c < 4; ++c)
       for (int lane = 0; lane < kLanes; ++lane) state.pressure[pack.pressure[c][lane]] += dilation[lane];
   }
+  float smallest = 1.0f;
+  for (int lane = 0; lane < kLanes; ++lane) smallest = std::min(smallest, least[lane]);
+  state.tangled = smallest < (state.tangled ? 0.0f : kTangled);
 }
 
 /// Forces from the stresses and pressures of stress_pass.
@@ -169,7 +188,7 @@ VALLECULA_KERNEL void force_pass(const TissueModel& model, TissueState& state) {
     for (int lane = 0; lane < kLanes; ++lane)
       pressure[lane] = (state.pressure[pack.pressure[0][lane]] + state.pressure[pack.pressure[1][lane]]) +
                        (state.pressure[pack.pressure[2][lane]] + state.pressure[pack.pressure[3][lane]]);
-    pressure *= splat8(0.25f);
+    pressure = pressure * splat8(0.25f) + s.barrier;
     s.pressure = pressure;
     F8 stress[9];
     for (int i = 0; i < 9; ++i) stress[i] = -(pressure * s.cofactor[i] + s.deviatoric[i]) * pack.volume;
@@ -182,12 +201,29 @@ VALLECULA_KERNEL void force_pass(const TissueModel& model, TissueState& state) {
   }
 }
 
-void find_stresses(const TissueModel& model, TissueState& state, int iterations) {
+/// Fills stresses and nodal pressures; returns the change of the held volume, m^3.
+double find_stresses(const TissueModel& model, TissueState& state, int iterations) {
   for (int i = 0; i < model.nodes; ++i) state.displacement_f[i].v = from_vec3(state.displacement[i]);
   std::fill(state.pressure.begin(), state.pressure.end(), 0.0f);
   stress_pass(model, state, iterations);
-  for (std::size_t n = 0; n < state.pressure.size(); ++n)  // Jn - 1, then lambda (Jn - 1)
+  double dilation = 0.0;
+  for (std::size_t n = 0; n < state.pressure.size(); ++n) {  // V (Jn - 1), then lambda (Jn - 1)
+    dilation += double(model.pressure_held[n]) * state.pressure[n];
     state.pressure[n] *= model.pressure_inverse_volume[n] * model.pressure_lambda[n];
+  }
+  return dilation;
+}
+
+/// The pressure that keeps the whole body's volume within its band: it grows by what is lost beyond (an integral, settling
+/// in some kHoldTicks) and falls back to nothing. Explicit, and stable since inertia lets a pressure change the volume within a
+/// tick by far less than lambda says. `dilation`: change of the held volume, m^3.
+void hold_volume(const TissueModel& model, TissueState& state, double dilation) {
+  if (!(model.held_volume > 0)) return;
+  const double beyond = dilation / model.held_volume + TissueModel::kVolumeBand;
+  state.held_pressure = std::min(0.0, state.held_pressure + model.held_lambda / kHoldTicks * beyond);
+  const float held = static_cast<float>(state.held_pressure);
+  if (held == 0.0f) return;
+  for (std::size_t n = 0; n < state.pressure.size(); ++n) state.pressure[n] += held * model.pressure_held[n];
 }
 
 /// How far the blocks are out of date: squared change of rotation and cofactor, and of the pressure over the shear modulus.
@@ -203,7 +239,7 @@ VALLECULA_KERNEL void changes(const TetPack& pack, const PackState& s, const Pac
 }  // namespace
 
 void elastic_forces(const TissueModel& model, TissueState& state) noexcept {
-  find_stresses(model, state, kRotationIterations);
+  hold_volume(model, state, find_stresses(model, state, kRotationIterations));
   std::fill(state.force.begin(), state.force.end(), Float4{});
   force_pass(model, state);
 }
@@ -228,6 +264,7 @@ void refresh_stiffness(const TissueModel& model, TissueState& state, int visit, 
         a.cofactor[i][lane] = s.cofactor[i][lane];
       }
       a.pressure[lane] = std::abs(s.pressure[lane]);
+      a.hardening[lane] = s.hardening[lane];
       add_tet_stiffness(&before, frame_of(pack, lane, a), blocks, state.stiffness.data());
       for (int c = 0; c < 4; ++c) state.stale[pack.node[c][lane]] = 1;
       if (pack.tolerance[lane] >= softest) --left;
@@ -245,6 +282,7 @@ void assemble_stiffness(const TissueModel& model, TissueState& state) {
     std::copy(std::begin(s.rotation), std::end(s.rotation), a.rotation);
     std::copy(std::begin(s.cofactor), std::end(s.cofactor), a.cofactor);
     a.pressure = abs8(s.pressure);
+    a.hardening = s.hardening;
     for (std::size_t lane = 0; lane < kLanes; ++lane)
       if (model.packs[p].tet[lane] >= 0)
         add_tet_stiffness(nullptr, frame_of(model.packs[p], lane, a), model.tet_block[p * kLanes + lane],
@@ -261,7 +299,9 @@ double elastic_energy(const TissueModel& model, TissueState& state) {
       if (!(pack.volume[lane] > 0)) continue;
       double squared = 0.0;  // |2 mu (S - 1)|^2, unchanged by the rotation in front
       for (int i = 0; i < 9; ++i) squared += double(state.packs[p].deviatoric[i][lane]) * state.packs[p].deviatoric[i][lane];
-      energy += pack.volume[lane] * squared / (4.0 * pack.mu[lane]);
+      const double hardening = state.packs[p].hardening[lane], squashed_squared = hardening / kHardening;
+      energy += pack.volume[lane] * (squared / (4.0 * pack.mu[lane]) +
+                                     pack.lambda[lane] * squashed_squared * (0.5 + 0.25 * hardening));
     }
   }
   for (std::size_t n = 0; n < state.pressure.size(); ++n)
@@ -305,10 +345,12 @@ void TissueState::set_rest(const TissueModel& model) {
       s.rotation[i] = s.cofactor[i] = splat8(i % 4 == 0 ? 1.0f : 0.0f);
       s.deviatoric[i] = splat8(0.0f);
     }
-    s.pressure = splat8(0.0f);
+    s.pressure = s.barrier = s.hardening = splat8(0.0f);
   }
   std::fill(solution.begin(), solution.end(), Float4{});
   std::fill(external.begin(), external.end(), Float4{});
+  held_pressure = 0.0;
+  tangled = false;
   fastest_m = 0.0;
   refresh_at = 0;
   steps = 0;

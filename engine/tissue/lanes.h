@@ -27,6 +27,7 @@ VALLECULA_INLINE F8 join(F4 low, F4 high) { return __builtin_shufflevector(low, 
 VALLECULA_INLINE F4 low_half(F8 a) { return __builtin_shufflevector(a, a, 0, 1, 2, 3); }
 VALLECULA_INLINE F4 high_half(F8 a) { return __builtin_shufflevector(a, a, 4, 5, 6, 7); }
 VALLECULA_INLINE F8 abs8(F8 a) { return (F8)((I8)a & (I8{} + 0x7fffffff)); }
+VALLECULA_INLINE F8 min8(F8 a, F8 b) { return a < b ? a : b; }
 VALLECULA_INLINE F8 sqrt8(F8 a) {
   F8 r;
   for (int i = 0; i < kLanes; ++i) r[i] = std::sqrt(a[i]);

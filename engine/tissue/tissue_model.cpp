@@ -17,7 +17,7 @@ double lame_lambda(const TissueMaterial& m) {
 
 }  // namespace
 
-TissueModel::TissueModel(const SoftBodyDescription& soft, double step) {
+TissueModel::TissueModel(const SoftBodyDescription& soft, double step, bool hold_volume) {
   check_soft_body(soft);
   nodes = static_cast<int>(soft.nodes.size());
   tets = static_cast<int>(soft.tets.size());
@@ -49,8 +49,11 @@ TissueModel::TissueModel(const SoftBodyDescription& soft, double step) {
       if (fresh) {
         pressure_volume.push_back(0.0);
         pressure_lambda.push_back(static_cast<float>(lame_lambda(material)));
+        pressure_held.push_back(hold_volume && material.poisson >= kHeldFromPoisson ? 1.0f : 0.0f);
       }
       pressure_volume[it->second] += volume / 4;
+      held_volume += pressure_held[it->second] * volume / 4;
+      held_lambda += pressure_held[it->second] * volume / 4 * lame_lambda(material);
       node_mass[k[c]] += material.density_kg_m3 * volume / 4;
       if (fixed(k[c])) continue;
       moves = true;
@@ -60,6 +63,7 @@ TissueModel::TissueModel(const SoftBodyDescription& soft, double step) {
     if (moves) stepped.push_back(t);
   }
   for (int i = 0; i < nodes; ++i) mass[i] = static_cast<float>(node_mass[i]);
+  if (held_volume > 0) held_lambda /= held_volume;
   for (double v : pressure_volume) pressure_inverse_volume.push_back(static_cast<float>(1.0 / v));
 
   row_start.push_back(0);

@@ -7,6 +7,10 @@
 //   Jn = sum_{t at n} (V_t/4) det F_t / V_n.
 // The volumetric part measures det F (as the fixed corotated energy of Stomakhin et al. 2012 does), not the trace of the
 // corotated strain: by the trace a tongue pressed by a third of its thickness loses 8 % of its volume without knowing.
+//
+// Beyond a band the whole body keeps its volume: a muscle is a bag of water, nu below 0.5 is what the elements can bear.
+// A uniform pressure over the nearly incompressible tissue holds the loss of the whole at kVolumeBand; small presses never
+// meet it.
 #pragma once
 
 #include <vector>
@@ -27,7 +31,7 @@ struct TetPack {
 };
 
 struct TissueModel {
-  explicit TissueModel(const SoftBodyDescription& soft, double step_s);
+  TissueModel(const SoftBodyDescription& soft, double step_s, bool hold_volume = true);
 
   int nodes = 0;
   int tets = 0;
@@ -37,6 +41,9 @@ struct TissueModel {
   std::vector<TetPack> packs;           ///< tetrahedra of which a node can move
   std::vector<float> pressure_lambda;   ///< per (node, material) pair, Pa
   std::vector<float> pressure_inverse_volume;
+  std::vector<float> pressure_held;     ///< per pair: 1 where the material takes part in the volume hold, else 0
+  double held_volume = 0.0;             ///< at rest, of what takes part, m^3; 0: the volume is not held
+  double held_lambda = 0.0;             ///< mean of its lambda, Pa
 
   /// Block rows of the stiffness: row i has blocks row_start[i] .. row_start[i+1]; column indices ascend. Nodes fastened
   /// to a fixed body have no row, and no one's row has them. Blocks are stored in pairs (tissue_state.h), so that rows
@@ -67,6 +74,11 @@ struct TissueModel {
   /// Rayleigh damping, D = alpha M + beta K: light, so that a released tongue settles within about 0.2 s (assumed).
   static constexpr float kMassDamping = 4.0f;        // 1/s
   static constexpr float kStiffnessDamping = 0.0005f;  // s
+
+  /// Share of the whole volume that may be lost before the pressure answers: more than the presses that the law is held
+  /// to against the continuum lose, less than the hundredth that a tongue may.
+  static constexpr double kVolumeBand = 0.007;
+  static constexpr double kHeldFromPoisson = 0.4;  ///< tissue that is more compressible is meant to lose volume
 
   /// A tetrahedron of the softest tissue gets new stiffness blocks once it has turned by 4 degrees or been strained by 7
   /// hundredths (squared norm of both changes); stiffer tissue sooner, in inverse proportion: blocks that lag behind a

@@ -36,7 +36,9 @@ struct PackState {
   F8 rotation[9];     ///< row major
   F8 cofactor[9];     ///< of F: d(det F)/dF, row major
   F8 deviatoric[9];   ///< R 2 mu (sym(R^T F) - 1), row major, Pa
-  F8 pressure;        ///< lambda (Jn - 1), mean of the corners, Pa
+  F8 pressure;        ///< lambda (Jn - 1), mean of the corners, and the barrier, Pa
+  F8 barrier;         ///< pressure of a tetrahedron squashed below the least volume, Pa
+  F8 hardening;       ///< the barrier's share of cubic growth
 };
 
 /// What a pack's stiffness blocks were last built with.
@@ -44,6 +46,7 @@ struct PackAssembly {
   F8 rotation[9];
   F8 cofactor[9];
   F8 pressure;        ///< its size, Pa
+  F8 hardening;
 };
 
 /// Second level of the preconditioner (coarse_space.h).
@@ -61,6 +64,10 @@ struct TissueState {
   std::vector<Vec3> displacement;   ///< per node, m; anchored nodes follow their body
   std::vector<Vec3> velocity;       ///< per node, m/s; zero in anchored nodes
   std::vector<Vec3> body_displacement, body_velocity;  ///< per body: translation (m), or angle (rad) in x
+
+  double held_pressure = 0.0;       ///< of the volume hold, Pa; negative presses outwards
+
+  bool tangled = false;             ///< turned inside out somewhere: the plain law until it is whole again
 
   double fastest_m = 0.0;           ///< the farthest way of a node in the last step, m
 
