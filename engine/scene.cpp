@@ -78,7 +78,7 @@ ProxySettings proxy_settings(const SceneDescription& d) {
 
 Scene::Scene(const SceneDescription& d)
     : description(checked(d)),
-      model(d.soft, d.step_s),
+      model(d.soft, d.step_s, d.hold_volume),
       surface(extract_surface(d.soft.tets)),
       tree(fill_spheres(d.soft, surface, [&d] {
         FillSettings s;

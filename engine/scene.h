@@ -71,6 +71,7 @@ struct SceneDescription {
   ToolDescription tool;
   SightDescription sight;
   HapticSettings haptics;
+  bool hold_volume = true;             ///< nearly incompressible tissue as a whole keeps its volume within 1 %
   double friction = 0.0;               ///< Coulomb's coefficient of the tool on the tissue
   Response response = Response::compliant;
   Collision collision = Collision::aist;

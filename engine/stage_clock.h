@@ -19,6 +19,13 @@ inline double monotonic_seconds() noexcept {
   return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
 }
 
+/// What this thread has worked, without what others took from it: on a shared machine the only time that is its own.
+inline double thread_seconds() noexcept {
+  timespec t{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+}
+
 /// Adds the time since the last call to one stage after another.
 class StageClock {
  public:

@@ -24,7 +24,7 @@ struct ExperimentSettings {
 /// One step. Lengths m, forces N, torques N m about the tool's origin, world axes.
 struct ExperimentStep {
   double time_s = 0.0;
-  double step_s = 0.0;         ///< work of the whole tick: pose in, force out
+  double step_s = 0.0;         ///< work of the whole tick, pose in, force out: processor time of its thread
   double late_s = 0.0;         ///< real time: force out after it was due, beyond one period
   StageTimes stages;
   int contacts = 0;            ///< that carry force

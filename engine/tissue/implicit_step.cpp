@@ -11,16 +11,16 @@ namespace vallecula::engine {
 
 namespace {
 
-constexpr int kMostIterations = 12;      // of conjugate gradients; little moves in a tick, and each starts warm
+constexpr int kMostIterations = 8;       // of conjugate gradients; little moves in a tick, and each starts warm
 constexpr double kTolerance = 1e-3;      // residual over the elastic forces at which the solver may stop early
 constexpr double kLeastForce = 1e-4;     // N; scale of the tolerance in tissue at rest
 constexpr double kFastest = 1.5;         // m/s; no tissue moves faster: what does is a body crushed beyond its law, braked here
-constexpr int kLeastIterations = 5;      // once the contacts have changed: a force read off an unfinished system is a spike
+constexpr int kLeastIterations = 3;      // once the contacts have changed: a force read off an unfinished system is a spike
 constexpr double kUnknownForce = 0.01;   // N; contacts that change by less need no new solution
 constexpr int kActivePasses = 3;         // the contacts that push are chosen anew at most this often in a tick
 constexpr int kCoarseRefreshSteps = 8;
 constexpr int kRefreshVisits = 4;        // a quarter of the packs is looked at in a tick,
-constexpr int kRefreshShare = 16;        // and one tetrahedron in 16 gets new stiffness blocks at most
+constexpr int kRefreshShare = 64;        // and one tetrahedron in 64 gets new stiffness blocks at most
 
 using Motion = SprungBody::Motion;
 

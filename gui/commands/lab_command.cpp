@@ -32,6 +32,7 @@ struct LabOptions {
   std::string response = "compliant", collision = "aist", coverage = "full", force_limit = "none", length_unit = "m";
   double young = 10000.0, poisson = 0.45, density = 1040.0, steps_per_second = 1000.0;
   double sphere_ratio = 10.0, friction = 0.0;
+  std::string volume = "held";
   int levels = 2;
   bool realtime = false, as_fast_as_possible = false;
 };
@@ -60,6 +61,7 @@ QJsonObject settings_json(const LabOptions& o) {
           {"density_kg_m3", o.density},
           {"fix", QString::fromStdString(o.fix.empty() ? o.fix_nodes : o.fix)},
           {"friction", o.friction},
+          {"volume", QString::fromStdString(o.volume)},
           {"collision", QString::fromStdString(o.collision)},
           {"response", QString::fromStdString(o.response)},
           {"coverage", QString::fromStdString(o.coverage)},
@@ -97,6 +99,7 @@ void run_lab(const LabOptions& o) {
   d.collision = o.collision == "aist" ? engine::Collision::aist : engine::Collision::triangles;
   d.coverage = o.coverage == "full" ? engine::Coverage::full : engine::Coverage::paper;
   d.friction = o.friction;
+  d.hold_volume = o.volume == "held";
   d.sphere_ratio = o.sphere_ratio;
   d.sphere_levels = o.levels;
   const auto scene = engine::build_scene(d);
@@ -182,6 +185,9 @@ void add_lab_command(CLI::App& app, int& exit_code) {
   command->add_option("--fix-nodes", o->fix_nodes, "Fixed nodes by number, one a line, numbered as the mesh file is")
       ->excludes(fix);
   command->add_option("--friction", o->friction, "Coulomb's coefficient of tool on tissue")->capture_default_str();
+  command->add_option("--volume", o->volume, "held: the whole loses less than 1 %; or material: what Poisson's ratio allows")
+      ->check(CLI::IsMember({"held", "material"}))
+      ->capture_default_str();
   command->add_option("--response", o->response, "compliant, projection or penalty")
       ->check(CLI::IsMember({"compliant", "projection", "penalty"}))
       ->capture_default_str();
