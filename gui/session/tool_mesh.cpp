@@ -35,6 +35,10 @@ using engine::Vec3;
 
 constexpr double kLargest = 1.0;       // m: a tool beyond it was given in other units
 constexpr double kLeastVolume = 1e-9;  // m3, one cubic millimetre: less is a sheet or a speck, not a tool
+// What keeps a surface from being reduced is noise of the size of its triangles, which folds it: no field is exact
+// there.
+constexpr const char* kRough =
+    "; it is rough: smooth it in a mesh editor, else contact forces may be wrong and steps come late";
 constexpr double kMostMoved = 0.0002;  // m, by reducing: what contact resolves
 
 [[noreturn]] void refuse(const fs::path& file, const std::string& what) {
@@ -216,14 +220,13 @@ void reduce_tool_mesh(ToolMesh& tool, const fs::path& file, std::size_t most) {
     if (!(moved < kMostMoved)) continue;
     std::snprintf(text, sizeof text, ": reduced from %zu to %zu triangles; no point of it moved by more than %.3f mm",
                   count, reduced.triangles.size(), 1e3 * moved);
-    tool.notices.push_back(file.filename().string() + text);
+    tool.notices.push_back(file.filename().string() + text + (target > most ? kRough : ""));
     tool.surface = std::move(reduced);
     return;
   }
-  std::snprintf(text, sizeof text,
-                ": has %zu triangles and cannot be reduced without moving it by %.1f mm; steps may come late", count,
+  std::snprintf(text, sizeof text, ": has %zu triangles and cannot be reduced without moving it by %.1f mm", count,
                 1e3 * kMostMoved);
-  tool.notices.push_back(file.filename().string() + text);
+  tool.notices.push_back(file.filename().string() + text + kRough);
 }
 
 double enclosed_volume(const TriangleMesh& mesh) {

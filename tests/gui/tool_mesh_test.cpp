@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdint>
 #include <functional>
+#include <random>
 #include <tuple>
 
 #include "engine/mesh/triangle_bvh.h"
@@ -130,6 +131,17 @@ TEST(ToolMesh, AScanIsReducedWithinWhatItSays) {
   std::vector<Vec3> points = engine::sphere_surface(0.02, 6).points;
   for (const Vec3& p : points) ASSERT_LE(std::abs(now.signed_distance(p, 0.01)), said + 5.1e-7);
   EXPECT_LT(said, 0.0002);
+
+  // Noise as large as the triangles folds the surface: it is reduced less or not at all, and that is said.
+  ToolMesh rough;
+  rough.surface = engine::sphere_surface(0.02, 6);
+  std::mt19937 random(7);
+  std::normal_distribution<double> noise(0.0, 0.0003);
+  for (Vec3& p : rough.surface.points) p += Vec3(noise(random), noise(random), noise(random));
+  reduce_tool_mesh(rough, "ball.stl", 4000);
+  ASSERT_EQ(rough.notices.size(), 1u);
+  EXPECT_NE(rough.notices[0].find("it is rough: smooth it"), std::string::npos) << rough.notices[0];
+  EXPECT_GT(rough.surface.triangles.size(), 4100u);
 
   ToolMesh small;
   small.surface = engine::sphere_surface(0.02, 3);
