@@ -220,7 +220,8 @@ void reduce_tool_mesh(ToolMesh& tool, const fs::path& file, std::size_t most) {
     if (!(moved < kMostMoved)) continue;
     std::snprintf(text, sizeof text, ": reduced from %zu to %zu triangles; no point of it moved by more than %.3f mm",
                   count, reduced.triangles.size(), 1e3 * moved);
-    tool.notices.push_back(file.filename().string() + text + (target > most ? kRough : ""));
+    tool.notices.push_back(file.filename().string() + text +
+                           (reduced.triangles.size() > most + most / 10 ? kRough : ""));
     tool.surface = std::move(reduced);
     return;
   }
