@@ -51,7 +51,7 @@ struct LogTick {
 
 /// Everything that must be known to understand and to repeat the trial. No identity of patient or trainee.
 struct LogHeader {
-  int schema = 1;
+  int schema = 1;                      ///< as read; written: 2 with a tool of its own, which older readers must not miss
   std::string software_version;
   std::string build_hash;              ///< of the program that wrote it
   std::string instruction_set;         ///< kernels' level, for instance "x86-64"
@@ -62,6 +62,7 @@ struct LogHeader {
   std::string scenario_id;
   std::string scenario_yaml;           ///< the scenario's text: scoring needs no other file
   std::string scenario_sha256;
+  std::string tool_sha256;             ///< of tool.ply beside the log; empty: the scenario's blade
   std::string device_kind;             ///< scores are never pooled across kinds
   double servo_period_s = 0.001;
   double device_limit_n = 7.9;

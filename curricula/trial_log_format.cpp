@@ -189,7 +189,7 @@ LogTick get_tick(const char* bytes) {
 
 std::string header_to_json(const LogHeader& header) {
   QJsonObject o;
-  o["schema"] = header.schema;
+  o["schema"] = header.tool_sha256.empty() ? 1 : 2;
   o["software_version"] = text(header.software_version);
   o["build_hash"] = text(header.build_hash);
   o["instruction_set"] = text(header.instruction_set);
@@ -200,6 +200,7 @@ std::string header_to_json(const LogHeader& header) {
   o["scenario_id"] = text(header.scenario_id);
   o["scenario_yaml"] = text(header.scenario_yaml);
   o["scenario_sha256"] = text(header.scenario_sha256);
+  if (!header.tool_sha256.empty()) o["tool_sha256"] = text(header.tool_sha256);
   o["device_kind"] = text(header.device_kind);
   if (!(header.servo_period_s > 0.0)) throw TrialLogError("'servo_period_s' must be positive");
   o["servo_period_s"] = finite_or_throw(header.servo_period_s, "servo_period_s");
@@ -221,9 +222,9 @@ LogHeader header_from_json(const std::string& json) {
   const QJsonObject o = parse_object(json);
   LogHeader header;
   header.schema = static_cast<int>(get_integer(o, "schema"));
-  if (header.schema != 1) {
+  if (header.schema != 1 && header.schema != 2) {
     throw TrialLogError("its schema is " + std::to_string(header.schema) +
-                        ", this version reads 1; use the newer Vallecula");
+                        ", this version reads 1 and 2; use the newer Vallecula");
   }
   header.software_version = get_text(o, "software_version");
   header.build_hash = get_text(o, "build_hash");
@@ -235,6 +236,7 @@ LogHeader header_from_json(const std::string& json) {
   header.scenario_id = get_text(o, "scenario_id");
   header.scenario_yaml = get_text(o, "scenario_yaml");
   header.scenario_sha256 = get_text(o, "scenario_sha256");
+  if (header.schema == 2) header.tool_sha256 = get_text(o, "tool_sha256");
   header.device_kind = get_text(o, "device_kind");
   header.servo_period_s = get_number(o, "servo_period_s");
   if (!(header.servo_period_s > 0.0)) throw TrialLogError("its servo_period_s is not positive");

@@ -89,7 +89,7 @@ Scene::Scene(const SceneDescription& d)
       }())),
       triangles(d.collision == Collision::triangles ? TriangleCollision(d.soft.nodes, surface, d.tool.surface)
                                                     : TriangleCollision()),
-      tool(d.tool.surface),
+      tool(d.tool.surface, d.tool.tissue_low, d.tool.tissue_high),
       rigid(rigid_field(d)),
       sight(d.sight),
       proxy(proxy_settings(d)) {

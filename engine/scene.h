@@ -1,6 +1,7 @@
 // The scene: everything that stays as it is during a trial. What changes is in state.h.
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <string>
 
@@ -48,6 +49,10 @@ struct RigidAnatomy {
 
 struct ToolDescription {
   TriangleMesh surface;                ///< closed, in the tool frame, m
+  /// Corners of a box in the tool frame, m: soft tissue meets no part of the tool outside it. For tools with a handle, which
+  /// stays out of the mouth: a field of all of it at the blade's resolution would take gigabytes.
+  Vec3 tissue_low = Vec3::Constant(-std::numeric_limits<double>::infinity());
+  Vec3 tissue_high = Vec3::Constant(std::numeric_limits<double>::infinity());
   double mass_kg = 0.08;               ///< virtual mass of the proxy
 };
 

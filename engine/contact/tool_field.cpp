@@ -15,14 +15,14 @@ constexpr double kFineSpacing = 0.00025, kFineBand = 0.0015;
 constexpr double kCoarseSpacing = 0.002, kCoarseBand = 0.016;
 constexpr double kSampleSpacing = 0.0015;
 
-SignedDistanceGrid field(const TriangleMesh& mesh, double spacing, double band) {
+SignedDistanceGrid field(const TriangleMesh& mesh, double spacing, double band, const Vec3& least, const Vec3& most) {
   Vec3 low = mesh.points.front(), high = low;
   for (const Vec3& p : mesh.points) {
     low = low.cwiseMin(p);
     high = high.cwiseMax(p);
   }
   const Vec3 margin = Vec3::Constant(band + spacing);
-  return SignedDistanceGrid(mesh, low - margin, high + margin, spacing, band);
+  return SignedDistanceGrid(mesh, (low - margin).cwiseMax(least), (high + margin).cwiseMin(most), spacing, band);
 }
 
 TriangleMesh checked(const TriangleMesh& mesh) {
@@ -36,8 +36,9 @@ TriangleMesh checked(const TriangleMesh& mesh) {
 
 }  // namespace
 
-ToolField::ToolField(const TriangleMesh& surface)
-    : fine(field(checked(surface), kFineSpacing, kFineBand)), coarse(field(surface, kCoarseSpacing, kCoarseBand)) {
+ToolField::ToolField(const TriangleMesh& surface, const Vec3& low, const Vec3& high)
+    : fine(field(checked(surface), kFineSpacing, kFineBand, low, high)),
+      coarse(field(surface, kCoarseSpacing, kCoarseBand, Vec3::Constant(-1e3), Vec3::Constant(1e3))) {
   for (const Vec3& p : surface.points) radius = std::max(radius, p.norm());
   std::set<std::array<long long, 3>> taken;  // one sample a cell of the sample spacing
   for (const auto& t : surface.triangles) {

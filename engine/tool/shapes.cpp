@@ -1,6 +1,8 @@
 #include "engine/tool/shapes.h"
 
+#include <cmath>
 #include <map>
+#include <stdexcept>
 
 namespace vallecula::engine {
 
@@ -36,6 +38,38 @@ TriangleMesh sphere_surface(double radius, int rings) {
     mesh.triangles = std::move(finer);
   }
   for (Vec3& p : mesh.points) p *= radius;
+  return mesh;
+}
+
+TriangleMesh paddle_surface(const Vec3& size) {
+  constexpr int kHalfEnd = 24, kEdge = 12;  // parts of each round end and of each round edge, seen over half a turn
+  constexpr double kPi = 3.14159265358979323846;
+  const double r = size.z() / 2, straight = (size.x() - size.y()) / 2;
+  if (!(r > 0) || !(size.y() > size.z()) || !(straight >= 0) || !std::isfinite(size.x()))
+    throw std::invalid_argument("paddle: it must be at least as long as wide, and wider than thick");
+  TriangleMesh mesh;
+  constexpr int kRing = 2 * (kHalfEnd + 1);
+  for (int e = 0; e <= kEdge; ++e) {  // from the lower face's rim round the edge to the upper face's
+    const double tilt = kPi * (double(e) / kEdge - 0.5);
+    const double end = size.y() / 2 - r + r * std::cos(tilt);
+    for (int i = 0; i < kRing; ++i) {
+      const bool front = i <= kHalfEnd;
+      const double angle = kPi * ((front ? i : i - 1) / double(kHalfEnd) - 0.5);
+      mesh.points.emplace_back((front ? straight : -straight) + end * std::cos(angle), end * std::sin(angle),
+                               r * std::sin(tilt));
+    }
+  }
+  for (int e = 0; e < kEdge; ++e)
+    for (int i = 0; i < kRing; ++i) {
+      const int a = e * kRing + i, b = e * kRing + (i + 1) % kRing;
+      mesh.triangles.push_back({a, b, b + kRing});
+      mesh.triangles.push_back({a, b + kRing, a + kRing});
+    }
+  constexpr int kTop = kEdge * kRing;
+  for (int i = 1; i + 1 < kRing; ++i) {
+    mesh.triangles.push_back({0, i + 1, i});
+    mesh.triangles.push_back({kTop, kTop + i, kTop + i + 1});
+  }
   return mesh;
 }
 

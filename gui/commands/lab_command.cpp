@@ -1,4 +1,6 @@
 // `vallecula lab`: the laboratory (DESIGN section 6).
+#include <spdlog/spdlog.h>
+
 #include <QJsonDocument>
 #include <cstdio>
 #include <iostream>
@@ -91,7 +93,9 @@ void run_lab(const LabOptions& o) {
 
   engine::SceneDescription d;
   d.soft = std::move(body.soft);
-  d.tool.surface = tool_shape(o.tool, unit);
+  ToolMesh tool = tool_shape(o.tool, unit);
+  for (const std::string& notice : tool.notices) spdlog::warn("{}", notice);
+  d.tool.surface = std::move(tool.surface);
   d.step_s = 1.0 / o.steps_per_second;
   d.response = o.response == "compliant"    ? engine::Response::compliant
                : o.response == "projection" ? engine::Response::projection
@@ -139,7 +143,7 @@ void draw_figure(const std::string& figure, FigureSetting& setting) {
   const FigureResult result = figure == "6"   ? write_figure_6(setting)
                               : figure == "7" ? write_figure_7(setting)
                               : figure == "8" ? write_figure_8(setting)
-                                                : write_figure_spheres(setting);
+                                              : write_figure_spheres(setting);
   std::cout << result.seen.toStdString() << "\n";
   for (const std::string& file : result.files) std::cout << (setting.out / file).string() << "\n";
 }
@@ -176,7 +180,10 @@ void add_lab_command(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("lab", "One soft body, one tool, one trajectory: figures as JSON");
   auto o = std::make_shared<LabOptions>();
   command->add_option("--tet", o->tet, "Soft body: .vtu, or TetGen's .node or .ele");
-  command->add_option("--tool", o->tool, "box:LxWxH or sphere:R (m), or a closed mesh .stl, .obj, .ply");
+  command->add_option(
+      "--tool", o->tool,
+      "box:LxWxH, paddle:LxWxH (a tongue depressor: round ends of radius W/2, round edges of radius H/2) or "
+      "sphere:R (m, along x, y, z, centred at the pose), or a closed mesh .stl, .obj, .ply");
   command->add_option("--trajectory", o->trajectory, "Tool poses: CSV t,x,y,z[,qw,qx,qy,qz] (s, m)");
   command->add_option("--young", o->young, "Young's modulus, Pa")->capture_default_str();
   command->add_option("--poisson", o->poisson, "Poisson's ratio, 0 to below 0.5")->capture_default_str();

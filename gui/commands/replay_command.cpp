@@ -10,6 +10,7 @@
 #include "curricula/score/score.h"
 #include "gui/commands/commands.h"
 #include "gui/commands/score_table.h"
+#include "gui/session/placed_tool.h"
 #include "gui/session/replay.h"
 
 namespace vallecula::gui {
@@ -19,6 +20,7 @@ namespace {
 int print_summary(const curricula::TrialLog& log, const std::string& name) {
   const curricula::LogHeader& header = log.header;
   const curricula::Scenario scenario = curricula::parse_scenario(header.scenario_yaml, name);
+  tool_of_trial(header, name);  // a trial whose tool is missing or another is not whole
   const double seconds = static_cast<double>(log.ticks.size()) * header.servo_period_s;
   std::cout << "trial of scenario " << header.scenario_id << " on " << header.package_name << ", device "
             << header.device_kind << ", " << log.ticks.size() << " ticks (" << seconds << " s"
@@ -26,6 +28,9 @@ int print_summary(const curricula::TrialLog& log, const std::string& name) {
             << (log.footer.complete ? log.footer.ended : "cut off") << "\n"
             << "recorded by vallecula " << header.software_version << ", build " << header.build_hash.substr(0, 12)
             << ", kernels " << header.instruction_set << "\n";
+  if (!header.tool_sha256.empty())
+    std::cout << "done with a tool of its own, " << kToolFile << ", sha256 " << header.tool_sha256.substr(0, 12)
+              << "\n";
   print_score(std::cout, curricula::score_trial(log, scenario), scenario);
   std::cout << "`vallecula replay " << name << " --verify` computes it anew and compares every bit\n";
   return 0;

@@ -13,8 +13,10 @@
 #include "gui/commands/headless_application.h"
 #include "gui/commands/interruption.h"
 #include "gui/commands/score_table.h"
+#include "gui/lab/number_text.h"
 #include "gui/session/device_choice.h"
 #include "gui/session/files.h"
+#include "gui/session/placed_tool.h"
 #include "gui/session/user_paths.h"
 
 namespace vallecula::gui {
@@ -24,7 +26,7 @@ namespace fs = std::filesystem;
 namespace {
 
 struct TrialOptions {
-  std::string patient, scenario, curriculum, device, out;
+  std::string patient, scenario, curriculum, device, out, tool, tool_unit = "mm", tool_tip, tool_handle, tool_face;
   bool headless = false, as_fast_as_possible = false, json = false;
 };
 
@@ -40,6 +42,51 @@ void name_scenario(const TrialOptions& options, TrialSetup& setup) {
   }
   setup.curriculum = options.curriculum.empty() ? default_curriculum() : fs::path(options.curriculum);
   setup.scenario = options.scenario;
+}
+
+engine::Vec3 three_numbers(const std::string& option, const std::string& text) {
+  engine::Vec3 values;
+  std::size_t from = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::size_t comma = text.find(',', from);
+    const std::optional<double> value = number_in(std::string_view(text).substr(from, comma - from));
+    if (!value || (comma == std::string::npos) != (axis == 2))
+      throw CLI::ValidationError(option, "'" + text + "' is not X,Y,Z: three finite numbers with commas between");
+    values[axis] = *value;
+    from = comma + 1;
+  }
+  return values;
+}
+
+/// The tool that the options name, in the tool frame; null: the scenario's blade.
+std::shared_ptr<const engine::TriangleMesh> own_tool(const TrialOptions& o) {
+  if (o.tool.empty()) {
+    for (const auto& [option, value] :
+         {std::pair{"--tool-tip", &o.tool_tip}, std::pair{"--tool-handle", &o.tool_handle},
+          std::pair{"--tool-face", &o.tool_face}})
+      if (!value->empty()) throw CLI::ValidationError(option, "places a --tool, and none is given");
+    return nullptr;
+  }
+  if (o.tool_tip.empty() || o.tool_handle.empty())
+    throw CLI::ValidationError("--tool",
+                               "needs both --tool-tip X,Y,Z (the blade's tip) and --tool-handle X,Y,Z (where "
+                               "the blade meets the handle), in the mesh file's coordinates");
+  const double unit_m = o.tool_unit == "mm" ? 1e-3 : 1.0;
+  ToolPlacement placement;
+  placement.tip = unit_m * three_numbers("--tool-tip", o.tool_tip);
+  placement.handle = unit_m * three_numbers("--tool-handle", o.tool_handle);
+  if (!o.tool_face.empty()) {
+    placement.face = three_numbers("--tool-face", o.tool_face);
+    if (placement.face->isZero(0.0)) throw CLI::ValidationError("--tool-face", "is no direction: all three are 0");
+  }
+  ToolMesh read = read_tool_mesh(o.tool, unit_m, "--tool-unit");
+  reduce_tool_mesh(read, o.tool);
+  PlacedTool placed = place_tool(read.surface, placement, o.tool, o.tool_unit);
+  for (const std::string& notice : read.notices) spdlog::warn("{}", notice);
+  for (const std::string& notice : placed.notices) spdlog::warn("{}", notice);
+  spdlog::info("tool: {:.1f} mm from tip to handle, stands {:.1f} mm out of that line, {} triangles",
+               1e3 * placed.blade_m, 1e3 * placed.handle_m, placed.surface.triangles.size());
+  return std::make_shared<const engine::TriangleMesh>(std::move(placed.surface));
 }
 
 int run_headless(const TrialSetup& setup, bool json) {
@@ -75,13 +122,23 @@ void add_trial_command(CLI::App& app, int& exit_code) {
   command->add_option("--scenario", options->scenario, "Scenario: its id in the curriculum, or FILE.yaml:ID")
       ->required();
   command->add_option("--curriculum", options->curriculum, "Curriculum file (the shipped one if left out)");
-  command
-      ->add_option(
-          "--device", options->device, device_names() + " (t,x,y,z[,qw,qx,qy,qz]; s, m)")
-      ->required();
+  command->add_option("--device", options->device, device_names() + " (t,x,y,z[,qw,qx,qy,qz]; s, m)")->required();
   command->add_flag("--headless", options->headless, "No window");
   command->add_flag("--asap", options->as_fast_as_possible, "Headless only: as fast as it goes instead of 1 kHz");
-  command->add_option("--out", options->out, "Folder for trial.vtrial, score.json, report.html, force.png")->required();
+  command
+      ->add_option("--out", options->out,
+                   "Folder for trial.vtrial, tool.ply (with --tool), score.json, report.html, force.png")
+      ->required();
+  command->add_option("--tool", options->tool,
+                      "A laryngoscope of your own instead of the scenario's blade: a closed mesh .stl, .obj or .ply");
+  command->add_option("--tool-unit", options->tool_unit, "Unit of that file and of the points below: m or mm")
+      ->check(CLI::IsMember({"m", "mm"}))
+      ->capture_default_str();
+  command->add_option("--tool-tip", options->tool_tip, "X,Y,Z of its blade's tip, in the file's coordinates");
+  command->add_option("--tool-handle", options->tool_handle, "X,Y,Z of where its blade meets the handle");
+  command->add_option(
+      "--tool-face", options->tool_face,
+      "X,Y,Z, a direction out of the side that lies on the tongue (the way the handle stands if left out)");
   command->add_flag("--json", options->json, "Print the score as JSON (headless)");
   command->callback([options, &exit_code] {
     check_device_name(options->device);
@@ -96,6 +153,7 @@ void add_trial_command(CLI::App& app, int& exit_code) {
     setup.patient = options->patient;
     setup.device = options->device;
     setup.out = options->out;
+    setup.tool = own_tool(*options);
     setup.realtime = !options->as_fast_as_possible;
     exit_code = options->headless ? run_headless(setup, options->json) : run_window_trial(setup);
   });

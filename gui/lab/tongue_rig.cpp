@@ -41,7 +41,7 @@ TongueRig::TongueRig(const FigureSetting& setting, const std::string& box)
   ahead_ = kTipBeyond;
   if (!box.empty()) {
     blade_ = box;
-    description_.tool.surface = tool_shape(box, 1.0);
+    description_.tool.surface = tool_shape(box, 1.0).surface;
     ahead_ = 0.0;
     for (const Vec3& p : description_.tool.surface.points) half_ = std::max(half_, p.z());
   }

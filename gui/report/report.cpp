@@ -158,6 +158,8 @@ void write_report(const fs::path& folder, const curricula::TrialLog& log, const 
                         log.header.instruction_set);
   line("Patient package", log.header.package_name + ", sha256 " + log.header.package_sha256.substr(0, 12));
   line("Scenario", scenario.id + ", sha256 " + log.header.scenario_sha256.substr(0, 12));
+  if (!log.header.tool_sha256.empty())
+    line("Tool", "a tool of its own, tool.ply, sha256 " + log.header.tool_sha256.substr(0, 12));
   html +=
       "</table>\n<p class=\"foot\">Vallecula is a training tool, not a medical device. Limits and targets are training "
       "targets, not injury thresholds.</p>\n</body></html>\n";

@@ -7,6 +7,7 @@
 #include "engine/haptics/runner.h"
 #include "gui/session/files.h"
 #include "gui/session/log_paths.h"
+#include "gui/session/placed_tool.h"
 #include "gui/session/scene_from_package.h"
 #include "pipeline/package/patient_package.h"
 
@@ -47,6 +48,7 @@ RecordedScene recorded_scene(const curricula::TrialLog& log, const fs::path& log
   const curricula::Scenario scenario = curricula::parse_scenario(header.scenario_yaml, name);
   RecordedScene scene;
   scene.description = scene_from_package(package, scenario);
+  if (const auto tool = tool_of_trial(header, log_file)) use_own_tool(*tool, scene.description);
   scene.description.haptics.device_limit_n = header.device_limit_n;  // the device's, not the scenario's
   const std::map<std::string, double> settings = settings_of(scene.description);
   for (const auto& [setting, value] : settings) {

@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <vector>
 
+#include "gui/session/placed_tool.h"
+
 namespace vallecula::gui {
 
 class ResultsFolder {
@@ -22,6 +24,7 @@ class ResultsFolder {
 
   std::filesystem::path log() const { return folder_ / "trial.vtrial"; }
   std::filesystem::path unfinished_log() const { return folder_ / "trial.vtrial.part"; }
+  std::filesystem::path tool() const { return folder_ / kToolFile; }
   std::filesystem::path score_json() const { return folder_ / "score.json"; }
   std::filesystem::path report() const { return folder_ / "report.html"; }
   std::filesystem::path force_plot() const { return folder_ / "force.png"; }

@@ -17,6 +17,7 @@
 #include "gui/session/files.h"
 #include "gui/session/log_conversion.h"
 #include "gui/session/log_paths.h"
+#include "gui/session/placed_tool.h"
 #include "gui/session/results_folder.h"
 #include "gui/session/scene_from_package.h"
 #include "gui/session/user_paths.h"
@@ -66,6 +67,8 @@ struct TrialSession::Impl {
   engine::SceneDescription description;
   std::shared_ptr<const engine::Scene> scene;
   std::string package_sha256;
+  std::string tool_ply;  ///< of a tool of its own: the bytes of its file; else empty
+  bool tool_is_needed = false;  ///< an attempt before a reset was kept, and replays with it
   ResultsFolder results;
   std::unique_ptr<device::HapticDevice> device;
   std::unique_ptr<DevicePort> port;
@@ -89,6 +92,10 @@ TrialSession::Impl::Impl(const TrialSetup& given)
       description(scene_from_package(package, scenario)),
       package_sha256(sha256_of_file(given.patient / "patient.yaml")),
       results(given.out) {
+  if (setup.tool) {
+    use_own_tool(*setup.tool, description);
+    tool_ply = tool_to_ply(*setup.tool);
+  }
   device = make_device(setup.device, package, scenario);
   const device::DeviceInfo info = device->info();
   if (info.peak_force_n > 0.0) description.haptics.device_limit_n = info.peak_force_n;
@@ -131,6 +138,7 @@ curricula::LogHeader TrialSession::Impl::header() const {
   header.scenario_id = scenario.id;
   header.scenario_yaml = scenario.yaml;
   header.scenario_sha256 = sha256_of_bytes(scenario.yaml);
+  if (!tool_ply.empty()) header.tool_sha256 = sha256_of_bytes(tool_ply);
   header.device_kind = device->info().kind;
   header.servo_period_s = 0.001;
   header.device_limit_n = description.haptics.device_limit_n;
@@ -159,6 +167,7 @@ void TrialSession::Impl::start() {
   if (worker.joinable() || writer) throw std::logic_error("this trial has been started already");
   results.remove_older_trial();
   writer = std::make_unique<curricula::TrialLogWriter>(results.log(), header());
+  if (!tool_ply.empty()) write_file_whole(results.tool(), tool_ply);
   recorded = 0;
   ended_by.clear();
   failure = nullptr;
@@ -217,6 +226,7 @@ void TrialSession::Impl::discard_log() {
   writer.reset();
   std::error_code ignored;
   fs::remove(results.unfinished_log(), ignored);
+  if (!tool_ply.empty() && !tool_is_needed) fs::remove(results.tool(), ignored);
 }
 
 void TrialSession::Impl::add_record(const curricula::TrialLog& log, const curricula::Score& score, const fs::path& file) {
@@ -252,6 +262,7 @@ void TrialSession::Impl::keep_log_of_reset() {
   for (int n = 1; kept.empty() || fs::exists(kept); ++n)
     kept = results.folder() / ("before-reset-" + std::to_string(n) + ".vtrial");
   fs::rename(results.log(), kept);
+  tool_is_needed = true;
   const curricula::TrialLog log = curricula::read_trial_log(kept);
   add_record(log, curricula::score_trial(log, scenario), kept);
 }

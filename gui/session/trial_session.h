@@ -22,7 +22,9 @@ struct TrialSetup {
   std::string scenario;              ///< id in it
   /// KIND[:ARG]: "mouse", "scripted:expert", "scripted:novice", "scripted:press", "scripted:FILE.csv"
   std::string device;
-  std::filesystem::path out;        ///< folder for trial.vtrial, score.json, report.html, force.png
+  /// A tool of its own (m, tool frame) instead of the scenario's blade; null: the blade.
+  std::shared_ptr<const engine::TriangleMesh> tool;
+  std::filesystem::path out;        ///< folder for trial.vtrial, tool.ply (of a tool of its own), score.json, report.html, force.png
   bool realtime = true;             ///< false: as fast as it goes, servo and simulation in lockstep on one thread
   std::filesystem::path final_out;  ///< where the caller will move `out` to once all is whole; empty: it stays
 };

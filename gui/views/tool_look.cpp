@@ -2,6 +2,7 @@
 
 #include <vtkAppendPolyData.h>
 #include <vtkCellArray.h>
+#include <vtkDoubleArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
@@ -29,6 +30,26 @@ Extent extent_mm(const engine::TriangleMesh& tool) {
     extent.high = extent.high.cwiseMax(1000.0 * p);
   }
   return extent;
+}
+
+constexpr std::size_t kScanTriangles = 5000;  // the shipped blades have a thousand
+
+/// A blade and its curve stay within 30 mm of its axis; a handle does not.
+bool has_handle(const Extent& extent) { return extent.high.z() > 30.0; }
+
+/// The tool's section across its length at `x_mm`, as far as it belongs to the blade: no higher than the handle's foot.
+Extent section_mm(const engine::TriangleMesh& tool, double x_mm) {
+  Extent section;
+  for (const auto& t : tool.triangles)
+    for (int k = 0; k < 3; ++k) {
+      const engine::Vec3 a = 1000.0 * tool.points[t[k]], b = 1000.0 * tool.points[t[(k + 1) % 3]];
+      if ((a.x() < x_mm) == (b.x() < x_mm)) continue;
+      const engine::Vec3 p = a + (x_mm - a.x()) / (b.x() - a.x()) * (b - a);
+      if (p.z() > 30.0) continue;
+      section.low = section.low.cwiseMin(p);
+      section.high = section.high.cwiseMax(p);
+    }
+  return section;
 }
 
 /// Where the blade ends and the handle stands: on top (+z) of the blade's last millimetres, in their middle.
@@ -96,6 +117,20 @@ vtkSmartPointer<vtkPolyData> with_normals(vtkPolyData* input, double edge_degree
   return normals->GetOutput();
 }
 
+/// A scan's triangles are small and of all shapes: each corner's normal is the mean by area, and nothing is split.
+void give_smooth_normals(const engine::TriangleMesh& tool, vtkPolyData* surface) {
+  std::vector<engine::Vec3> sums(tool.points.size(), engine::Vec3::Zero());
+  for (const auto& t : tool.triangles) {
+    const engine::Vec3& a = tool.points[t[0]];
+    const engine::Vec3 twice_area = (tool.points[t[1]] - a).cross(tool.points[t[2]] - a);
+    for (const int v : t) sums[v] += twice_area;
+  }
+  vtkNew<vtkDoubleArray> normals;
+  normals->SetNumberOfComponents(3);
+  for (const auto& sum : sums) normals->InsertNextTuple(sum.normalized().eval().data());
+  surface->GetPointData()->SetNormals(normals);
+}
+
 /// Steel shows the room: lamps and the dark between them, a bright ceiling, warm skin from below. A few lines instead
 /// of an environment map; the mirrored point drifts across a flat face (`vertexVC` in it), as it does in a room of
 /// finite size.
@@ -146,14 +181,17 @@ vtkSmartPointer<vtkPolyData> blade_surface(const engine::TriangleMesh& tool) {
     const vtkIdType ids[3] = {t[0], t[1], t[2]};
     cells->InsertNextCell(3, ids);
   }
-  vtkNew<vtkPolyData> mesh;
+  auto mesh = vtkSmartPointer<vtkPolyData>::New();
   mesh->SetPoints(points);
   mesh->SetPolys(cells);
-  return with_normals(mesh, 35.0);
+  if (tool.triangles.size() < kScanTriangles) return with_normals(mesh, 35.0);
+  give_smooth_normals(tool, mesh);
+  return mesh;
 }
 
 vtkSmartPointer<vtkPolyData> handle_surface(const engine::TriangleMesh& tool) {
   const Extent extent = extent_mm(tool);
+  if (has_handle(extent)) return vtkSmartPointer<vtkPolyData>::New();
   const double blade = extent.high.x() - extent.low.x();
   const double radius = std::clamp(0.10 * blade, 7.0, 9.5), long_mm = std::clamp(1.2 * blade, 85.0, 120.0);
   engine::Vec3 foot = heel_mm(tool);
@@ -196,12 +234,10 @@ ToolLook::ToolLook(const engine::TriangleMesh& tool) {
 
   const Extent extent = extent_mm(tool);
   const double blade_mm = extent.high.x() - extent.low.x();
-  bulb_ = {std::min(0.22 * blade_mm, 16.0), 0.5 * extent.high.y(), 0.0};
-  // On the operator's side of the blade, where it does not stand in the tongue.
-  double floor = 0.0;
-  for (const auto& p : tool.points)
-    if (std::abs(1000.0 * p.x() - bulb_.x()) < 0.08 * blade_mm) floor = std::min(floor, 1000.0 * p.z());
-  bulb_.z() = floor - 0.6;
+  // On the operator's side of the blade, where it does not stand in the tongue, halfway to the patient's right.
+  const double along = std::min(0.22 * blade_mm, 16.0);
+  const Extent section = section_mm(tool, along);
+  bulb_ = {along, 0.5 * (section.high.y() + 0.5 * (section.low.y() + section.high.y())), section.low.z() - 0.6};
   vtkNew<vtkSphereSource> ball;
   ball->SetRadius(0.45);
   ball->SetCenter(bulb_.data());

@@ -1,4 +1,5 @@
-// The laryngoscope as it is drawn: the engine's blade, with a handle and a lamp that are for the eye only.
+// The laryngoscope as it is drawn: the engine's tool, with a lamp and (where it is a blade alone) a handle that are for the
+// eye only.
 #pragma once
 
 #include <vtkActor.h>
@@ -17,7 +18,7 @@ vtkSmartPointer<vtkMatrix4x4> tool_matrix(const engine::Pose& pose);
 
 /// The blade of the scene in millimetres, with normals that keep its edges sharp.
 vtkSmartPointer<vtkPolyData> blade_surface(const engine::TriangleMesh& tool);
-/// A handle on the blade's heel along the tool's +z.
+/// A handle on the blade's heel along the tool's +z; empty for a tool that has one of its own.
 vtkSmartPointer<vtkPolyData> handle_surface(const engine::TriangleMesh& tool);
 
 /// Blade, handle and bulb.

@@ -4,6 +4,7 @@
 #include <limits>
 #include <random>
 
+#include "curricula/trial_log_format.h"
 #include "tests/curricula/temporary_folder.h"
 
 namespace vallecula::curricula {
@@ -118,6 +119,24 @@ std::vector<LogTick> write_log(const fs::path& path, int ticks, const LogFooter&
 }
 
 LogFooter sample_footer() { return {true, "finished", 999.87654321, 3, 4, "servo: ordinary priority"}; }
+
+TEST_F(TrialLogFile, AToolOfItsOwnIsNamedByItsHashAndOldLogsHaveNone) {
+  LogHeader header = sample_header();
+  TrialLogWriter(path(), header).close(sample_footer());
+  EXPECT_EQ(read_trial_log(path()).header.schema, 1) << "a trial with the scenario's blade is what it always was";
+  EXPECT_EQ(read_trial_log(path()).header.tool_sha256, "");
+  EXPECT_EQ(log_format::header_to_json(header).find("tool_sha256"), std::string::npos);
+  header.tool_sha256 = std::string(64, 'e');
+  TrialLogWriter(path(), header).close(sample_footer());
+  EXPECT_EQ(read_trial_log(path()).header.schema, 2) << "older programs must not replay it with the blade";
+  EXPECT_EQ(read_trial_log(path()).header.tool_sha256, std::string(64, 'e'));
+  std::string json = log_format::header_to_json(header);
+  json.replace(json.find("tool_sha256"), 11, "tool_sha999");
+  EXPECT_THROW(log_format::header_from_json(json), TrialLogError);
+  json = log_format::header_to_json(header);
+  json.replace(json.find("\"schema\":2"), 10, "\"schema\":3");
+  EXPECT_THROW(log_format::header_from_json(json), TrialLogError);
+}
 
 TEST_F(TrialLogFile, GivesBackEveryBit) {
   for (const int ticks : {0, 1, kTicksPerBlock - 1, kTicksPerBlock, kTicksPerBlock + 1, 1000}) {

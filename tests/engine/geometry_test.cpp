@@ -1,14 +1,17 @@
 // Distance fields, spheres and lines of sight against geometry known in closed form.
 #include <cmath>
+#include <limits>
 #include <random>
 
 #include <gtest/gtest.h>
 
 #include "engine/aist/sphere_tree.h"
 #include "engine/contact/signed_distance_grid.h"
+#include "engine/contact/tool_field.h"
 #include "engine/mesh/triangle_bvh.h"
 #include "engine/sight/line_of_sight.h"
 #include "engine/tool/miller_blade.h"
+#include "engine/tool/shapes.h"
 #include "tests/engine/box_mesh.h"
 
 namespace vallecula::engine {
@@ -71,6 +74,73 @@ TEST(MillerBlade, EveryBladeIsClosedAndAsLongAsItSays) {
     EXPECT_LT(TriangleBvh(mesh).signed_distance(Vec3(0.03, 0.001, -0.002), 1.0), 0) << "inside the spatula, " << name;
   }
   EXPECT_THROW(miller_blade("macintosh"), std::invalid_argument);
+}
+
+/// Distance to a paddle: to the flat plate with round ends in its middle plane, less half the thickness.
+double paddle_distance(const Vec3& p, const Vec3& size) {
+  const double r = size.z() / 2, end = size.y() / 2 - r, straight = (size.x() - size.y()) / 2;
+  const double beyond = std::max(0.0, std::abs(p.x()) - straight);
+  const double aside = std::max(0.0, std::hypot(beyond, p.y()) - end);
+  return std::hypot(aside, p.z()) - r;
+}
+
+TEST(Paddle, IsAPlateWithRoundEndsAndEdges) {
+  const Vec3 size(0.06, 0.012, 0.002);
+  const TriangleMesh mesh = paddle_surface(size);
+  EXPECT_EQ(count_open_edges(mesh), 0);
+  Vec3 high = Vec3::Zero(), low = Vec3::Zero();
+  double volume = 0.0;
+  for (const Vec3& p : mesh.points) {
+    high = high.cwiseMax(p);
+    low = low.cwiseMin(p);
+    EXPECT_NEAR(paddle_distance(p, size), 0.0, 1e-12);
+  }
+  for (const auto& t : mesh.triangles) volume += mesh.points[t[0]].dot(mesh.points[t[1]].cross(mesh.points[t[2]])) / 6;
+  EXPECT_LT((high - size / 2).norm() + (low + size / 2).norm(), 1e-12);
+  // Steiner's formula for the flat plate of area A and perimeter P, r about it: 2 A r + pi r^2 P / 2 + 4 pi r^3 / 3.
+  const double pi = 3.14159265358979323846, r = size.z() / 2, end = size.y() / 2 - r, straight = size.x() - size.y();
+  const double area = pi * end * end + 2 * end * straight, perimeter = 2 * pi * end + 2 * straight;
+  const double exact = 2 * area * r + pi * r * r * perimeter / 2 + 4 * pi * r * r * r / 3;
+  EXPECT_NEAR(volume / exact, 1.0, 0.003) << "of a surface inscribed in 12 and 24 parts of half a turn";
+  const TriangleBvh bvh(mesh);
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> u(-1, 1);
+  for (int i = 0; i < 5000; ++i) {
+    const Vec3 p(0.035 * u(random), 0.01 * u(random), 0.004 * u(random));
+    // The sag of a 24th of half a turn in the ends (6 mm) and of a 12th in the edges (1 mm): 13 + 9 um.
+    EXPECT_NEAR(bvh.signed_distance(p, 1.0), paddle_distance(p, size), 2.2e-5);
+  }
+  EXPECT_EQ(count_open_edges(paddle_surface(Vec3(0.012, 0.012, 0.002))), 0) << "as long as wide: a disc";
+  EXPECT_THROW(paddle_surface(Vec3(0.01, 0.012, 0.002)), std::invalid_argument);
+  EXPECT_THROW(paddle_surface(Vec3(0.06, 0.002, 0.002)), std::invalid_argument);
+  EXPECT_THROW(paddle_surface(Vec3(0.06, 0.012, 0.0)), std::invalid_argument);
+}
+
+TEST(ToolField, AHandleIsLeftOutOfTheFineFieldWhereTissueCannotMeetIt) {
+  const Vec3 size(0.15, 0.03, 0.13), half = size / 2;  // as large as a laryngoscope with its handle
+  const TriangleMesh box = testing::box_surface(Vec3::Zero(), size);
+  const Vec3 everywhere = Vec3::Constant(std::numeric_limits<double>::infinity());
+  EXPECT_THROW(ToolField(box, -everywhere, everywhere), std::invalid_argument) << "39 million samples";
+  const Vec3 low(-0.1, -0.025, -0.1), high(0.02, 0.025, -0.04);
+  const ToolField field(box, low, high);
+  std::mt19937 random(6);
+  std::uniform_real_distribution<double> u(0, 1);
+  int near = 0;
+  for (int i = 0; i < 200000; ++i) {
+    const Vec3 p(-0.078 + 0.097 * u(random), -0.017 + 0.034 * u(random), -0.067 + 0.026 * u(random));
+    const double exact = box_distance(p, half);
+    if (std::abs(exact) > 0.001) {
+      if (std::abs(exact) > 0.0015) {
+        EXPECT_EQ(field.fine.distance(p) < 0, exact < 0);
+      }
+      continue;
+    }
+    ++near;
+    EXPECT_NEAR(field.fine.distance(p), exact, 1e-4);
+  }
+  EXPECT_GT(near, 1000);
+  EXPECT_EQ(field.fine.distance(Vec3(0, 0, half.z())), field.fine.band()) << "left out";
+  EXPECT_NEAR(field.coarse.distance(Vec3(0, 0, half.z() + 0.01)), 0.01, 1e-5) << "but known to the coarse field";
 }
 
 TEST(SphereTree, SpheresStayInsideAndTheSurfaceIsCovered) {

@@ -8,8 +8,10 @@
 #include <set>
 #include <sstream>
 
+#include "engine/tool/shapes.h"
 #include "tests/gui/block_patient.h"
 #include "tests/gui/program.h"
+#include "tests/gui/tool_file.h"
 
 namespace vallecula::gui::test {
 namespace {
@@ -191,11 +193,31 @@ TEST(LabCommand, ToolAndTrajectoryAreChecked) {
   write_text(box / "open.obj", "v 0 0 0\nv 0.01 0 0\nv 0 0.01 0\nv 0 0 0.01\nf 1 3 2\nf 1 2 4\nf 1 4 3\n");
   run.with("--tool", (box / "open.obj").string()).refused(1, "not closed (3 edges");
   run.with("--tool", "box:0.02x0x0.003").refused(1, "'0' is not a length");
+  run.with("--tool", "paddle:0.01x0.02x0.003").refused(1, "at least as long as wide");
+  run.with("--tool", "paddle:0.01x0.02").refused(1, "write paddle:LxWxH");
+  run.with("--tool", "cube").refused(1, "paddle:LxWxH, sphere:R");
+  run.with("--tool", (box / "none.ply").string()).refused(1, "none.ply");
   run.with("--tool", "box:0.02x0.02x0.003");
   write_text(box / "nan.csv", "t,x,y,z\n0,0.01,0.01,0.013\n0.2,nan,0.01,0.0095\n");
   run.with("--trajectory", (box / "nan.csv").string()).refused(1, "line 3: column 2 is 'nan'");
   write_text(box / "back.csv", "t,x,y,z\n0,0.01,0.01,0.013\n0.2,0.01,0.01,0.0095\n0.1,0.01,0.01,0.0095\n");
   run.with("--trajectory", (box / "back.csv").string()).refused(1, "line 4: time 0.1 s");
+}
+
+TEST(LabCommand, APaddleFromAFilePressesAsTheNamedOneDoes) {
+  const Sandbox box;
+  LabRun run(box);
+  run.with("--tool", "paddle:0.02x0.012x0.003");
+  ASSERT_EQ(run.go().exit_code, 0);
+  const double named_n = json_in(box / "out.json")["force_n"].toObject()["max"].toDouble();
+  ASSERT_GT(named_n, 0.01);
+  for (const char* file : {"paddle.stl", "paddle.obj", "paddle.ply"}) {
+    write_tool_file(box / file, engine::paddle_surface({0.02, 0.012, 0.003}), 1.0);
+    run.with("--tool", (box / file).string());
+    ASSERT_EQ(run.go().exit_code, 0) << file;
+    // Single precision moves points by 1e-9 m; which of a flat face's points touches first changes with that.
+    EXPECT_NEAR(json_in(box / "out.json")["force_n"].toObject()["max"].toDouble(), named_n, 5e-3 * named_n) << file;
+  }
 }
 
 TEST(LabCommand, NumbersOutOfTheirRangeAreNamed) {
