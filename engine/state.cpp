@@ -171,7 +171,7 @@ StepResult step(const Scene& scene, SceneState& state, const StepInput& input) n
   coupling.proxy = state.proxy;
   coupling.held = proxy_held(state.limit.state);
   if (held) coupling.proxy.pull = coupling_wrench(scene.proxy, state.proxy.pose, state.hand.device, coupling.hand.scale);
-  state.felt.feel(state.proxy.pose, state.tissue_wrench, coupling.springs);
+  add_tissue(state.tissue_wrench, state.felt.feel(state.proxy.pose, state.tissue_wrench), coupling.springs);
   for (int i = 0; i < state.rigid_scan.near.count; ++i) {
     const PushingSprings& near = state.rigid_scan.near;
     coupling.springs.add(near.direction[i], near.depth[i], near.stiffness[i], near.damping[i]);

@@ -19,12 +19,12 @@ Vec6 vector_of(const Wrench& w) {
 
 }  // namespace
 
-void ContactStiffness::feel(const Pose& tool, const Wrench& tissue, PushingSprings& springs) noexcept {
+double ContactStiffness::feel(const Pose& tool, const Wrench& tissue) noexcept {
   const double size = tissue.force.norm();
   if (!(size > kTouch)) {
     felt_ = 0;
     work_ = way_ = 0.0;
-    return;
+    return 0.0;
   }
   const Vec6 direction = vector_of(tissue) / size;
   const int at = felt_ % kWindow;
@@ -36,8 +36,12 @@ void ContactStiffness::feel(const Pose& tool, const Wrench& tissue, PushingSprin
   tools_[at] = tool;
   forces_[at] = tissue;
   felt_ = felt_ + 1 < 2 * kWindow ? felt_ + 1 : kWindow;
-  const double stiffness = std::clamp(work_ / (way_ + kLeastWay * kLeastWay), kSoftest, kStiffest);
-  springs.add(direction, size / stiffness, stiffness, 0.0);
+  return std::clamp(work_ / (way_ + kLeastWay * kLeastWay), kSoftest, kStiffest);
+}
+
+void add_tissue(const Wrench& tissue, double stiffness_n_m, PushingSprings& springs) noexcept {
+  const double size = tissue.force.norm();
+  if (size > kTouch && stiffness_n_m > 0) springs.add(vector_of(tissue) / size, size / stiffness_n_m, stiffness_n_m, 0.0);
 }
 
 void advance(const ProxySettings& settings, Prediction prediction, const Pose& device, CouplingState& c) noexcept {

@@ -10,8 +10,8 @@ namespace vallecula::engine {
 /// of the step's matrices is the stiffness within one tick: it holds the tissue's inertia and is several times as stiff.
 class ContactStiffness {
  public:
-  /// One more step: the tool's pose and the tissue's force on it. Adds the tissue to `springs`.
-  void feel(const Pose& tool, const Wrench& tissue, PushingSprings& springs) noexcept;
+  /// One more step: the tool's pose and the tissue's force on it. Returns N/m, 0 without a contact.
+  double feel(const Pose& tool, const Wrench& tissue) noexcept;
 
  private:
   static constexpr int kWindow = 4;  // steps over which changes are taken
@@ -20,6 +20,9 @@ class ContactStiffness {
   int felt_ = 0;
   double work_ = 0.0, way_ = 0.0;  // sums of the least squares, the older ones fading
 };
+
+/// Adds the tissue, which presses with `tissue` and is `stiffness_n_m` stiff along it; a force too small to be a contact is none.
+void add_tissue(const Wrench& tissue, double stiffness_n_m, PushingSprings& springs) noexcept;
 
 /// After a step, all that is needed to go on without the next one.
 struct CouplingState {

@@ -12,7 +12,14 @@ constexpr double kFarthestHand = 2.0;
 /// The coupling as the step left it, brought on to this tick.
 CouplingState predicted(const Scene& scene, std::int64_t tick, const StepResult& used, const ServoState& servo) {
   CouplingState coupling = used.coupling;
-  const std::int64_t late = tick - servo.fed_at[static_cast<std::size_t>(used.step % 2)];
+  const auto fed_at = [&servo](std::int64_t step) { return servo.fed_at[static_cast<std::size_t>(step % 4)]; };
+  const std::int64_t late = tick - fed_at(used.step);
+  if (late > 0 && used.step > 0) {
+    // A scene whose steps take several ticks each goes slow; by the hand's clock its speeds are that much less.
+    const double slow = std::clamp(static_cast<double>(fed_at(used.step) - fed_at(used.step - 1)), 1.0, 1.0 * kMostPredictedTicks);
+    for (Vec3* v : {&coupling.hand.velocity.force, &coupling.hand.velocity.torque, &coupling.proxy.velocity, &coupling.proxy.angular_velocity})
+      *v /= slow;
+  }
   const Vec3 from = coupling.hand.device.position;
   for (std::int64_t t = tick - std::min<std::int64_t>(late, kMostPredictedTicks) + 1; t <= tick; ++t) {
     Pose device = servo.devices[static_cast<std::size_t>(t % kMostPredictedTicks)];
@@ -55,7 +62,7 @@ TickRecord servo_tick(const Scene& scene, std::int64_t tick, const PortInput& in
   const bool good = usable(input.pose);
   if (good) observe_energy(input, servo);
   servo.devices[static_cast<std::size_t>(tick % kMostPredictedTicks)] = servo.device;
-  if (step_fed >= 0) servo.fed_at[static_cast<std::size_t>(step_fed % 2)] = tick;
+  if (step_fed >= 0) servo.fed_at[static_cast<std::size_t>(step_fed % 4)] = tick;
   const CouplingState coupling = used.step >= 0 ? predicted(scene, tick, used, servo) : CouplingState{};
   if (!good) record.faults |= kFaultDevicePose;
   bool fault = !input.valid || used.step < 0 ||

@@ -20,7 +20,8 @@ struct ServoState {
   bool placed = false;                      ///< there has been one
   Vec3 turn_nm = Vec3::Zero();              ///< coupling's torque on the tool in the last tick
   std::array<Pose, kMostPredictedTicks> devices;    ///< of the last ticks, by tick
-  std::array<std::int64_t, 2> fed_at{-1, -1};  ///< tick that fed a step, by step: one is worked on, one is done
+  /// Tick that fed a step, by step: one is worked on, one is done, one came before it.
+  std::array<std::int64_t, 4> fed_at{-1, -1, -1, -1};
 };
 
 /// Force for the device and the tick's record. `used` is the newest finished step (step -1: none yet). The force is the
