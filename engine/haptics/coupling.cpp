@@ -1,9 +1,8 @@
 #include "engine/haptics/coupling.h"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
-
-#include <Eigen/Cholesky>
 
 namespace vallecula::engine {
 
@@ -11,10 +10,10 @@ namespace {
 
 // A hand on a blade turns it with no more than its force at this lever. A spring that turned without end levered a held
 // blade into the gum with a hundred newtons, whatever the device could give.
-constexpr double kTurningArm = 0.05;      // m (assumed: half a blade)
-constexpr double kDampingShare = 0.7;     // of critical
-constexpr double kVelocityFilter = 0.2;   // weight of the newest difference quotient
-constexpr double kFastestHand = 2.0;      // m/s, and 20 rad/s: above it the damper takes the hand for this fast
+constexpr double kTurningArm = 0.05;     // m (assumed: half a blade)
+constexpr double kDampingShare = 0.7;    // of critical
+constexpr double kVelocityFilter = 0.2;  // weight of the newest difference quotient
+constexpr double kFastestHand = 2.0;     // m/s, and 20 rad/s: above it the damper takes the hand for this fast
 constexpr int kPasses = 5;
 
 double damping(double stiffness, double inertia) { return 2 * kDampingShare * std::sqrt(stiffness * inertia); }
@@ -102,7 +101,8 @@ Vec6 move_coupled(const ProxySettings& settings, const HandState& hand, const Wr
   matrix.diagonal().head<3>().array() += settings.mass_kg / (h * h) + b / h + k;
   matrix.diagonal().tail<3>().array() += settings.inertia_kg_m2 / (h * h) + br / h + kr;
   right.head<3>() = settings.mass_kg / h * proxy.velocity + b * hand.velocity.force + pull.force + extra.force;
-  right.tail<3>() = settings.inertia_kg_m2 / h * proxy.angular_velocity + br * hand.velocity.torque + pull.torque + extra.torque;
+  right.tail<3>() =
+      settings.inertia_kg_m2 / h * proxy.angular_velocity + br * hand.velocity.torque + pull.torque + extra.torque;
   // Which springs push at the end of the move is found by trying (a few passes settle it).
   std::array<bool, PushingSprings::kMost> pushes;
   for (int i = 0; i < springs.count; ++i) pushes[i] = springs.depth[i] > 0;

@@ -1,4 +1,5 @@
-// The tool as the hand holds it: a virtual mass on a 6-DoF spring and damper to the device pose, stopped by springs that push.
+// The tool as the hand holds it: a virtual mass on a 6-DoF spring and damper to the device pose, stopped by springs
+// that push.
 #pragma once
 
 #include <array>
@@ -9,11 +10,11 @@ namespace vallecula::engine {
 
 struct ProxySettings {
   double step_s = 0.001;
-  double mass_kg = 0.08;               ///< virtual
-  double inertia_kg_m2 = 7e-5;         ///< virtual, about the blade tip, the same about every axis
-  double stiffness_n_m = 1200.0;       ///< of the coupling
+  double mass_kg = 0.08;          ///< virtual
+  double inertia_kg_m2 = 7e-5;    ///< virtual, about the blade tip, the same about every axis
+  double stiffness_n_m = 1200.0;  ///< of the coupling
   double rotation_nm_rad = 8.0;
-  double force_limit_n = 7.9;          ///< of the device: bounds what the coupling can turn with
+  double force_limit_n = 7.9;  ///< of the device: bounds what the coupling can turn with
 };
 
 /// Force and torque about the blade tip, or velocity of the tip (m/s) and of rotation (rad/s); world axes.
@@ -33,9 +34,9 @@ struct ProxyState {
 /// Where the hand is and how hard the coupling may pull.
 struct HandState {
   Pose device;
-  Wrench velocity;                 ///< filtered
-  double scale = 1.0;              ///< of the coupling's stiffness, in (0, 1]
-  double force_limit_n = 1e3;      ///< the spring pulls with no more
+  Wrench velocity;             ///< filtered
+  double scale = 1.0;          ///< of the coupling's stiffness, in (0, 1]
+  double force_limit_n = 1e3;  ///< the spring pulls with no more
 };
 
 /// What pushes on the tool: springs along a direction each, with no force once drawn out.
@@ -48,7 +49,8 @@ class PushingSprings {
   PushingSprings& operator=(const PushingSprings& other) noexcept;  ///< copies those there are
 
   void clear() noexcept { count = 0; }
-  /// `direction`: a unit force and its torque. `deep`: how far it is pressed in, m; negative: still away. Left out when full.
+  /// `direction`: a unit force and its torque. `deep`: how far it is pressed in, m; negative: still away. Left out when
+  /// full.
   void add(const Vec6& direction, double deep, double stiffness_n_m, double damping_n_s_m) noexcept;
   /// The tool has moved.
   void follow(const Vec6& move) noexcept;
@@ -76,9 +78,9 @@ void follow_device(const Pose& device, double step_s, HandState& hand) noexcept;
 /// Force of the virtual coupling's spring on the proxy: stiffness times the way to the device pose; `scale` in (0, 1].
 Wrench coupling_wrench(const ProxySettings& settings, const Pose& proxy, const Pose& device, double scale);
 
-/// One implicit step of the proxy: (M/h^2 + B/h + K) dx = M v/h + coupling + load + springs, where K holds the coupling's
-/// stiffness, the springs' and `stiffness`, which is what `load` would change by. The damper works against the hand, so that
-/// moving freely costs no force. Returns the move.
+/// One implicit step of the proxy: (M/h^2 + B/h + K) dx = M v/h + coupling + load + springs, where K holds the
+/// coupling's stiffness, the springs' and `stiffness`, which is what `load` would change by. The damper works against
+/// the hand, so that moving freely costs no force. Returns the move.
 Vec6 move_coupled(const ProxySettings& settings, const HandState& hand, const Wrench& load, const Mat6& stiffness,
                   const PushingSprings& springs, ProxyState& proxy) noexcept;
 

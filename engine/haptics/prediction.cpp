@@ -6,10 +6,10 @@ namespace vallecula::engine {
 
 namespace {
 
-constexpr double kTouch = 0.01;       // N; less is no contact
+constexpr double kTouch = 0.01;                        // N; less is no contact
 constexpr double kSoftest = 1.0, kStiffest = 20000.0;  // N/m
-constexpr double kFade = 0.95;        // a step's weight in the next
-constexpr double kLeastWay = 1e-6;    // m; shorter ways say nothing of a stiffness
+constexpr double kFade = 0.95;                         // a step's weight in the next
+constexpr double kLeastWay = 1e-6;                     // m; shorter ways say nothing of a stiffness
 
 Vec6 vector_of(const Wrench& w) {
   Vec6 v;
@@ -41,7 +41,8 @@ double ContactStiffness::feel(const Pose& tool, const Wrench& tissue) noexcept {
 
 void add_tissue(const Wrench& tissue, double stiffness_n_m, PushingSprings& springs) noexcept {
   const double size = tissue.force.norm();
-  if (size > kTouch && stiffness_n_m > 0) springs.add(vector_of(tissue) / size, size / stiffness_n_m, stiffness_n_m, 0.0);
+  if (size > kTouch && stiffness_n_m > 0)
+    springs.add(vector_of(tissue) / size, size / stiffness_n_m, stiffness_n_m, 0.0);
 }
 
 void advance(const ProxySettings& settings, Prediction prediction, const Pose& device, CouplingState& c) noexcept {

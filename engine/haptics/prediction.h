@@ -1,13 +1,15 @@
-// What the coupling gives while a step is late. Coupling, tool and hand are known without the tissue, so they go on as in the
-// step; rigid anatomy goes on as it was near the tool, and the tissue with the stiffness it was last felt to have.
+// What the coupling gives while a step is late. Coupling, tool and hand are known without the tissue, so they go on as
+// in the step; rigid anatomy goes on as it was near the tool, and the tissue with the stiffness it was last felt to
+// have.
 #pragma once
 
 #include "engine/haptics/coupling.h"
 
 namespace vallecula::engine {
 
-/// The tissue's stiffness as the tool felt it over the last steps: change of its force over the way, both along the force. That
-/// of the step's matrices is the stiffness within one tick: it holds the tissue's inertia and is several times as stiff.
+/// The tissue's stiffness as the tool felt it over the last steps: change of its force over the way, both along the
+/// force. That of the step's matrices is the stiffness within one tick: it holds the tissue's inertia and is several
+/// times as stiff.
 class ContactStiffness {
  public:
   /// One more step: the tool's pose and the tissue's force on it. Returns N/m, 0 without a contact.
@@ -21,7 +23,8 @@ class ContactStiffness {
   double work_ = 0.0, way_ = 0.0;  // sums of the least squares, the older ones fading
 };
 
-/// Adds the tissue, which presses with `tissue` and is `stiffness_n_m` stiff along it; a force too small to be a contact is none.
+/// Adds the tissue, which presses with `tissue` and is `stiffness_n_m` stiff along it; a force too small to be a
+/// contact is none.
 void add_tissue(const Wrench& tissue, double stiffness_n_m, PushingSprings& springs) noexcept;
 
 /// After a step, all that is needed to go on without the next one.
@@ -40,6 +43,7 @@ enum class Prediction : std::uint8_t {
 };
 
 /// One tick of the coupling with the hand at `device`.
-void advance(const ProxySettings& settings, Prediction prediction, const Pose& device, CouplingState& coupling) noexcept;
+void advance(const ProxySettings& settings, Prediction prediction, const Pose& device,
+             CouplingState& coupling) noexcept;
 
 }  // namespace vallecula::engine

@@ -12,7 +12,8 @@ constexpr double kForce = 0.01;  // N; ticks without a force would hide the othe
 }  // namespace
 
 void ForceErrors::add(const Vec3& predicted, const Vec3& truth) {
-  if (predicted.norm() >= kForce || truth.norm() >= kForce) errors_.push_back(static_cast<float>((predicted - truth).norm()));
+  if (predicted.norm() >= kForce || truth.norm() >= kForce)
+    errors_.push_back(static_cast<float>((predicted - truth).norm()));
 }
 
 ForceError ForceErrors::summary() const {
@@ -54,8 +55,8 @@ void PredictionMeasurement::add(const PortInput& input) {
       ServoState servo = past_[from].servo;
       servo.prediction = static_cast<Prediction>(kind);
       for (std::size_t i = from + 1; i < past_.size(); ++i)
-        servo_tick(*scene_, tick - static_cast<std::int64_t>(past_.size() - 1 - i), past_[i].input, -1, past_[from].result,
-                   true, servo);
+        servo_tick(*scene_, tick - static_cast<std::int64_t>(past_.size() - 1 - i), past_[i].input, -1,
+                   past_[from].result, true, servo);
       errors_[kind][n].add(servo.displayed, truth);
     }
   }

@@ -26,14 +26,14 @@ class ForceErrors {
   std::vector<float> errors_;
 };
 
-/// Steps a scene along a recorded hand, a step each tick and done within it; beside that every tick's displayed force is
-/// predicted by servo_tick() from the step of 1, 2, 3, 5 and 10 ticks before, the limits of the device included.
+/// Steps a scene along a recorded hand, a step each tick and done within it; beside that every tick's displayed force
+/// is predicted by servo_tick() from the step of 1, 2, 3, 5 and 10 ticks before, the limits of the device included.
 class PredictionMeasurement {
  public:
   explicit PredictionMeasurement(std::shared_ptr<const Scene> scene);
   void add(const PortInput& input);
-  ForceError error(Prediction prediction, int withheld) const;  ///< withheld: one of kWithheldSteps
-  double peak_force_n() const { return peak_; }                 ///< of the full steps' displayed force
+  ForceError error(Prediction prediction, int withheld) const;       ///< withheld: one of kWithheldSteps
+  double peak_force_n() const { return peak_; }                      ///< of the full steps' displayed force
   const PassivityObserver& energy() const { return servo_.energy; }  ///< as if no step had been late
 
  private:

@@ -7,22 +7,23 @@ namespace vallecula::engine {
 
 namespace {
 
-// Contact stiffness of rigid anatomy a sample point: gum and palate give by a tenth of a millimetre under a newton or two
-// (assumed); implicit in the proxy's step, so stable at any value.
+// Contact stiffness of rigid anatomy a sample point: gum and palate give by a tenth of a millimetre under a newton or
+// two (assumed); implicit in the proxy's step, so stable at any value.
 constexpr double kRigidStiffness = 8000.0;  // N/m
-// What gum and the hand's own flesh take out of a blow (assumed): without it a levered blade bounced on the gum by 10 to 20 N
-// from tick to tick.
+// What gum and the hand's own flesh take out of a blow (assumed): without it a levered blade bounced on the gum by 10
+// to 20 N from tick to tick.
 constexpr double kRigidDamping = 15.0;  // N s/m a sample point
 // Points this near to rigid anatomy may come into contact within the tick.
 constexpr double kRigidReach = 0.0008;  // m
 
-/// Calls visit(world arm from the tip, normal, depth, structure) for each sample point that touches, and keeps it with those
-/// no more than kRigidReach outside in scan.near.
+/// Calls visit(world arm from the tip, normal, depth, structure) for each sample point that touches, and keeps it with
+/// those no more than kRigidReach outside in scan.near.
 template <class Visit>
 void for_each_rigid_contact(const SignedDistanceGrid& rigid, const ToolField& tool, RigidScan& scan, const Pose& pose,
                             Visit visit) {
   scan.near.clear();
-  scan.travel += (pose.position - scan.last.position).norm() + tool.radius * pose.rotation.angularDistance(scan.last.rotation);
+  scan.travel +=
+      (pose.position - scan.last.position).norm() + tool.radius * pose.rotation.angularDistance(scan.last.rotation);
   scan.last = pose;
   const Mat3 to_world = pose.rotation.toRotationMatrix();
   for (std::size_t i = 0; i < tool.samples.size(); ++i) {
@@ -57,16 +58,17 @@ RigidContacts rigid_contacts(const SignedDistanceGrid& rigid, const ToolField& t
                              const Pose& pose) noexcept {
   RigidContacts out;
   std::array<double, kLoadedStructures> weight{};
-  for_each_rigid_contact(rigid, tool, scan, pose, [&](const Vec3& arm, const Vec3& n, double depth, Structure structure) {
-    const Vec3 force = kRigidStiffness * depth * n;
-    out.wrench.force += force;
-    out.wrench.torque += arm.cross(force);
-    StructureLoad& load = out.loads[static_cast<int>(structure)];
-    load.force_n += force;
-    load.centre_m += kRigidStiffness * depth * (pose.position + arm);
-    weight[static_cast<int>(structure)] += kRigidStiffness * depth;
-    ++load.contacts;
-  });
+  for_each_rigid_contact(rigid, tool, scan, pose,
+                         [&](const Vec3& arm, const Vec3& n, double depth, Structure structure) {
+                           const Vec3 force = kRigidStiffness * depth * n;
+                           out.wrench.force += force;
+                           out.wrench.torque += arm.cross(force);
+                           StructureLoad& load = out.loads[static_cast<int>(structure)];
+                           load.force_n += force;
+                           load.centre_m += kRigidStiffness * depth * (pose.position + arm);
+                           weight[static_cast<int>(structure)] += kRigidStiffness * depth;
+                           ++load.contacts;
+                         });
   for (int i = 0; i < kLoadedStructures; ++i)
     if (weight[i] > 0) out.loads[i].centre_m /= weight[i];
   return out;

@@ -16,8 +16,8 @@ struct RigidContacts {
   std::array<StructureLoad, kLoadedStructures> loads{};  ///< by Structure
 };
 
-/// Which of the tool's sample points need not be looked at yet: a point seen at some distance from rigid anatomy, which stands
-/// still, cannot touch it before the tool has travelled that far.
+/// Which of the tool's sample points need not be looked at yet: a point seen at some distance from rigid anatomy, which
+/// stands still, cannot touch it before the tool has travelled that far.
 struct RigidScan {
   static constexpr double kNotMet = 1e9;  ///< m: by nothing that resists, however deep it is
   explicit RigidScan(std::size_t samples) : next_check(samples, 0.0), met(samples, kNotMet) {}
@@ -31,17 +31,19 @@ struct RigidScan {
   }
   double travel = 0.0;             ///< of the tool's fastest point since the scan began, m
   std::vector<double> next_check;  ///< per sample, as travel
-  /// Per sample: how deep below the surface it was when gum, palate or tooth met it, m; they resist what it goes deeper. 0 for
-  /// a point that came from outside; one that comes through lip or cheek, which do not resist, is met where it is. Drawn out
-  /// to there it is free, and met anew. So the resistance has a potential: no way round gives energy.
+  /// Per sample: how deep below the surface it was when gum, palate or tooth met it, m; they resist what it goes
+  /// deeper. 0 for a point that came from outside; one that comes through lip or cheek, which do not resist, is met
+  /// where it is. Drawn out to there it is free, and met anew. So the resistance has a potential: no way round gives
+  /// energy.
   std::vector<double> met;
-  PushingSprings near;             ///< the points that touch or soon will, with the tool where it was last looked at
-  Pose last;                       ///< of the tool, when travel was added to
+  PushingSprings near;  ///< the points that touch or soon will, with the tool where it was last looked at
+  Pose last;            ///< of the tool, when travel was added to
 };
 
-/// One step of the proxy against the hand, rigid anatomy and the tissue. `tissue` is the last tick's force of the tissue on the
-/// tool and `tissue_stiffness` what it would change by if the tool moved within a tick: taken as a mere load, a blade wedged
-/// between tissue and gum chattered at the tick's rate. Returns the rigid contacts at the new pose.
+/// One step of the proxy against the hand, rigid anatomy and the tissue. `tissue` is the last tick's force of the
+/// tissue on the tool and `tissue_stiffness` what it would change by if the tool moved within a tick: taken as a mere
+/// load, a blade wedged between tissue and gum chattered at the tick's rate. Returns the rigid contacts at the new
+/// pose.
 RigidContacts move_proxy(const ProxySettings& settings, const SignedDistanceGrid& rigid, const ToolField& tool,
                          RigidScan& scan, const HandState& hand, const Wrench& tissue, const Mat6& tissue_stiffness,
                          ProxyState& proxy) noexcept;

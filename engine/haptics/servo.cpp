@@ -16,8 +16,10 @@ CouplingState predicted(const Scene& scene, std::int64_t tick, const StepResult&
   const std::int64_t late = tick - fed_at(used.step);
   if (late > 0 && used.step > 0) {
     // A scene whose steps take several ticks each goes slow; by the hand's clock its speeds are that much less.
-    const double slow = std::clamp(static_cast<double>(fed_at(used.step) - fed_at(used.step - 1)), 1.0, 1.0 * kMostPredictedTicks);
-    for (Vec3* v : {&coupling.hand.velocity.force, &coupling.hand.velocity.torque, &coupling.proxy.velocity, &coupling.proxy.angular_velocity})
+    const double slow =
+        std::clamp(static_cast<double>(fed_at(used.step) - fed_at(used.step - 1)), 1.0, 1.0 * kMostPredictedTicks);
+    for (Vec3* v : {&coupling.hand.velocity.force, &coupling.hand.velocity.torque, &coupling.proxy.velocity,
+                    &coupling.proxy.angular_velocity})
       *v /= slow;
   }
   const Vec3 from = coupling.hand.device.position;
@@ -65,15 +67,15 @@ TickRecord servo_tick(const Scene& scene, std::int64_t tick, const PortInput& in
   if (step_fed >= 0) servo.fed_at[static_cast<std::size_t>(step_fed % 4)] = tick;
   const CouplingState coupling = used.step >= 0 ? predicted(scene, tick, used, servo) : CouplingState{};
   if (!good) record.faults |= kFaultDevicePose;
-  bool fault = !input.valid || used.step < 0 ||
-               (record.faults & (kFaultTissue | kFaultDevicePose | kFaultDeviceInvalid)) != 0;
+  bool fault =
+      !input.valid || used.step < 0 || (record.faults & (kFaultTissue | kFaultDevicePose | kFaultDeviceInvalid)) != 0;
   // A pose that is none is the device's fault and named as such; with a good one, a pull that is not is ours.
   if (!fault && !(coupling.proxy.pull.force.allFinite() && used.model_force_n.allFinite())) {
     fault = true;
     record.faults |= kFaultForce;
   }
-  servo.displayed = displayed_force(scene.description.haptics, scene.model.step_s, used.limit, coupling.proxy.pull.force, !fault,
-                                    servo.displayed);
+  servo.displayed = displayed_force(scene.description.haptics, scene.model.step_s, used.limit,
+                                    coupling.proxy.pull.force, !fault, servo.displayed);
   record.displayed_force_n = servo.displayed;
   servo.turn_nm = fault || used.limit.state == HapticState::lost ? Vec3::Zero() : coupling.proxy.pull.torque;
   servo.last_used = used.step;

@@ -16,16 +16,17 @@ struct ServoState {
   Vec3 displayed = Vec3::Zero();
   std::int64_t last_used = -1;
   PassivityObserver energy;
-  Pose device;                              ///< of the last tick with a usable one
-  bool placed = false;                      ///< there has been one
-  Vec3 turn_nm = Vec3::Zero();              ///< coupling's torque on the tool in the last tick
-  std::array<Pose, kMostPredictedTicks> devices;    ///< of the last ticks, by tick
+  Pose device;                                    ///< of the last tick with a usable one
+  bool placed = false;                            ///< there has been one
+  Vec3 turn_nm = Vec3::Zero();                    ///< coupling's torque on the tool in the last tick
+  std::array<Pose, kMostPredictedTicks> devices;  ///< of the last ticks, by tick
   /// Tick that fed a step, by step: one is worked on, one is done, one came before it.
   std::array<std::int64_t, 4> fed_at{-1, -1, -1, -1};
 };
 
 /// Force for the device and the tick's record. `used` is the newest finished step (step -1: none yet). The force is the
-/// coupling's, spring and damper, brought on from `used` to the device's present pose over the ticks since that step was fed.
+/// coupling's, spring and damper, brought on from `used` to the device's present pose over the ticks since that step
+/// was fed.
 TickRecord servo_tick(const Scene& scene, std::int64_t tick, const PortInput& input, std::int64_t step_fed,
                       const StepResult& used, bool overrun, ServoState& servo) noexcept;
 

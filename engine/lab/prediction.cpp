@@ -27,7 +27,8 @@ ForceError prediction_error(const ExperimentResult& run, Prediction prediction, 
   return errors.summary();
 }
 
-ForceError multirate_error(const ExperimentResult& full, const ExperimentResult& coarse, int every, Prediction prediction) {
+ForceError multirate_error(const ExperimentResult& full, const ExperimentResult& coarse, int every,
+                           Prediction prediction) {
   ForceErrors errors;
   const auto ticks = static_cast<std::size_t>(every);
   for (std::size_t i = ticks; i < full.steps.size() && i / ticks <= coarse.steps.size(); ++i)

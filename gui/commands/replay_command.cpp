@@ -1,9 +1,9 @@
 // `vallecula replay`: what a trial log holds, or (--verify) the whole trial computed anew and compared to the last bit,
 // or (--prediction) how well the forces of late steps are predicted on it.
-#include <QJsonDocument>
 #include <spdlog/spdlog.h>
 #include <unistd.h>
 
+#include <QJsonDocument>
 #include <cstdio>
 #include <iostream>
 #include <memory>
@@ -65,8 +65,10 @@ int measure(const curricula::TrialLog& log, const ReplayOptions& options) {
     const QJsonObject json = prediction_report_json(measured, static_cast<std::int64_t>(log.ticks.size()));
     write_file_whole(options.json, QJsonDocument(json).toJson(QJsonDocument::Indented).toStdString());
   }
-  std::printf("force predicted when steps are late, against the full step's; peak %.2f N; rms / p99 / largest error, N\n"
-              "%-10s%24s%24s%24s\n", measured.peak_force_n(), "steps late", "as the trainer does", "spring alone", "force held");
+  std::printf(
+      "force predicted when steps are late, against the full step's; peak %.2f N; rms / p99 / largest error, N\n"
+      "%-10s%24s%24s%24s\n",
+      measured.peak_force_n(), "steps late", "as the trainer does", "spring alone", "force held");
   for (const int withheld : engine::kWithheldSteps) {
     std::printf("%-10d", withheld);
     for (const auto kind : {engine::Prediction::contact, engine::Prediction::spring, engine::Prediction::hold}) {
@@ -82,8 +84,8 @@ int measure(const curricula::TrialLog& log, const ReplayOptions& options) {
 int verify(const curricula::TrialLog& log, const ReplayOptions& options) {
   const std::string& name = options.trial;
   const RecordedScene scene = scene_of(log, options);
-  const Verification result = with_progress(
-      "replaying", [&](const auto& progress) { return verify_trial(log, scene.description, progress); });
+  const Verification result =
+      with_progress("replaying", [&](const auto& progress) { return verify_trial(log, scene.description, progress); });
   if (!result.difference.field.empty()) {
     char text[512];
     std::snprintf(text, sizeof text,
@@ -106,13 +108,17 @@ int verify(const curricula::TrialLog& log, const ReplayOptions& options) {
 }  // namespace
 
 void add_replay_command(CLI::App& app, int& exit_code) {
-  CLI::App* command = app.add_subcommand("replay", "Say what a trial log holds, verify it by computing it anew, or measure on it how late steps are predicted");
+  CLI::App* command = app.add_subcommand(
+      "replay",
+      "Say what a trial log holds, verify it by computing it anew, or measure on it how late steps are predicted");
   auto options = std::make_shared<ReplayOptions>();
   command->add_option("TRIAL", options->trial, "Folder of the trial, or its trial.vtrial")->required();
-  auto* verified = command->add_flag("--verify", options->verify, "Compute the trial anew; exit 0 only when every bit is the same");
-  auto* prediction =
-      command->add_flag("--prediction", options->prediction, "How well forces of late steps are predicted along this trial's hand")
-          ->excludes(verified);
+  auto* verified =
+      command->add_flag("--verify", options->verify, "Compute the trial anew; exit 0 only when every bit is the same");
+  auto* prediction = command
+                         ->add_flag("--prediction", options->prediction,
+                                    "How well forces of late steps are predicted along this trial's hand")
+                         ->excludes(verified);
   command->add_option("--json", options->json, "Write the figures of --prediction here")->needs(prediction);
   command->add_option("--patient", options->patient, "Where the patient package is now, if it was moved");
   command->callback([options, &exit_code] {

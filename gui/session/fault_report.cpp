@@ -24,10 +24,14 @@ void append(std::string& row, const engine::Pose& pose) {
 
 const char* name_of(engine::HapticState state) {
   switch (state) {
-    case engine::HapticState::tracking: return "tracking";
-    case engine::HapticState::limited: return "limited";
-    case engine::HapticState::lost: return "lost";
-    case engine::HapticState::recovering: break;
+    case engine::HapticState::tracking:
+      return "tracking";
+    case engine::HapticState::limited:
+      return "limited";
+    case engine::HapticState::lost:
+      return "lost";
+    case engine::HapticState::recovering:
+      break;
   }
   return "recovering";
 }
@@ -46,16 +50,20 @@ std::string names_of(std::uint32_t faults) {
 }  // namespace
 
 std::string fault_words(std::uint32_t faults) {
-  if ((faults & engine::kFaultDevicePose) != 0) return "the device sent a pose that is no position and rotation; no force was shown";
-  if ((faults & engine::kFaultTissue) != 0) return "the tissue's motion was no longer finite; it was put back to rest and no force was shown";
+  if ((faults & engine::kFaultDevicePose) != 0)
+    return "the device sent a pose that is no position and rotation; no force was shown";
+  if ((faults & engine::kFaultTissue) != 0)
+    return "the tissue's motion was no longer finite; it was put back to rest and no force was shown";
   if ((faults & engine::kFaultForce) != 0) return "a force was not finite; none was shown";
   return "";
 }
 
 std::string fault_csv(const std::vector<engine::TickRecord>& ticks) {
   std::string out =
-      "tick,time_s,faults,state,device_valid,step_fed,step_used,device_x_m,device_y_m,device_z_m,device_qx,device_qy,device_qz,"
-      "device_qw,proxy_x_m,proxy_y_m,proxy_z_m,proxy_qx,proxy_qy,proxy_qz,proxy_qw,model_x_n,model_y_n,model_z_n,model_x_nm,"
+      "tick,time_s,faults,state,device_valid,step_fed,step_used,device_x_m,device_y_m,device_z_m,device_qx,device_qy,"
+      "device_qz,"
+      "device_qw,proxy_x_m,proxy_y_m,proxy_z_m,proxy_qx,proxy_qy,proxy_qz,proxy_qw,model_x_n,model_y_n,model_z_n,model_"
+      "x_nm,"
       "model_y_nm,model_z_nm,displayed_x_n,displayed_y_n,displayed_z_n\n";
   for (const engine::TickRecord& tick : ticks) {
     char text[80];

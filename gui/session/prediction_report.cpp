@@ -56,7 +56,8 @@ QJsonObject energy_json(const engine::PassivityObserver& energy) {
 std::string energy_line(const engine::PassivityObserver& energy) {
   char text[200];
   std::snprintf(text, sizeof text,
-                "energy: the hand put in %.2f mJ by pushing and %.2f mJ by turning, got back %.2f mJ; the sum was %.6f mJ at its lowest",
+                "energy: the hand put in %.2f mJ by pushing and %.2f mJ by turning, got back %.2f mJ; the sum was %.6f "
+                "mJ at its lowest",
                 1e3 * energy.pushed_in(), 1e3 * energy.turned_in(), 1e3 * energy.given_back(), 1e3 * energy.lowest());
   return text;
 }
