@@ -9,13 +9,8 @@ namespace vallecula::engine {
 
 namespace {
 
-constexpr double kFarthest = 1.0;        // m: device poses are clamped to this distance from the tissue
-constexpr double kFastest = 2.0;         // m/s, and 20 rad/s: above it the damper takes the hand for this fast
-constexpr double kVelocityFilter = 0.2;  // weight of the newest difference quotient
-
-bool usable(const Pose& pose) {
-  return pose.position.allFinite() && pose.rotation.coeffs().allFinite() && std::abs(pose.rotation.norm() - 1.0) < 1e-3;
-}
+constexpr double kStrongestPull = 1e3;    // N, of the coupling's spring while nothing bounds it
+constexpr double kFarthest = 1.0;         // m: device poses are clamped to this distance from the tissue
 
 /// Takes the device pose in: finite, a rotation, within reach; and estimates the hand's velocity.
 std::uint32_t take_device(const Scene& scene, SceneState& state, const Pose& pose) {
@@ -27,15 +22,9 @@ std::uint32_t take_device(const Scene& scene, SceneState& state, const Pose& pos
   if (!state.placed) {
     state.placed = true;
     state.proxy.pose = device;
-    state.device = device;
+    state.hand.device = device;
   }
-  const double h = scene.model.step_s;
-  const auto limited = [](Vec3 v, double most) { return v.norm() > most ? Vec3(v * (most / v.norm())) : v; };
-  const Vec3 linear = limited((device.position - state.device.position) / h, kFastest);
-  const Vec3 angular = limited(rotation_between(state.device.rotation, device.rotation) / h, 10 * kFastest);
-  state.device_velocity.force += kVelocityFilter * (linear - state.device_velocity.force);
-  state.device_velocity.torque += kVelocityFilter * (angular - state.device_velocity.torque);
-  state.device = device;
+  follow_device(device, scene.model.step_s, state.hand);
   return kFaultNone;
 }
 
@@ -128,22 +117,26 @@ StepResult step(const Scene& scene, SceneState& state, const StepInput& input) n
   if (!input.valid) result.faults |= kFaultDeviceInvalid;
 
   const Pose before = state.proxy.pose;
+  const bool held = proxy_held(state.limit.state);
   RigidContacts rigid;
   if (!state.placed) {
     valid = false;
-  } else if (proxy_held(state.limit.state)) {
+  } else if (held) {
     state.proxy.velocity.setZero();
     state.proxy.angular_velocity.setZero();
     rigid = rigid_contacts(scene.rigid, scene.tool, state.rigid_scan, state.proxy.pose);
     // Admissible is a pose that the device could hold: what the blow of stopping drove into bone beyond that is let out.
-    if (rigid.wrench.force.norm() > settings.device_limit_n)
-      rigid = move_proxy(scene.proxy, scene.rigid, scene.tool, state.rigid_scan, state.proxy.pose, Wrench{}, 1.0,
-                         settings.device_limit_n, Wrench{}, Mat6::Zero(), state.proxy);
+    if (rigid.wrench.force.norm() > settings.device_limit_n) {
+      HandState stop;
+      stop.device = state.proxy.pose;
+      stop.force_limit_n = settings.device_limit_n;
+      rigid = move_proxy(scene.proxy, scene.rigid, scene.tool, state.rigid_scan, stop, Wrench{}, Mat6::Zero(), state.proxy);
+    }
   } else {
-    const bool bounded = state.limit.state == HapticState::recovering;
-    rigid = move_proxy(scene.proxy, scene.rigid, scene.tool, state.rigid_scan, state.device, state.device_velocity,
-                       state.limit.coupling_scale, bounded ? settings.device_limit_n : 1e3, state.tissue_wrench, state.tissue_stiffness,
-                       state.proxy);
+    state.hand.scale = state.limit.coupling_scale;
+    state.hand.force_limit_n = state.limit.state == HapticState::recovering ? settings.device_limit_n : kStrongestPull;
+    rigid = move_proxy(scene.proxy, scene.rigid, scene.tool, state.rigid_scan, state.hand, state.tissue_wrench,
+                       state.tissue_stiffness, state.proxy);
   }
 
   StageTimes times;
@@ -154,8 +147,8 @@ StepResult step(const Scene& scene, SceneState& state, const StepInput& input) n
     state.tissue_wrench = Wrench{};
     state.tissue_stiffness.setZero();
     state.proxy = ProxyState{};
-    state.proxy.pose = state.device;
-    state.rigid_scan.begin_anew(state.device);
+    state.proxy.pose = state.hand.device;
+    state.rigid_scan.begin_anew(state.hand.device);
     result.loads = {};
     rigid = RigidContacts{};
     result.faults |= kFaultTissue;
@@ -165,13 +158,24 @@ StepResult step(const Scene& scene, SceneState& state, const StepInput& input) n
   result.model_force_n = state.tissue_wrench.force + rigid.wrench.force;
   result.model_torque_nm = state.tissue_wrench.torque + rigid.wrench.torque;
 
-  const Vec3 pull = coupling_wrench(scene.proxy, state.proxy.pose, state.device, 1.0).force;
-  judge_limit(settings, scene.model.step_s, trial_force(pull, result.model_force_n), valid, state.limit);
+  const Wrench spring = coupling_wrench(scene.proxy, state.proxy.pose, state.hand.device, 1.0);
+  judge_limit(settings, scene.model.step_s, trial_force(spring.force, result.model_force_n), valid, state.limit);
   if (state.step % kSightEverySteps == 0) look(scene, state);
 
-  result.device_pose = state.device;
+  result.device_pose = state.hand.device;
   result.proxy_pose = state.proxy.pose;
   result.limit = state.limit;
+  CouplingState& coupling = result.coupling;
+  coupling.hand = state.hand;
+  coupling.hand.scale = state.limit.coupling_scale;
+  coupling.proxy = state.proxy;
+  coupling.held = proxy_held(state.limit.state);
+  if (held) coupling.proxy.pull = coupling_wrench(scene.proxy, state.proxy.pose, state.hand.device, coupling.hand.scale);
+  add_tissue(state.tissue_wrench, state.felt.feel(state.proxy.pose, state.tissue_wrench), coupling.springs);
+  for (int i = 0; i < state.rigid_scan.near.count; ++i) {
+    const PushingSprings& near = state.rigid_scan.near;
+    coupling.springs.add(near.direction[i], near.depth[i], near.stiffness[i], near.damping[i]);
+  }
   result.glottis_visible = state.glottis_visible;
   ++state.step;
   return result;

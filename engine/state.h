@@ -4,6 +4,7 @@
 
 #include "engine/contact/tissue_contact.h"
 #include "engine/haptics/force_limit.h"
+#include "engine/haptics/prediction.h"
 #include "engine/scene_data.h"
 #include "engine/tick_record.h"
 #include "engine/tissue/implicit_step.h"
@@ -24,6 +25,7 @@ struct StepResult {
   LimitState limit;
   Vec3 model_force_n = Vec3::Zero(), model_torque_nm = Vec3::Zero();
   std::array<StructureLoad, kLoadedStructures> loads{};
+  CouplingState coupling;                  ///< what the hand feels, and how to go on without the next step
   double glottis_visible = 0.0;            ///< as of the last sight evaluation
   std::uint32_t faults = kFaultNone;
 };
@@ -39,8 +41,8 @@ struct SceneState {
   LimitState limit;
   Wrench tissue_wrench;        ///< of the last step, on the tool
   Mat6 tissue_stiffness = Mat6::Zero();  ///< of the contacts that pushed in it: how the tissue resists a move within a tick
-  Wrench device_velocity;      ///< filtered; force holds m/s, torque rad/s
-  Pose device;                 ///< last good device pose
+  ContactStiffness felt;       ///< how stiff the tissue was in the last steps
+  HandState hand;              ///< last good device pose and its velocity
   bool placed = false;         ///< the first good pose has placed the proxy
   LineOfSight::Scratch sight;
   double glottis_visible = 0.0;

@@ -1,36 +1,14 @@
-// The tool as the scene holds it: joined to the device pose by a 6-DoF virtual coupling, pushed by the tissue, stopped by
-// rigid anatomy.
+// The tool against rigid anatomy, which stops it.
 #pragma once
 
 #include <algorithm>
 
 #include "engine/contact/signed_distance_grid.h"
 #include "engine/contact/tool_field.h"
+#include "engine/haptics/coupling.h"
 #include "engine/tick_record.h"
 
 namespace vallecula::engine {
-
-struct ProxySettings {
-  double step_s = 0.001;
-  double mass_kg = 0.08;               ///< virtual
-  double inertia_kg_m2 = 7e-5;         ///< virtual, about the blade tip, the same about every axis
-  double stiffness_n_m = 1200.0;       ///< of the coupling
-  double rotation_nm_rad = 8.0;
-  double force_limit_n = 7.9;          ///< of the device: bounds what the coupling can turn with
-};
-
-struct ProxyState {
-  Pose pose;
-  Vec3 velocity = Vec3::Zero(), angular_velocity = Vec3::Zero();
-};
-
-/// Force and torque about the blade tip, world axes.
-struct Wrench {
-  Vec3 force = Vec3::Zero(), torque = Vec3::Zero();
-};
-
-/// Stiffness of what presses on the tool, over a move (m, rad) about the blade tip, world axes.
-using Mat6 = Eigen::Matrix<double, 6, 6>;
 
 /// Contacts of the tool with rigid anatomy in one tick.
 struct RigidContacts {
@@ -38,40 +16,37 @@ struct RigidContacts {
   std::array<StructureLoad, kLoadedStructures> loads{};  ///< by Structure
 };
 
-/// Which of the tool's sample points need not be looked at yet: a point seen at some distance from rigid anatomy, which stands
-/// still, cannot touch it before the tool has travelled that far.
+/// Which of the tool's sample points need not be looked at yet: a point seen at some distance from rigid anatomy, which
+/// stands still, cannot touch it before the tool has travelled that far.
 struct RigidScan {
-  explicit RigidScan(std::size_t samples) : next_check(samples, 0.0), depth(samples, 0.0) {}
+  static constexpr double kNotMet = 1e9;  ///< m: by nothing that resists, however deep it is
+  explicit RigidScan(std::size_t samples) : next_check(samples, 0.0), met(samples, kNotMet) {}
   /// As before the first look, with the tool at `pose`.
   void begin_anew(const Pose& pose) noexcept {
     travel = 0.0;
     std::fill(next_check.begin(), next_check.end(), 0.0);
-    std::fill(depth.begin(), depth.end(), 0.0);
+    std::fill(met.begin(), met.end(), kNotMet);
+    near.clear();
     last = pose;
   }
   double travel = 0.0;             ///< of the tool's fastest point since the scan began, m
   std::vector<double> next_check;  ///< per sample, as travel
-  /// Per sample: how deep it is in gum, palate or tooth, m, as far as it can have come since it met them. A point that
-  /// comes through lip or cheek, which do not resist, is met by the gum where it is, not by all that lies above it.
-  std::vector<double> depth;
-  Pose last;                       ///< of the tool, when travel was added to
+  /// Per sample: how deep below the surface it was when gum, palate or tooth met it, m; they resist what it goes
+  /// deeper. 0 for a point that came from outside; one that comes through lip or cheek, which do not resist, is met
+  /// where it is. Drawn out to there it is free, and met anew. So the resistance has a potential: no way round gives
+  /// energy.
+  std::vector<double> met;
+  PushingSprings near;  ///< the points that touch or soon will, with the tool where it was last looked at
+  Pose last;            ///< of the tool, when travel was added to
 };
 
-/// Rotation vector (axis times angle, rad) that turns `from` into `to`, world axes.
-Vec3 rotation_between(const Quat& from, const Quat& to);
-
-/// Force of the virtual coupling on the proxy: stiffness times the way to the device pose; `scale` in (0, 1].
-Wrench coupling_wrench(const ProxySettings& settings, const Pose& proxy, const Pose& device, double scale);
-
-/// One implicit step of the proxy: (M/h^2 + B/h + K) dx = M v/h + coupling + tissue + rigid contact, where K holds the
-/// coupling's, the tissue's and the rigid contacts' stiffness. `tissue` is the last tick's force of the tissue on the tool and
-/// `tissue_stiffness` what it would change by if the tool moved within a tick: taken as a mere load, a blade wedged between
-/// tissue and gum chattered at the tick's rate. `device_velocity` (m/s, rad/s): the damper works against the hand, so that
-/// moving freely costs no force. `force_limit`: the coupling pulls with no more than this (N). Returns the rigid contacts at
-/// the new pose.
+/// One step of the proxy against the hand, rigid anatomy and the tissue. `tissue` is the last tick's force of the
+/// tissue on the tool and `tissue_stiffness` what it would change by if the tool moved within a tick: taken as a mere
+/// load, a blade wedged between tissue and gum chattered at the tick's rate. Returns the rigid contacts at the new
+/// pose.
 RigidContacts move_proxy(const ProxySettings& settings, const SignedDistanceGrid& rigid, const ToolField& tool,
-                         RigidScan& scan, const Pose& device, const Wrench& device_velocity, double coupling_scale, double force_limit,
-                         const Wrench& tissue, const Mat6& tissue_stiffness, ProxyState& proxy) noexcept;
+                         RigidScan& scan, const HandState& hand, const Wrench& tissue, const Mat6& tissue_stiffness,
+                         ProxyState& proxy) noexcept;
 
 /// Rigid contacts of a proxy that is held still.
 RigidContacts rigid_contacts(const SignedDistanceGrid& rigid, const ToolField& tool, RigidScan& scan,

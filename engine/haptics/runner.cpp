@@ -347,6 +347,8 @@ const Snapshot& Replayer::snapshot() {
   return m.snapshot;
 }
 
+const PassivityObserver& Replayer::energy() const { return impl_->servo.energy; }
+
 std::string instruction_set() { return "x86-64"; }
 
 }  // namespace vallecula::engine

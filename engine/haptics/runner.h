@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/haptics/passivity.h"
 #include "engine/haptics/port.h"
 #include "engine/scene.h"
 #include "engine/snapshot.h"
@@ -58,6 +59,7 @@ class Replayer {
   ~Replayer();
   TickRecord replay(const TickRecord& recorded);
   const Snapshot& snapshot();          ///< of the newest step, for drawing a replay
+  const PassivityObserver& energy() const;  ///< of the hand's, over the records so far
 
  private:
   struct Impl;

@@ -1,6 +1,45 @@
 #include "engine/haptics/servo.h"
 
+#include <algorithm>
+
 namespace vallecula::engine {
+
+namespace {
+
+/// Hand and step apart by more than this are no prediction's business, m.
+constexpr double kFarthestHand = 2.0;
+
+/// The coupling as the step left it, brought on to this tick.
+CouplingState predicted(const Scene& scene, std::int64_t tick, const StepResult& used, const ServoState& servo) {
+  CouplingState coupling = used.coupling;
+  const auto fed_at = [&servo](std::int64_t step) { return servo.fed_at[static_cast<std::size_t>(step % 4)]; };
+  const std::int64_t late = tick - fed_at(used.step);
+  if (late > 0 && used.step > 0) {
+    // A scene whose steps take several ticks each goes slow; by the hand's clock its speeds are that much less.
+    const double slow =
+        std::clamp(static_cast<double>(fed_at(used.step) - fed_at(used.step - 1)), 1.0, 1.0 * kMostPredictedTicks);
+    for (Vec3* v : {&coupling.hand.velocity.force, &coupling.hand.velocity.torque, &coupling.proxy.velocity,
+                    &coupling.proxy.angular_velocity})
+      *v /= slow;
+  }
+  const Vec3 from = coupling.hand.device.position;
+  for (std::int64_t t = tick - std::min<std::int64_t>(late, kMostPredictedTicks) + 1; t <= tick; ++t) {
+    Pose device = servo.devices[static_cast<std::size_t>(t % kMostPredictedTicks)];
+    device.position = from + no_longer_than(device.position - from, kFarthestHand);
+    advance(scene.proxy, servo.prediction, device, coupling);
+  }
+  return coupling;
+}
+
+void observe_energy(const PortInput& input, ServoState& servo) {
+  if (servo.placed)
+    servo.energy.add(servo.displayed, input.pose.position - servo.device.position, -servo.turn_nm,
+                     rotation_between(servo.device.rotation, input.pose.rotation));
+  servo.placed = true;
+  servo.device = input.pose;
+}
+
+}  // namespace
 
 TickRecord servo_tick(const Scene& scene, std::int64_t tick, const PortInput& input, std::int64_t step_fed,
                       const StepResult& used, bool overrun, ServoState& servo) noexcept {
@@ -22,16 +61,23 @@ TickRecord servo_tick(const Scene& scene, std::int64_t tick, const PortInput& in
     record.glottis_visible = used.glottis_visible;
     record.has_sight = used.step != servo.last_used && used.step % kSightEverySteps == 0;
   }
-  const Vec3 pull = used.limit.coupling_scale * scene.proxy.stiffness_n_m * (input.pose.position - used.proxy_pose.position);
-  bool fault = !input.valid || used.step < 0 ||
-               (used.faults & (kFaultTissue | kFaultDevicePose | kFaultDeviceInvalid)) != 0;
-  // A pose that is not finite is the device's fault and named as such; with a finite one, a pull that is not is ours.
-  if (!fault && input.pose.position.allFinite() && !(pull.allFinite() && used.model_force_n.allFinite())) {
+  const bool good = usable(input.pose);
+  if (good) observe_energy(input, servo);
+  servo.devices[static_cast<std::size_t>(tick % kMostPredictedTicks)] = servo.device;
+  if (step_fed >= 0) servo.fed_at[static_cast<std::size_t>(step_fed % 4)] = tick;
+  const CouplingState coupling = used.step >= 0 ? predicted(scene, tick, used, servo) : CouplingState{};
+  if (!good) record.faults |= kFaultDevicePose;
+  bool fault =
+      !input.valid || used.step < 0 || (record.faults & (kFaultTissue | kFaultDevicePose | kFaultDeviceInvalid)) != 0;
+  // A pose that is none is the device's fault and named as such; with a good one, a pull that is not is ours.
+  if (!fault && !(coupling.proxy.pull.force.allFinite() && used.model_force_n.allFinite())) {
     fault = true;
     record.faults |= kFaultForce;
   }
-  servo.displayed = displayed_force(scene.description.haptics, scene.model.step_s, used.limit, pull, !fault, servo.displayed);
+  servo.displayed = displayed_force(scene.description.haptics, scene.model.step_s, used.limit,
+                                    coupling.proxy.pull.force, !fault, servo.displayed);
   record.displayed_force_n = servo.displayed;
+  servo.turn_nm = fault || used.limit.state == HapticState::lost ? Vec3::Zero() : coupling.proxy.pull.torque;
   servo.last_used = used.step;
   return record;
 }

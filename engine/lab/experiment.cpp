@@ -223,6 +223,8 @@ ExperimentResult run_experiment(const Scene& scene, const std::function<Pose(dou
       if (end - due > kMissedS) ++result.deadline_misses;
     }
     s.proxy_m = tool.proxy().position;
+    s.proxy_rotation = tool.proxy().rotation;
+    s.stiffness_n_m = state.felt.feel(tool.proxy(), state.tissue_wrench);
     for (int c = 0; c < state.contacts.count; ++c) s.contacts += state.contacts.constraints[c].multiplier > 0 ? 1 : 0;
     double sum = s.model_force_n.sum() + s.torque_nm.sum();
     for (std::size_t i = 0; i < result.final_nodes.size(); ++i) {

@@ -34,6 +34,8 @@ struct ExperimentStep {
   Vec3 model_force_n = Vec3::Zero();
   HapticState state = HapticState::tracking;
   Vec3 proxy_m = Vec3::Zero();
+  Quat proxy_rotation = Quat::Identity();
+  double stiffness_n_m = 0.0;  ///< of the contact, as felt over the last steps
   double volume_change = 0.0;  ///< of the whole body, relative, signed
   int inverted = 0;            ///< tetrahedra of negative volume
   double penetration_m = 0.0;  ///< of the deepest surface point inside the tool

@@ -35,7 +35,7 @@ struct LabOptions {
   double young = 10000.0, poisson = 0.45, density = 1040.0, steps_per_second = 1000.0;
   double sphere_ratio = 10.0, friction = 0.0;
   std::string volume = "held";
-  int levels = 2;
+  int levels = 2, serve_every = 1;
   bool realtime = false, as_fast_as_possible = false;
 };
 
@@ -71,10 +71,27 @@ QJsonObject settings_json(const LabOptions& o) {
           {"sphere_ratio", o.sphere_ratio},
           {"levels", o.levels},
           {"steps_per_second", o.steps_per_second},
+          {"serve_every", o.serve_every},
           {"realtime", o.realtime},
           {"length_unit", QString::fromStdString(o.length_unit)},
           {"version", VALLECULA_VERSION},
           {"instruction_set", QString::fromStdString(engine::instruction_set())}};
+}
+
+/// The same run with one step where there were `serve_every`, its forces predicted in between.
+QJsonValue multirate(const LabOptions& o, engine::SceneDescription d, const engine::ExperimentResult& full,
+                     engine::ExperimentSettings settings, const std::function<engine::Pose(double)>& pose) {
+  d.step_s *= o.serve_every;
+  settings.measure_tissue = false;
+  const engine::ExperimentResult coarse = engine::run_experiment(*engine::build_scene(d), pose, settings);
+  if (!full.finite || !coarse.finite) return QJsonValue();
+  QJsonObject json = prediction_json(engine::multirate_error(full, coarse, o.serve_every, engine::Prediction::contact),
+                                     engine::multirate_error(full, coarse, o.serve_every, engine::Prediction::hold));
+  json["serve_every"] = o.serve_every;
+  std::vector<double> step_ms;
+  for (const engine::ExperimentStep& s : coarse.steps) step_ms.push_back(1e3 * s.step_s);
+  json["step_p999_ms"] = percentile(step_ms, 0.999);
+  return json;
 }
 
 void run_lab(const LabOptions& o) {
@@ -108,10 +125,11 @@ void run_lab(const LabOptions& o) {
   d.sphere_levels = o.levels;
   const auto scene = engine::build_scene(d);
 
-  const engine::ExperimentResult result = engine::run_experiment(
-      *scene, [&](double t) { return pose_of(trajectory.at(trajectory.start_s() + t)); }, settings);
-  const std::string json =
-      QJsonDocument(lab_json(*scene, settings, result, settings_json(o))).toJson(QJsonDocument::Indented).toStdString();
+  const auto pose = [&](double t) { return pose_of(trajectory.at(trajectory.start_s() + t)); };
+  const engine::ExperimentResult result = engine::run_experiment(*scene, pose, settings);
+  QJsonObject figures = lab_json(*scene, settings, result, settings_json(o));
+  if (o.serve_every > 1) figures["multirate"] = multirate(o, d, result, settings, pose);
+  const std::string json = QJsonDocument(figures).toJson(QJsonDocument::Indented).toStdString();
   if (!o.csv.empty()) write_file_whole(o.csv, lab_csv(result));
   if (!o.spheres.empty()) write_file_whole(o.spheres, spheres_csv(scene->tree));
   if (!o.final_state.empty() && result.finite)
@@ -209,6 +227,10 @@ void add_lab_command(CLI::App& app, int& exit_code) {
       ->capture_default_str();
   command->add_option("--levels", o->levels, "Levels of the sphere grid")->capture_default_str();
   command->add_option("--steps-per-second", o->steps_per_second, "Steps a second")->capture_default_str();
+  command->add_option("--serve-every", o->serve_every,
+                      "Runs it once more with one step where there were N, predicted in between: its error")
+      ->check(CLI::Range(1, 10))
+      ->capture_default_str();
   auto* realtime = command->add_flag("--realtime", o->realtime, "A step by the clock; reports late ones");
   command->add_flag("--asap", o->as_fast_as_possible, "As fast as it goes (the default)")->excludes(realtime);
   command->add_option("--length-unit", o->length_unit, "Unit of mesh files: m or mm")
@@ -240,6 +262,8 @@ void add_lab_command(CLI::App& app, int& exit_code) {
     if (o->tet.empty()) throw CLI::RequiredError("--tet");
     if (o->tool.empty()) throw CLI::RequiredError("--tool");
     if (o->trajectory.empty()) throw CLI::RequiredError("--trajectory");
+    if (o->serve_every > 1 && (o->realtime || o->force_limit != "none"))
+      throw CLI::ValidationError("--serve-every", "is measured without --realtime and --force-limit");
     if (!(o->steps_per_second >= 10) || !(o->steps_per_second <= 1e5))
       throw CLI::ValidationError("--steps-per-second",
                                  std::to_string(o->steps_per_second) + " does not lie between 10 and 100000");

@@ -104,6 +104,7 @@ int run_headless(const TrialSetup& setup, bool json) {
   if (interrupted())
     throw std::runtime_error("the trial was interrupted; what was recorded until then is in " + setup.out.string());
   const TrialOutcome outcome = session.finish("ended");
+  if (!outcome.fault.empty()) spdlog::warn("{}", outcome.fault);
   if (json) {
     std::cout << read_file(outcome.score_json);
   } else {

@@ -39,6 +39,11 @@ void append(std::string& out, const char* format, double value) {
 
 }  // namespace
 
+QJsonObject prediction_json(const engine::ForceError& predicted, const engine::ForceError& held) {
+  return {{"rms_n", predicted.rms_n},      {"p99_n", predicted.p99_n},      {"max_n", predicted.max_n},
+          {"hold_rms_n", held.rms_n},      {"hold_p99_n", held.p99_n},      {"hold_max_n", held.max_n}};
+}
+
 double percentile(std::vector<double> values, double share) {
   if (values.empty()) return 0.0;
   const auto rank = static_cast<std::size_t>(std::max(1.0, std::ceil(share * static_cast<double>(values.size())))) - 1;
@@ -91,6 +96,12 @@ QJsonObject lab_json(const engine::Scene& scene, const engine::ExperimentSetting
   const auto late = each_step(result, [](const ExperimentStep& s) { return 1e3 * s.late_s; });
   const auto iterations = each_step(result, [](const ExperimentStep& s) { return double(s.solver_iterations); });
 
+  QJsonObject prediction;
+  for (const int withheld : engine::kWithheldSteps)
+    prediction[QString::number(withheld)] =
+        prediction_json(engine::prediction_error(result, engine::Prediction::contact, withheld),
+                        engine::prediction_error(result, engine::Prediction::hold, withheld));
+
   return QJsonObject{
       {"settings", settings},
       {"mesh", QJsonObject{{"nodes", static_cast<double>(scene.description.soft.nodes.size())},
@@ -118,6 +129,7 @@ QJsonObject lab_json(const engine::Scene& scene, const engine::ExperimentSetting
                                     {"max", measured(percentile(depth, 1))},
                                     {"vertex_p50", measured(percentile(vertex_depth, 0.5))},
                                     {"vertex_max", measured(percentile(vertex_depth, 1))}}},
+      {"prediction", finite ? QJsonValue(prediction) : QJsonValue()},
       {"limit", QJsonObject{{"entered", result.limit_entered},
                             {"time_limited_s", result.time_limited_s},
                             {"time_lost_s", result.time_lost_s}}}};

@@ -6,6 +6,7 @@
 
 #include "engine/aist/sphere_tree.h"
 #include "engine/lab/experiment.h"
+#include "engine/lab/prediction.h"
 #include "engine/scene_data.h"
 
 namespace vallecula::gui {
@@ -13,6 +14,9 @@ namespace vallecula::gui {
 /// All figures of a run. `settings`: what was asked for, word by word. Quantities of a run that diverged are null.
 QJsonObject lab_json(const engine::Scene& scene, const engine::ExperimentSettings& asked,
                      const engine::ExperimentResult& result, const QJsonObject& settings);
+
+/// rms_n, p99_n, max_n; of the same forces held instead of predicted as hold_rms_n, ...
+QJsonObject prediction_json(const engine::ForceError& predicted, const engine::ForceError& held);
 
 /// One row a step: t_s,step_ms,contacts,fx_n,fy_n,fz_n,tx_nm,ty_nm,tz_nm,state,proxy_x_m,proxy_y_m,proxy_z_m.
 std::string lab_csv(const engine::ExperimentResult& result);

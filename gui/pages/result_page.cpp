@@ -84,6 +84,8 @@ void ResultPage::show_outcome(const TrialOutcome& outcome, const curricula::Scen
   change_->setText(QString::fromStdString(what_to_change(score, scenario)));
   show_figures(outcome, scenario);
   QString list;
+  if (!outcome.fault.empty())
+    list += "<li style='margin-bottom:5px'><b>A fault: " + QString::fromStdString(outcome.fault).toHtmlEscaped() + "</b></li>";
   for (const auto& reason : score.reasons)
     list += "<li style='margin-bottom:5px'>" + QString::fromStdString(reason).toHtmlEscaped() + "</li>";
   reasons_->setText(list.isEmpty() ? QString() : "<b>Reasons</b><ul style='margin-left:-22px'>" + list + "</ul>");

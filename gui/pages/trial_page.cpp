@@ -267,7 +267,9 @@ void TrialPage::frame() {
     }
     readings_->show_snapshot(snapshot);
     bars_->show_forces(load(snapshot, engine::Structure::tongue), load(snapshot, engine::Structure::gum));
-    show_banner(words_for(snapshot.state, (snapshot.faults & engine::kFaultDeviceInvalid) != 0).banner);
+    const QString state = words_for(snapshot.state, (snapshot.faults & engine::kFaultDeviceInvalid) != 0).banner;
+    const QString fault = QString::fromStdString(session_->fault());
+    show_banner(fault.isEmpty() ? state : "A fault: " + fault + ". Reset to begin anew; what led to it is kept.");
     ++frames_;
     if (frame_hook_) frame_hook_(snapshot);
     if (session_->finished()) end("finished");

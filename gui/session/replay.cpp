@@ -91,6 +91,7 @@ Verification verify_trial(const curricula::TrialLog& log, const engine::SceneDes
       progress(static_cast<double>(result.ticks) / static_cast<double>(log.ticks.size()));
     }
   }
+  result.energy = replayer.energy();
   return result;
 }
 

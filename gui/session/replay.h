@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "curricula/trial_log.h"
+#include "engine/haptics/passivity.h"
 #include "engine/scene.h"
 #include "gui/session/log_conversion.h"
 
@@ -30,6 +31,7 @@ struct Verification {
   Difference difference;   ///< empty field: bit-identical
   std::int64_t tick = -1;  ///< where the first difference is
   double time_s = 0.0;
+  engine::PassivityObserver energy;  ///< of the hand's, over the ticks compared
 };
 
 /// Feeds the log to engine::Replayer and compares each tick; stops at the first difference. `progress`: share done.

@@ -27,7 +27,8 @@ std::vector<fs::path> screenshots_in(const fs::path& folder) {
 
 std::vector<fs::path> ResultsFolder::results() const {
   std::vector<fs::path> files = screenshots_in(folder_);
-  for (const fs::path& file : {score_json(), report(), force_plot(), tool(), unfinished_log(), log()}) {
+  for (const fs::path& file :
+       {score_json(), report(), force_plot(), fault_csv(), tool(), unfinished_log(), log()}) {
     if (fs::exists(fs::symlink_status(file))) files.push_back(file);
   }
   return files;

@@ -28,6 +28,7 @@ class ResultsFolder {
   std::filesystem::path score_json() const { return folder_ / "score.json"; }
   std::filesystem::path report() const { return folder_ / "report.html"; }
   std::filesystem::path force_plot() const { return folder_ / "force.png"; }
+  std::filesystem::path fault_csv() const { return folder_ / "fault.csv"; }
   const std::filesystem::path& folder() const { return folder_; }
 
  private:

@@ -2,6 +2,7 @@
 
 #include <QDateTime>
 #include <chrono>
+#include <cstdio>
 #include <exception>
 #include <stdexcept>
 #include <system_error>
@@ -14,6 +15,7 @@
 #include "gui/report/report.h"
 #include "gui/session/device_choice.h"
 #include "gui/session/device_port.h"
+#include "gui/session/fault_report.h"
 #include "gui/session/files.h"
 #include "gui/session/log_conversion.h"
 #include "gui/session/log_paths.h"
@@ -48,6 +50,8 @@ struct TrialSession::Impl {
   ~Impl();
 
   void make_runner();
+  std::unique_ptr<device::HapticDevice> new_device() const;
+  std::string keep_fault(const fs::path& file) const;
   void start();
   void stop();
   void record(const engine::TickRecord& tick);
@@ -78,6 +82,7 @@ struct TrialSession::Impl {
 
   std::atomic<bool> stop_asked{false};
   std::atomic<bool> ended{false};
+  std::atomic<std::uint32_t> loop_fault{0};  ///< of the first tick that had one
   // Below: the worker's until it is joined.
   std::int64_t recorded = 0;
   std::string ended_by;
@@ -96,7 +101,7 @@ TrialSession::Impl::Impl(const TrialSetup& given)
     use_own_tool(*setup.tool, description);
     tool_ply = tool_to_ply(*setup.tool);
   }
-  device = make_device(setup.device, package, scenario);
+  device = new_device();
   const device::DeviceInfo info = device->info();
   if (info.peak_force_n > 0.0) description.haptics.device_limit_n = info.peak_force_n;
   { const curricula::Records opens(records_database()); }  // a database that cannot be used is named before the trial
@@ -113,9 +118,25 @@ TrialSession::Impl::~Impl() {
   }
   try {
     writer->close(footer(false, "interrupted"));
+    keep_fault(results.fault_csv());
   } catch (const std::exception&) {
     // Nothing can be said from here; what was written whole is recovered from the .part file.
   }
+}
+
+std::unique_ptr<device::HapticDevice> TrialSession::Impl::new_device() const {
+  return setup.own_device ? setup.own_device() : make_device(setup.device, package, scenario);
+}
+
+/// Writes the ticks that led to a fault of the runner that was stopped; the sentence that tells of it, or nothing.
+std::string TrialSession::Impl::keep_fault(const fs::path& file) const {
+  const std::vector<engine::TickRecord> ticks = runner->ticks_before_fault();
+  if (ticks.empty()) return "";
+  write_file_whole(file, fault_csv(ticks));
+  char when[40];
+  std::snprintf(when, sizeof when, "%.3f s", ticks.back().time_s);
+  return "at " + std::string(when) + " " + fault_words(ticks.back().faults) + " (the " + std::to_string(ticks.size()) +
+         " ticks up to it are in " + file.filename().string() + ")";
 }
 
 void TrialSession::Impl::make_runner() {
@@ -173,6 +194,7 @@ void TrialSession::Impl::start() {
   failure = nullptr;
   ended = false;
   stop_asked = false;
+  loop_fault = 0;
   if (setup.realtime) runner->start();
   worker = std::thread([this] {
     try {
@@ -198,6 +220,7 @@ void TrialSession::Impl::record(const engine::TickRecord& tick) {
   }
   writer->append(to_log(tick));
   ++recorded;
+  if (loop_fault == 0) loop_fault = tick.faults & kLoopFaults;
   if (!ended_by.empty()) return;
   if (device->finished(tick.time_s)) {
     ended_by = "finished";
@@ -261,6 +284,7 @@ void TrialSession::Impl::keep_log_of_reset() {
   fs::path kept;
   for (int n = 1; kept.empty() || fs::exists(kept); ++n)
     kept = results.folder() / ("before-reset-" + std::to_string(n) + ".vtrial");
+  keep_fault(fs::path(kept).replace_extension(".fault.csv"));
   fs::rename(results.log(), kept);
   tool_is_needed = true;
   const curricula::TrialLog log = curricula::read_trial_log(kept);
@@ -284,7 +308,7 @@ TrialOutcome TrialSession::Impl::finish(const std::string& how) {
   // Scored from the file, so that `vallecula score` can only say the same.
   const curricula::TrialLog log = curricula::read_trial_log(results.log());
   TrialOutcome outcome{curricula::score_trial(log, scenario), results.log(), results.score_json(), results.report(),
-                       results.force_plot()};
+                       results.force_plot(), keep_fault(results.fault_csv())};
   write_file_whole(outcome.score_json, curricula::score_to_json(outcome.score, log, scenario) + "\n");
   write_force_chart(outcome.force_plot, log, scenario, outcome.score);
   write_report(results.folder(), log, scenario, outcome.score);
@@ -301,6 +325,7 @@ const curricula::Scenario& TrialSession::scenario() const { return impl_->scenar
 const engine::SceneDescription& TrialSession::scene() const { return impl_->description; }
 device::HapticDevice& TrialSession::device() { return *impl_->device; }
 void TrialSession::start() { impl_->start(); }
+std::string TrialSession::fault() const { return fault_words(impl_->loop_fault); }
 bool TrialSession::finished() const { return impl_->ended; }
 const engine::Snapshot& TrialSession::latest() { return impl_->runner->latest(); }
 TrialOutcome TrialSession::finish(const std::string& how) { return impl_->finish(how); }
@@ -310,9 +335,9 @@ void TrialSession::reset(const std::function<void()>& between) {
   impl_->stop();
   impl_->keep_log_of_reset();
   // A live device stays (the window holds it); a script starts again from its first line, faults forgotten.
-  if (is_scripted(impl_->setup.device)) {
+  if (impl_->setup.own_device || is_scripted(impl_->setup.device)) {
     impl_->runner.reset();
-    impl_->device = make_device(impl_->setup.device, impl_->package, impl_->scenario);
+    impl_->device = impl_->new_device();
   }
   if (between) between();
   impl_->make_runner();

@@ -25,6 +25,8 @@ struct TrialSetup {
   /// A tool of its own (m, tool frame) instead of the scenario's blade; null: the blade.
   std::shared_ptr<const engine::TriangleMesh> tool;
   std::filesystem::path out;        ///< folder for trial.vtrial, tool.ply (of a tool of its own), score.json, report.html, force.png
+  /// A device of the caller's own, made anew where a script would be; empty: by the name above.
+  std::function<std::unique_ptr<device::HapticDevice>()> own_device;
   bool realtime = true;             ///< false: as fast as it goes, servo and simulation in lockstep on one thread
   std::filesystem::path final_out;  ///< where the caller will move `out` to once all is whole; empty: it stays
 };
@@ -32,6 +34,7 @@ struct TrialSetup {
 struct TrialOutcome {
   curricula::Score score;
   std::filesystem::path log, score_json, report, force_plot;
+  std::string fault;  ///< in plain words, with the file its ticks are in; empty: none
 };
 
 /// Life: construct (loads and builds; may take a second) -> start -> poll latest()/finished -> finish. finish() is
@@ -49,6 +52,8 @@ class TrialSession {
   device::HapticDevice& device();  ///< a mouse device is fed through this (dynamic_cast to device::MouseDevice)
 
   void start();
+  /// The first fault of the loop in this attempt, in plain words; empty: none yet. Any thread.
+  std::string fault() const;
   bool finished() const;  ///< the script or the scenario's time is over
   /// `between`: called when the old attempt is over and the new one has not begun (a hand is put back then).
   void reset(const std::function<void()>& between = {});           ///< tissue to rest, attempt starts anew; the one before stays as before-reset-N.vtrial, recorded

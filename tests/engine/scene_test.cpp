@@ -279,14 +279,15 @@ TEST(Servo, AForceThatIsNotFiniteIsNamedAndNotSent) {
   in.pose.position = Vec3(0.015, 0.015, 0.012);
   StepResult good;
   good.step = 0;
-  good.proxy_pose.position = Vec3(0.015, 0.015, 0.0125);
+  good.coupling.hand.device = in.pose;
+  good.coupling.proxy.pull.force = Vec3(0, 0, -0.6);
   ServoState servo;
   const TickRecord fine = servo_tick(*scene, 0, in, 0, good, false, servo);
   EXPECT_EQ(fine.faults, kFaultNone);
   EXPECT_GT(fine.displayed_force_n.norm(), 0.1);
   for (const bool in_pose : {true, false}) {
     StepResult bad = good;
-    (in_pose ? bad.proxy_pose.position : bad.model_force_n).y() = std::numeric_limits<double>::quiet_NaN();
+    (in_pose ? bad.coupling.proxy.pose.position : bad.model_force_n).y() = std::numeric_limits<double>::quiet_NaN();
     const TickRecord record = servo_tick(*scene, 1, in, 1, bad, false, servo);
     EXPECT_NE(record.faults & kFaultForce, 0u);
     EXPECT_EQ(record.displayed_force_n.norm(), 0.0);

@@ -150,6 +150,33 @@ TEST(LabCommand, TheFiguresHaveTheirAgreedKeys) {
   EXPECT_TRUE(fs::exists(box / "final.vtu"));
 }
 
+// Withheld steps and steps twice as long, their forces predicted: nearer to the full run than held forces are.
+TEST(LabCommand, PredictionIsMeasuredAgainstTheFullRun) {
+  const Sandbox box;
+  const Outcome outcome = LabRun(box).with("--serve-every", "2").go();
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const QJsonObject json = json_in(box / "out.json");
+  const QJsonObject prediction = json["prediction"].toObject();
+  double last = 0.0;
+  for (const char* withheld : {"1", "2", "3", "5", "10"}) {
+    const QJsonObject error = prediction[withheld].toObject();
+    EXPECT_GT(error["rms_n"].toDouble(), 0.0) << withheld;
+    // The touch itself nobody foresees; of one or two steps it is most of the error.
+    const double share = std::atoi(withheld) < 3 ? 1.0 : 0.6;
+    EXPECT_LT(error["rms_n"].toDouble(), share * error["hold_rms_n"].toDouble()) << withheld;
+    EXPECT_GE(error["max_n"].toDouble(), error["p99_n"].toDouble()) << withheld;
+    EXPECT_GT(error["hold_rms_n"].toDouble(), last) << withheld;
+    last = error["hold_rms_n"].toDouble();
+  }
+  const QJsonObject multirate = json["multirate"].toObject();
+  EXPECT_EQ(multirate["serve_every"].toInt(), 2);
+  EXPECT_GT(multirate["rms_n"].toDouble(), 0.0);
+  EXPECT_LT(multirate["rms_n"].toDouble(), multirate["hold_rms_n"].toDouble());
+  const Sandbox other;
+  LabRun(other).with("--serve-every", "0").refused(2, "--serve-every");
+  LabRun(other).with("--serve-every", "2").with("--force-limit", "7.9").refused(2, "--serve-every");
+}
+
 TEST(LabCommand, InRealTimeItCountsWhatWasLate) {
   const Sandbox box;
   const std::vector<std::string> run = {"lab",          "--tet",        (box / "block.ele").string(), "--tool",

@@ -3,6 +3,8 @@
 #include <signal.h>
 
 #include <QCoreApplication>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <chrono>
 #include <cmath>
 #include <functional>
@@ -105,6 +107,29 @@ TEST_F(TrialCommandsRealTime, ARealTimeTrialVerifiesToo) {
   EXPECT_NEAR(log.footer.loop_rate_hz, 1000.0, 50.0);
   const Outcome verified = box_.run({"replay", (box_ / "out").string(), "--verify"});
   EXPECT_EQ(verified.exit_code, 0) << verified.err;
+}
+
+TEST_F(TrialCommands, PredictionAndEnergyAreMeasuredOnATrial) {
+  ASSERT_EQ(box_.run(trial_arguments("out")).exit_code, 0);
+  const fs::path file = box_ / "prediction.json";
+  const Outcome outcome = box_.run({"replay", (box_ / "out").string(), "--prediction", "--json", file.string()});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("energy: the hand put in"), std::string::npos) << outcome.out;
+  const QJsonObject json = QJsonDocument::fromJson(QByteArray::fromStdString(text_of(file))).object();
+  EXPECT_GT(json["peak_force_n"].toDouble(), 0.1);
+  const QJsonObject kinds = json["prediction"].toObject();
+  for (const char* withheld : {"1", "2", "3", "5", "10"}) {
+    const double used = kinds["contact"].toObject()[withheld].toObject()["rms_n"].toDouble();
+    EXPECT_GT(used, 0.0) << withheld;
+    EXPECT_LT(used, kinds["hold"].toObject()[withheld].toObject()["rms_n"].toDouble()) << withheld;
+    EXPECT_LT(used, kinds["spring"].toObject()[withheld].toObject()["rms_n"].toDouble()) << withheld;
+  }
+  const QJsonObject energy = json["energy"].toObject();
+  EXPECT_GT(energy["pushed_in_j"].toDouble(), 1e-5);
+  EXPECT_GE(energy["lowest_j"].toDouble(), -1e-9);
+  // What was asked together makes no sense: usage.
+  EXPECT_EQ(box_.run({"replay", (box_ / "out").string(), "--json", file.string()}).exit_code, 2);
+  EXPECT_EQ(box_.run({"replay", (box_ / "out").string(), "--prediction", "--verify"}).exit_code, 2);
 }
 
 TEST_F(TrialCommands, TwoTrialsAtFullSpeedAreTheSameToTheBit) {

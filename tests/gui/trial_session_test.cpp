@@ -3,8 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdlib>
+#include <limits>
 #include <thread>
 
 #include "curricula/records/records.h"
@@ -102,6 +105,69 @@ TEST_F(SessionRealTime, ResetBeginsAnewWithTissueAtRestAndAFreshLog) {
   EXPECT_EQ(before.footer.ended, "reset");
   EXPECT_GE(before.ticks.size(), 600u);
   EXPECT_EQ(curricula::Records(box_.home() / "records.sqlite").newest(10).size(), 2u);
+}
+
+/// A hand over the block's dorsum that sends poses of no numbers for 20 ms.
+class BrokenDevice final : public device::HapticDevice {
+ public:
+  device::DeviceInfo info() const override {
+    device::DeviceInfo info;
+    info.kind = "broken";
+    info.peak_force_n = 7.9;
+    return info;
+  }
+  device::DeviceReading read(double time_s) noexcept override {
+    device::DeviceReading reading;
+    reading.valid = true;
+    reading.position_m = {0.0, 0.0, 0.006};
+    if (time_s >= 0.3 && time_s < 0.32) reading.position_m[1] = std::numeric_limits<double>::quiet_NaN();
+    return reading;
+  }
+  void write(const std::array<double, 3>& force_n) noexcept override {
+    for (const double f : force_n) finite_ &= std::isfinite(f);
+  }
+  device::DeviceFault fault() const noexcept override { return device::DeviceFault::none; }
+  bool finished(double time_s) const noexcept override { return time_s > 0.6; }
+  ~BrokenDevice() override { EXPECT_TRUE(finite_); }
+
+ private:
+  bool finite_ = true;
+};
+
+// A pose of no numbers: zero force, a named fault with the 50 ticks that led to it, and the session goes on; after a reset the
+// next one is caught as well.
+TEST_F(Session, AFaultIsNamedAndItsTicksAreKept) {
+  TrialSetup broken = setup(false);
+  broken.own_device = [] { return std::make_unique<BrokenDevice>(); };
+  TrialSession session(broken);
+  session.start();
+  wait(session);
+  EXPECT_NE(session.fault().find("no position and rotation"), std::string::npos) << session.fault();
+  session.reset();
+  wait(session);
+  EXPECT_NE(session.fault(), "");
+  const TrialOutcome outcome = session.finish("ended");
+  EXPECT_NE(outcome.fault.find("at 0.300 s the device sent a pose that is no position and rotation"), std::string::npos) << outcome.fault;
+  EXPECT_NE(outcome.fault.find(" in fault.csv"), std::string::npos) << outcome.fault;
+  EXPECT_EQ(outcome.fault.find('/'), std::string::npos) << "no folder: " << outcome.fault;
+  const std::string csv = text_of(box_ / "out" / "fault.csv");
+  EXPECT_EQ(csv, text_of(box_ / "out" / "before-reset-1.fault.csv"));
+  EXPECT_EQ(csv.rfind("tick,time_s,faults,state,", 0), 0u);
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 51);
+  EXPECT_NE(csv.find("\n251,0.251000,,tracking,1,"), std::string::npos) << csv;
+  EXPECT_NE(csv.find("\n300,0.300000,device_pose,lost,1,"), std::string::npos) << csv;
+  const curricula::TrialLog log = curricula::read_trial_log(outcome.log);
+  EXPECT_GE(log.ticks.size(), 600u);
+  EXPECT_EQ(log.ticks.back().faults, 0u) << "it went on";
+  EXPECT_EQ(log.ticks[310].displayed_force_n, (std::array<double, 3>{0, 0, 0}));
+}
+
+TEST_F(Session, WithoutAFaultThereIsNoFaultFile) {
+  TrialSession session(setup(false));
+  session.start();
+  wait(session);
+  EXPECT_EQ(session.finish("ended").fault, "");
+  EXPECT_FALSE(fs::exists(box_ / "out" / "fault.csv"));
 }
 
 TEST_F(SessionRealTime, AbandonedItKeepsAnIncompleteLogAndNoScore) {

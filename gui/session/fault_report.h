@@ -1,0 +1,21 @@
+// A fault of the loop in plain words, and the ticks that led to it as a table.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "engine/tick_record.h"
+
+namespace vallecula::gui {
+
+/// The faults that freeze the last ticks: the engine's or the pose's own, not an unplugged device or a late step.
+constexpr std::uint32_t kLoopFaults = engine::kFaultDevicePose | engine::kFaultTissue | engine::kFaultForce;
+
+/// One sentence for a person; empty without one of kLoopFaults.
+std::string fault_words(std::uint32_t faults);
+
+/// One row a tick, oldest first; units in the column names, world axes (patient LPS).
+std::string fault_csv(const std::vector<engine::TickRecord>& ticks);
+
+}  // namespace vallecula::gui
