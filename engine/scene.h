@@ -28,6 +28,8 @@ struct SprungBody {
   double stiffness = 0.0;             ///< N/m (translation) or N m/rad (hinge)
   double inertia = 0.0;               ///< kg or kg m^2
   double damping = 0.0;               ///< N s/m or N m s/rad
+  double stop = 0.0;                  ///< hinge: beyond this angle (rad) it is kStopFactor times as stiff; 0: nowhere
+  static constexpr double kStopFactor = 30.0;
 };
 
 struct SoftBodyDescription {
@@ -40,10 +42,18 @@ struct SoftBodyDescription {
   std::vector<SprungBody> bodies;
 };
 
+/// A part of the rigid anatomy that moves with a sprung body: all its way, or a share of it.
+struct RigidPart {
+  int body = -1;       ///< index into SoftBodyDescription::bodies
+  double share = 1.0;  ///< above 0, up to 1
+};
+
 /// Rigid anatomy: a closed surface whose triangles name what they are. Triangles of `Structure::other` carry no load.
 struct RigidAnatomy {
   TriangleMesh surface;
   std::vector<Structure> triangle_structure;
+  std::vector<RigidPart> parts;             ///< what moves
+  std::vector<std::int8_t> triangle_part;   ///< -1 stands still, else index into parts; empty: all stands still
 };
 
 struct ToolDescription {

@@ -70,6 +70,24 @@ void collect_tissue_load(const Scene& scene, SceneState& state, std::array<Struc
     if (weight[s] > 0) loads[s].centre_m /= weight[s];
 }
 
+/// What anatomy and tool ask of the sprung bodies in the coming step: the tool on what is theirs, and the joints' stops.
+void load_bodies(const Scene& scene, SceneState& state) {
+  TissueState& tissue = state.tissue;
+  std::fill(tissue.body_load.begin(), tissue.body_load.end(), Vec3::Zero());
+  std::fill(tissue.body_load_stiffness.begin(), tissue.body_load_stiffness.end(), 0.0);
+  if (state.placed)
+    press_parts(scene.rigid, state.parts, scene.tool, state.rigid_scan, state.proxy, scene.model.step_s,
+                {tissue.body_load, tissue.body_load_stiffness});
+  for (std::size_t b = 0; b < scene.model.bodies.size(); ++b) {
+    const SprungBody& body = scene.model.bodies[b];
+    const double angle = tissue.body_displacement[b].x(), beyond = std::abs(angle) - body.stop;
+    if (body.motion != SprungBody::Motion::hinge || !(body.stop > 0) || !(beyond > 0)) continue;
+    const double stiffer = (SprungBody::kStopFactor - 1) * body.stiffness;
+    tissue.body_load[b].x() -= std::copysign(stiffer * beyond, angle);
+    tissue.body_load_stiffness[b] += stiffer;
+  }
+}
+
 bool tissue_finite(const SceneState& state) {
   double sum = state.tissue_wrench.force.squaredNorm() + state.tissue_wrench.torque.squaredNorm();
   for (const Vec3& u : state.tissue.displacement) sum += u.squaredNorm();
@@ -134,20 +152,24 @@ StepResult step(const Scene& scene, SceneState& state, const StepInput& input) n
   } else if (proxy_held(state.limit.state)) {
     state.proxy.velocity.setZero();
     state.proxy.angular_velocity.setZero();
-    rigid = rigid_contacts(scene.rigid, scene.tool, state.rigid_scan, state.proxy.pose);
+    rigid = rigid_contacts(scene.rigid, state.parts, scene.tool, state.rigid_scan, state.proxy.pose);
     // Admissible is a pose that the device could hold: what the blow of stopping drove into bone beyond that is let out.
     if (rigid.wrench.force.norm() > settings.device_limit_n)
-      rigid = move_proxy(scene.proxy, scene.rigid, scene.tool, state.rigid_scan, state.proxy.pose, Wrench{}, 1.0,
+      rigid = move_proxy(scene.proxy, scene.rigid, state.parts, scene.tool, state.rigid_scan, state.proxy.pose, Wrench{}, 1.0,
                          settings.device_limit_n, Wrench{}, Mat6::Zero(), state.proxy);
   } else {
     const bool bounded = state.limit.state == HapticState::recovering;
-    rigid = move_proxy(scene.proxy, scene.rigid, scene.tool, state.rigid_scan, state.device, state.device_velocity,
+    rigid = move_proxy(scene.proxy, scene.rigid, state.parts, scene.tool, state.rigid_scan, state.device, state.device_velocity,
                        state.limit.coupling_scale, bounded ? settings.device_limit_n : 1e3, state.tissue_wrench, state.tissue_stiffness,
                        state.proxy);
   }
 
   StageTimes times;
+  load_bodies(scene, state);
   step_tissue(scene, state, before, result.loads, times);
+  scene.rigid.place(state.tissue.body_displacement, state.tissue.body_velocity, state.parts);
+  if (state.placed && scene.rigid.part_count() > 0)  // as they press now that the bodies have given way
+    rigid = rigid_contacts(scene.rigid, state.parts, scene.tool, state.rigid_scan, state.proxy.pose);
   if (!tissue_finite(state) || !usable(state.proxy.pose)) {
     state.tissue.set_rest(scene.model);
     state.contacts.forget();
@@ -156,6 +178,7 @@ StepResult step(const Scene& scene, SceneState& state, const StepInput& input) n
     state.proxy = ProxyState{};
     state.proxy.pose = state.device;
     state.rigid_scan.begin_anew(state.device);
+    state.parts = PartPoses{};
     result.loads = {};
     rigid = RigidContacts{};
     result.faults |= kFaultTissue;

@@ -28,36 +28,30 @@ using Vec6 = Eigen::Matrix<double, 6, 1>;
 constexpr double kRigidReach = 0.0008;  // m
 constexpr int kMostRigidPoints = 256, kRigidPasses = 5;
 
-/// Calls visit(world arm from the tip, normal, depth, structure) for each sample point deeper than `least_depth`, which is
-/// no more than kRigidReach outside.
+/// Calls visit(world arm from the tip, depth, touch) for each sample point deeper than `least_depth`, which is no more than
+/// kRigidReach outside.
 template <class Visit>
-void for_each_rigid_contact(const SignedDistanceGrid& rigid, const ToolField& tool, RigidScan& scan, const Pose& pose,
-                            double least_depth, Visit visit) {
-  const double moved = (pose.position - scan.last.position).norm() + tool.radius * pose.rotation.angularDistance(scan.last.rotation);
+void for_each_rigid_contact(const RigidField& rigid, const PartPoses& parts, const ToolField& tool, RigidScan& scan,
+                            const Pose& pose, double least_depth, Visit visit) {
+  double moved = (pose.position - scan.last.position).norm() + tool.radius * pose.rotation.angularDistance(scan.last.rotation);
+  for (int p = 0; p < rigid.part_count(); ++p) moved += (parts[p].travel - scan.parts[p].travel).norm();
   scan.travel += moved;
   scan.last = pose;
+  scan.parts = parts;
   const Mat3 to_world = pose.rotation.toRotationMatrix();
   for (std::size_t i = 0; i < tool.samples.size(); ++i) {
     if (scan.travel < scan.next_check[i]) continue;
     const Vec3 arm = to_world * tool.samples[i];
-    const Vec3 world = pose.position + arm;
-    const SignedDistanceGrid::Sample s = rigid.sample(world);
+    const double most = scan.depth[i] + moved;
     double& known = scan.depth[i];
-    if (!(s.distance < kRigidReach)) {
-      scan.next_check[i] = scan.travel + s.distance - kRigidReach;
-      known = 0.0;
-      continue;
-    }
-    // Deeper than the field's band nothing is known of what is touched or which way is out.
-    const std::uint8_t structure = rigid.class_at(world);
-    if (structure >= kLoadedStructures) {
-      known = 0.0;
-      continue;
-    }
-    const double depth = std::min(-s.distance, known + moved);
-    known = std::max(0.0, depth);
-    if (!(depth > least_depth)) continue;
-    visit(arm, s.gradient, depth, static_cast<Structure>(structure));
+    known = 0.0;
+    const double nearest = rigid.look(pose.position + arm, parts, kRigidReach, [&](const RigidField::Touch& touch) {
+      if (static_cast<int>(touch.structure) >= kLoadedStructures) return;
+      const double depth = std::min(-touch.distance, most);
+      known = std::max(known, depth);
+      if (depth > least_depth) visit(arm, depth, touch);
+    });
+    if (!(nearest < kRigidReach)) scan.next_check[i] = scan.travel + nearest - kRigidReach;
   }
 }
 
@@ -78,18 +72,19 @@ Wrench coupling_wrench(const ProxySettings& settings, const Pose& proxy, const P
   return w;
 }
 
-RigidContacts rigid_contacts(const SignedDistanceGrid& rigid, const ToolField& tool, RigidScan& scan,
+RigidContacts rigid_contacts(const RigidField& rigid, const PartPoses& parts, const ToolField& tool, RigidScan& scan,
                              const Pose& pose) noexcept {
   RigidContacts out;
   std::array<double, kLoadedStructures> weight{};
-  for_each_rigid_contact(rigid, tool, scan, pose, 0.0, [&](const Vec3& arm, const Vec3& n, double depth, Structure structure) {
-    const Vec3 force = kRigidStiffness * depth * n;
+  for_each_rigid_contact(rigid, parts, tool, scan, pose, 0.0, [&](const Vec3& arm, double depth, const RigidField::Touch& touch) {
+    const Vec3 force = kRigidStiffness * depth * touch.normal;
+    const int structure = static_cast<int>(touch.structure);
     out.wrench.force += force;
     out.wrench.torque += arm.cross(force);
-    StructureLoad& load = out.loads[static_cast<int>(structure)];
+    StructureLoad& load = out.loads[structure];
     load.force_n += force;
     load.centre_m += kRigidStiffness * depth * (pose.position + arm);
-    weight[static_cast<int>(structure)] += kRigidStiffness * depth;
+    weight[structure] += kRigidStiffness * depth;
     ++load.contacts;
   });
   for (int i = 0; i < kLoadedStructures; ++i)
@@ -97,8 +92,22 @@ RigidContacts rigid_contacts(const SignedDistanceGrid& rigid, const ToolField& t
   return out;
 }
 
-RigidContacts move_proxy(const ProxySettings& settings, const SignedDistanceGrid& rigid, const ToolField& tool,
-                         RigidScan& scan, const Pose& device, const Wrench& device_velocity, double coupling_scale, double force_limit,
+void press_parts(const RigidField& rigid, const PartPoses& parts, const ToolField& tool, RigidScan& scan,
+                 const ProxyState& proxy, double step_s, const BodyLoads& bodies) noexcept {
+  if (rigid.part_count() == 0) return;
+  for_each_rigid_contact(rigid, parts, tool, scan, proxy.pose, 0.0,
+                         [&](const Vec3& arm, double depth, const RigidField::Touch& touch) {
+    if (touch.part < 0) return;
+    const std::size_t body = static_cast<std::size_t>(rigid.body_of(touch.part));
+    const Vec3 lever = rigid.lever(touch.part, touch.rest, touch.normal);
+    const double away = touch.normal.dot(proxy.velocity + proxy.angular_velocity.cross(arm));
+    bodies.load[body] -= (kRigidStiffness * depth - kRigidDamping * away) * lever;
+    bodies.stiffness[body] += (kRigidStiffness + kRigidDamping / step_s) * lever.squaredNorm();
+  });
+}
+
+RigidContacts move_proxy(const ProxySettings& settings, const RigidField& rigid, const PartPoses& parts,
+                         const ToolField& tool, RigidScan& scan, const Pose& device, const Wrench& device_velocity, double coupling_scale, double force_limit,
                          const Wrench& tissue, const Mat6& tissue_stiffness, ProxyState& proxy) noexcept {
   const double h = settings.step_s;
   const double k = settings.stiffness_n_m * coupling_scale, kr = settings.rotation_nm_rad * coupling_scale;
@@ -121,15 +130,17 @@ RigidContacts move_proxy(const ProxySettings& settings, const SignedDistanceGrid
   right.tail<3>() = settings.inertia_kg_m2 / h * proxy.angular_velocity + br * device_velocity.torque + pull.torque + tissue.torque;
   // Springs that push only: which of them do at the end of the move is found by trying (a few passes settle it).
   std::array<Vec6, kMostRigidPoints> direction;
-  std::array<double, kMostRigidPoints> depth;
+  std::array<double, kMostRigidPoints> depth, comes;  // comes: how far a moving part's surface comes out in this tick
   std::array<bool, kMostRigidPoints> pushes;
   int points = 0;
-  for_each_rigid_contact(rigid, tool, scan, proxy.pose, -kRigidReach,
-                         [&](const Vec3& arm, const Vec3& n, double deep, Structure) {
+  for_each_rigid_contact(rigid, parts, tool, scan, proxy.pose, -kRigidReach,
+                         [&](const Vec3& arm, double deep, const RigidField::Touch& touch) {
                            if (points == kMostRigidPoints) return;
-                           direction[points] << n, arm.cross(n);
-                           depth[points] = deep;
-                           pushes[points] = deep > 0;
+                           direction[points] << touch.normal, arm.cross(touch.normal);
+                           comes[points] =
+                               touch.part < 0 ? 0.0 : h * touch.normal.dot(parts[touch.part].velocity_at(touch.rest));
+                           depth[points] = deep + comes[points];
+                           pushes[points] = depth[points] > 0;
                            ++points;
                          });
   Vec6 move = Vec6::Zero();
@@ -139,7 +150,7 @@ RigidContacts move_proxy(const ProxySettings& settings, const SignedDistanceGrid
     for (int i = 0; i < points; ++i) {
       if (!pushes[i]) continue;
       with += (kRigidStiffness + kRigidDamping / h) * direction[i] * direction[i].transpose();
-      load += kRigidStiffness * depth[i] * direction[i];
+      load += (kRigidStiffness * depth[i] + kRigidDamping / h * comes[i]) * direction[i];
     }
     move = with.llt().solve(load);
     bool changed = false;
@@ -160,7 +171,7 @@ RigidContacts move_proxy(const ProxySettings& settings, const SignedDistanceGrid
     proxy.pose.rotation = Quat(Eigen::AngleAxisd(angle, axis)) * proxy.pose.rotation;
     proxy.pose.rotation.normalize();
   }
-  return rigid_contacts(rigid, tool, scan, proxy.pose);
+  return rigid_contacts(rigid, parts, tool, scan, proxy.pose);
 }
 
 }  // namespace vallecula::engine

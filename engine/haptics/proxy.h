@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "engine/contact/signed_distance_grid.h"
+#include "engine/contact/rigid_field.h"
 #include "engine/contact/tool_field.h"
 #include "engine/tick_record.h"
 
@@ -38,8 +38,14 @@ struct RigidContacts {
   std::array<StructureLoad, kLoadedStructures> loads{};  ///< by Structure
 };
 
-/// Which of the tool's sample points need not be looked at yet: a point seen at some distance from rigid anatomy, which stands
-/// still, cannot touch it before the tool has travelled that far.
+/// What the contacts ask of the bodies that moving parts of the anatomy belong to (TissueState::body_load).
+struct BodyLoads {
+  std::vector<Vec3>& load;
+  std::vector<double>& stiffness;
+};
+
+/// Which of the tool's sample points need not be looked at yet: a point seen at some distance from rigid anatomy cannot touch
+/// it before tool and anatomy have travelled that far.
 struct RigidScan {
   explicit RigidScan(std::size_t samples) : next_check(samples, 0.0), depth(samples, 0.0) {}
   /// As before the first look, with the tool at `pose`.
@@ -48,13 +54,15 @@ struct RigidScan {
     std::fill(next_check.begin(), next_check.end(), 0.0);
     std::fill(depth.begin(), depth.end(), 0.0);
     last = pose;
+    parts = PartPoses{};
   }
-  double travel = 0.0;             ///< of the tool's fastest point since the scan began, m
+  double travel = 0.0;             ///< of the tool's fastest point and the moving parts' since the scan began, m
   std::vector<double> next_check;  ///< per sample, as travel
   /// Per sample: how deep it is in gum, palate or tooth, m, as far as it can have come since it met them. A point that
   /// comes through lip or cheek, which do not resist, is met by the gum where it is, not by all that lies above it.
   std::vector<double> depth;
-  Pose last;                       ///< of the tool, when travel was added to
+  Pose last;                       ///< of the tool, when travel was added to,
+  PartPoses parts;                 ///< and of the anatomy
 };
 
 /// Rotation vector (axis times angle, rad) that turns `from` into `to`, world axes.
@@ -67,14 +75,19 @@ Wrench coupling_wrench(const ProxySettings& settings, const Pose& proxy, const P
 /// coupling's, the tissue's and the rigid contacts' stiffness. `tissue` is the last tick's force of the tissue on the tool and
 /// `tissue_stiffness` what it would change by if the tool moved within a tick: taken as a mere load, a blade wedged between
 /// tissue and gum chattered at the tick's rate. `device_velocity` (m/s, rad/s): the damper works against the hand, so that
-/// moving freely costs no force. `force_limit`: the coupling pulls with no more than this (N). Returns the rigid contacts at
+/// moving freely costs no force. Moving parts of the anatomy are taken to go on as they do. `force_limit`: the coupling pulls with no more than this (N). Returns the rigid contacts at
 /// the new pose.
-RigidContacts move_proxy(const ProxySettings& settings, const SignedDistanceGrid& rigid, const ToolField& tool,
-                         RigidScan& scan, const Pose& device, const Wrench& device_velocity, double coupling_scale, double force_limit,
+RigidContacts move_proxy(const ProxySettings& settings, const RigidField& rigid, const PartPoses& parts,
+                         const ToolField& tool, RigidScan& scan, const Pose& device, const Wrench& device_velocity, double coupling_scale, double force_limit,
                          const Wrench& tissue, const Mat6& tissue_stiffness, ProxyState& proxy) noexcept;
 
 /// Rigid contacts of a proxy that is held still.
-RigidContacts rigid_contacts(const SignedDistanceGrid& rigid, const ToolField& tool, RigidScan& scan,
+RigidContacts rigid_contacts(const RigidField& rigid, const PartPoses& parts, const ToolField& tool, RigidScan& scan,
                              const Pose& pose) noexcept;
+
+/// Loads the bodies of the moving parts with what the proxy presses on them with (added to `bodies`): their share of the
+/// contact springs, which the tissue's step takes implicitly with the proxy standing where it is.
+void press_parts(const RigidField& rigid, const PartPoses& parts, const ToolField& tool, RigidScan& scan,
+                 const ProxyState& proxy, double step_s, const BodyLoads& bodies) noexcept;
 
 }  // namespace vallecula::engine

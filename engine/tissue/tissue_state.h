@@ -62,6 +62,11 @@ struct TissueState {
   std::vector<Vec3> velocity;       ///< per node, m/s; zero in anchored nodes
   std::vector<Vec3> body_displacement, body_velocity;  ///< per body: translation (m), or angle (rad) in x
 
+  /// What rigid contacts ask of the bodies in this tick: load (N, or N m in x) and how it falls as the body gives way (N/m or
+  /// N m/rad). Whoever finds the contacts sets both anew each tick.
+  std::vector<Vec3> body_load;
+  std::vector<double> body_load_stiffness;
+
   double fastest_m = 0.0;           ///< the farthest way of a node in the last step, m
 
   std::vector<PackState> packs;

@@ -1,0 +1,40 @@
+// How a patient's surfaces go along with what gives way: the lower jaw's hinge and the larynx below the hyoid. The
+// engine's obstacles, what the operator's eye meets and what is drawn take their shares from here. Millimetres, LPS.
+#pragma once
+
+#include "engine/mesh/triangle_bvh.h"
+#include "engine/types.h"
+#include "pipeline/package/patient_package.h"
+
+namespace vallecula::gui {
+
+/// Indices of SoftBodyDescription::bodies in a patient's scene.
+enum SceneBody { kMandibleBody = 0, kHyoidBody = 1, kLarynxBody = 2 };
+
+class AnatomyMotion {
+ public:
+  /// Throws std::runtime_error when the package lacks a surface or landmark that is needed.
+  explicit AnatomyMotion(const pipeline::PatientPackage& package);
+
+  /// Share of the mandible's motion that a point of skin, lip, gum or mucosa takes part in: 1 at the bone, the lower
+  /// lip and the chin, falling to 0 at the upper lip, the cheeks and the throat.
+  double with_jaw(const engine::Vec3& p) const;
+  /// Share of the larynx' motion: 1 about the glottis, falling to 0 at the back wall, the tongue's base and down the
+  /// trachea.
+  double with_larynx(const engine::Vec3& p) const;
+
+  /// Where a point of those shares is (mm), for the bodies' displacements of a snapshot.
+  engine::Vec3 displaced(const engine::Vec3& p, double with_jaw, double with_larynx,
+                         const std::vector<engine::Vec3>& bodies) const;
+
+ private:
+  engine::TriangleBvh mandible_, upper_jaw_;
+  engine::Vec3 condyles_, glottis_;
+  double back_ = 0.0;  ///< y of the glottis' hindmost point
+  double size_ = 1.0;  ///< over the term manikin's
+};
+
+/// Upper gum to vallecula over the term manikin's: what springs and lengths scale with.
+double size_of(const pipeline::PatientPackage& package);
+
+}  // namespace vallecula::gui
