@@ -75,7 +75,7 @@ double AnatomyMotion::with_larynx(const Vec3& p) const {
 Vec3 AnatomyMotion::displaced(const Vec3& p, double with_jaw, double with_larynx,
                               const std::vector<Vec3>& bodies) const {
   return p + with_jaw * bodies[kMandibleBody].x() * Vec3::UnitX().cross(p - condyles_) +
-         with_larynx * 1000.0 * bodies[kLarynxBody];
+         with_larynx * kLarynxShare * 1000.0 * bodies[kHyoidBody];
 }
 
 }  // namespace vallecula::gui

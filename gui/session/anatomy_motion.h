@@ -8,6 +8,9 @@
 
 namespace vallecula::gui {
 
+/// The larynx' surfaces and the glottis follow the hyoid by this share of its way (assumed: DESIGN has it follow slightly).
+constexpr double kLarynxShare = 0.3;
+
 /// Indices of SoftBodyDescription::bodies in a patient's scene.
 enum SceneBody { kMandibleBody = 0, kHyoidBody = 1, kLarynxBody = 2 };
 
@@ -19,7 +22,7 @@ class AnatomyMotion {
   /// Share of the mandible's motion that a point of skin, lip, gum or mucosa takes part in: 1 at the bone, the lower
   /// lip and the chin, falling to 0 at the upper lip, the cheeks and the throat.
   double with_jaw(const engine::Vec3& p) const;
-  /// Share of the larynx' motion: 1 about the glottis, falling to 0 at the back wall, the tongue's base and down the
+  /// Share of the larynx' motion, itself kLarynxShare of the hyoid's: 1 about the glottis, falling to 0 at the back wall, the tongue's base and down the
   /// trachea.
   double with_larynx(const engine::Vec3& p) const;
 

@@ -20,7 +20,6 @@ constexpr double kMetres = 0.001;  // the one conversion from the package's mill
 
 // Springs that hold hyoid and mandible (DESIGN 4.1: the hyoid follows 0.3-0.4 of the lift). No measured stiffness was
 // found; these were tried out on the term manikin and scale with the infant's size.
-constexpr double kLarynxShare = 0.3;          // of the hyoid's way: the larynx' surfaces and the glottis follow it (assumed)
 constexpr double kHyoidStiffness = 80.0;    // N/m
 constexpr double kLarynxStiffness = 35.0;    // N/m
 constexpr double kMandibleStiffness = 0.6;   // N m/rad about the condyles
