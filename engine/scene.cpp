@@ -89,7 +89,7 @@ Scene::Scene(const SceneDescription& d)
                                                     : TriangleCollision()),
       tool(d.tool.surface),
       rigid(rigid_field(d)),
-      sight(d.sight),
+      sight(d.sight, d.soft.bodies),
       proxy(proxy_settings(d)) {
   contact_stiffness = contact_stiffness_per_area(model, surface);
   for (const Vec3& p : model.rest) centre += p / static_cast<double>(model.nodes);

@@ -30,6 +30,16 @@ struct SprungBody {
   double damping = 0.0;               ///< N s/m or N m s/rad
   double stop = 0.0;                  ///< hinge: beyond this angle (rad) it is kStopFactor times as stiff; 0: nowhere
   static constexpr double kStopFactor = 30.0;
+
+  /// Where a point p at rest is carried to by the body's displacement q (translation, or angle in x), as a way from p.
+  Vec3 way_of(const Vec3& p, const Vec3& q) const {
+    switch (motion) {
+      case Motion::translation: return q;
+      case Motion::hinge: return q.x() * axis.normalized().cross(p - pivot);
+      case Motion::fixed: break;
+    }
+    return Vec3::Zero();
+  }
 };
 
 struct SoftBodyDescription {
@@ -65,6 +75,13 @@ struct SightDescription {
   Vec3 eye = Vec3::Zero();
   std::vector<Vec3> glottis_outline;   ///< polygon of the glottic opening, in order
   std::vector<TriangleMesh> occluders; ///< rigid surfaces that can stand in the way (face with mouth and airway walls)
+  /// What of this moves with a sprung body, each point by a share of the body's way (0..1).
+  struct Follower {
+    int body = -1;                     ///< index into SoftBodyDescription::bodies
+    double glottis_share = 0.0;
+    std::vector<float> point_share;    ///< of the occluders' points, in their order; empty: none moves
+  };
+  std::vector<Follower> followers;
 };
 
 struct HapticSettings {

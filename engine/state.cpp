@@ -96,7 +96,7 @@ bool tissue_finite(const SceneState& state) {
 }
 
 void look(const Scene& scene, SceneState& state) {
-  scene.sight.begin(state.sight);
+  scene.sight.begin(state.sight, state.tissue.body_displacement);
   scene.sight.add(state.sight, scene.model.nodes, scene.surface.triangles,
                   [&](int i) -> Vec3 { return scene.model.rest[i] + state.tissue.displacement[i]; });
   const TriangleMesh& tool = scene.description.tool.surface;

@@ -128,8 +128,7 @@ engine::SoftBodyDescription soft_body(const PatientPackage& package, const curri
 }
 
 /// The lower gum goes with the jaw, the larynx some of the hyoid's way. A gum's triangle belongs to the jaw it is nearer to.
-void follow_bodies(const PatientPackage& package, engine::RigidAnatomy& rigid) {
-  const AnatomyMotion motion(package);
+void follow_bodies(const AnatomyMotion& motion, engine::RigidAnatomy& rigid) {
   rigid.parts = {{kMandibleBody, 1.0}, {kHyoidBody, kLarynxShare}};
   for (std::size_t t = 0; t < rigid.surface.triangles.size(); ++t) {
     const auto& corner = rigid.surface.triangles[t];
@@ -151,11 +150,18 @@ engine::SceneDescription scene_from_package(const PatientPackage& package, const
   scene.rigid.surface = mesh_of(face);
   for (std::size_t t = 0; t < face.triangles.size(); ++t)
     scene.rigid.triangle_structure.push_back(structure_of(t < face.tissue.size() ? face.tissue[t] : 0));
-  follow_bodies(package, scene.rigid);
+  const AnatomyMotion motion(package);
+  follow_bodies(motion, scene.rigid);
   scene.tool.surface = engine::blade_surface(engine::miller_blade(scenario.blade));
   scene.sight.eye = landmark(package, "operator_eye");
   for (const auto& p : surface(package, "glottis").points) scene.sight.glottis_outline.push_back(metres(p));
   scene.sight.occluders = {scene.rigid.surface};
+  engine::SightDescription::Follower jaw{kMandibleBody, 0.0, {}}, larynx{kHyoidBody, kLarynxShare, {}};
+  for (const Vec3& p : scene.rigid.surface.points) {
+    jaw.point_share.push_back(static_cast<float>(motion.with_jaw(p / kMetres)));
+    larynx.point_share.push_back(static_cast<float>(kLarynxShare * motion.with_larynx(p / kMetres)));
+  }
+  scene.sight.followers = {std::move(jaw), std::move(larynx)};
   return scene;
 }
 
