@@ -89,6 +89,7 @@ Scene::Scene(const SceneDescription& d)
                                                     : TriangleCollision()),
       tool(d.tool.surface),
       rigid(rigid_field(d)),
+      lips(d.lips, d.soft.bodies, d.step_s),
       sight(d.sight, d.soft.bodies),
       proxy(proxy_settings(d)) {
   contact_stiffness = contact_stiffness_per_area(model, surface);

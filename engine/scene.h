@@ -66,6 +66,17 @@ struct RigidAnatomy {
   std::vector<std::int8_t> triangle_part;   ///< -1 stands still, else index into parts; empty: all stands still
 };
 
+/// The lips and what is about them: a surface under tension on an elastic bed, that the blade moves aside. Its force is part of
+/// the model force and of no structure's load. Without points there are none.
+struct LipDescription {
+  TriangleMesh surface;
+  std::vector<float> jaw_share;        ///< per point: of the jaw's motion; empty: none moves
+  int jaw_body = -1;                   ///< index into SoftBodyDescription::bodies
+  double bed_pa_m = 0.0;               ///< pressure per depth, Pa/m
+  double tension_n_m = 0.0;            ///< of the skin, N/m
+  double recovery_s = 0.0;             ///< time in which a lip let go comes back by all but a third
+};
+
 struct ToolDescription {
   TriangleMesh surface;                ///< closed, in the tool frame, m
   double mass_kg = 0.08;               ///< virtual mass of the proxy
@@ -95,6 +106,7 @@ struct HapticSettings {
 struct SceneDescription {
   SoftBodyDescription soft;
   RigidAnatomy rigid;
+  LipDescription lips;
   ToolDescription tool;
   SightDescription sight;
   HapticSettings haptics;

@@ -115,6 +115,7 @@ SceneState::SceneState(const Scene& scene)
                    : ContactState(scene.triangles.vertices.size(), scene.triangles.most_contacts())),
       triangles(scene.triangles),
       rigid_scan(scene.tool.samples.size()),
+      lips(scene.lips.make_state()),
       sight(scene.sight.make_scratch(
           std::max<std::size_t>(scene.model.rest.size(), scene.description.tool.surface.points.size()))) {}
 
@@ -159,9 +160,11 @@ StepResult step(const Scene& scene, SceneState& state, const StepInput& input) n
                          settings.device_limit_n, Wrench{}, Mat6::Zero(), state.proxy);
   } else {
     const bool bounded = state.limit.state == HapticState::recovering;
+    const Wrench soft{state.tissue_wrench.force + state.lips.wrench.force,
+                      state.tissue_wrench.torque + state.lips.wrench.torque};
     rigid = move_proxy(scene.proxy, scene.rigid, state.parts, scene.tool, state.rigid_scan, state.device, state.device_velocity,
-                       state.limit.coupling_scale, bounded ? settings.device_limit_n : 1e3, state.tissue_wrench, state.tissue_stiffness,
-                       state.proxy);
+                       state.limit.coupling_scale, bounded ? settings.device_limit_n : 1e3, soft,
+                       state.tissue_stiffness + state.lips.stiffness, state.proxy);
   }
 
   StageTimes times;
@@ -170,6 +173,7 @@ StepResult step(const Scene& scene, SceneState& state, const StepInput& input) n
   scene.rigid.place(state.tissue.body_displacement, state.tissue.body_velocity, state.parts);
   if (state.placed && scene.rigid.part_count() > 0)  // as they press now that the bodies have given way
     rigid = rigid_contacts(scene.rigid, state.parts, scene.tool, state.rigid_scan, state.proxy.pose);
+  if (state.placed) scene.lips.step(scene.tool, state.proxy.pose, state.tissue.body_displacement, state.lips);
   if (!tissue_finite(state) || !usable(state.proxy.pose)) {
     state.tissue.set_rest(scene.model);
     state.contacts.forget();
@@ -179,14 +183,15 @@ StepResult step(const Scene& scene, SceneState& state, const StepInput& input) n
     state.proxy.pose = state.device;
     state.rigid_scan.begin_anew(state.device);
     state.parts = PartPoses{};
+    state.lips.set_rest();
     result.loads = {};
     rigid = RigidContacts{};
     result.faults |= kFaultTissue;
   }
   for (int s = 0; s < kLoadedStructures; ++s)
     if (rigid.loads[s].contacts > 0) result.loads[s] = rigid.loads[s];  // rigid and soft structures never share a name
-  result.model_force_n = state.tissue_wrench.force + rigid.wrench.force;
-  result.model_torque_nm = state.tissue_wrench.torque + rigid.wrench.torque;
+  result.model_force_n = state.tissue_wrench.force + state.lips.wrench.force + rigid.wrench.force;
+  result.model_torque_nm = state.tissue_wrench.torque + state.lips.wrench.torque + rigid.wrench.torque;
 
   const Vec3 pull = coupling_wrench(scene.proxy, state.proxy.pose, state.device, 1.0).force;
   judge_limit(settings, scene.model.step_s, trial_force(pull, result.model_force_n), valid, state.limit);

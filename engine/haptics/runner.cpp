@@ -36,6 +36,7 @@ std::int64_t now_ns() {
 void size_snapshot(const Scene& scene, Snapshot& s) {
   s.soft_points.assign(3 * scene.model.nodes, 0.0f);
   s.body_displacement.assign(scene.model.bodies.size(), Vec3::Zero());
+  s.lip_displacement.assign(scene.description.lips.surface.points.size(), Vec3::Zero());
 }
 
 /// Wait-free hand-over of the newest snapshot: the writer fills one of three, swaps it with the one in the middle, the
@@ -71,6 +72,7 @@ void fill_snapshot(const Scene& scene, const SceneState& state, const StepResult
   s.glottis_visible = result.glottis_visible;
   s.faults = result.faults;
   std::copy(state.tissue.body_displacement.begin(), state.tissue.body_displacement.end(), s.body_displacement.begin());
+  std::copy(state.lips.displacement.begin(), state.lips.displacement.end(), s.lip_displacement.begin());
   for (int i = 0; i < scene.model.nodes; ++i)
     for (int a = 0; a < 3; ++a)
       s.soft_points[3 * i + a] = static_cast<float>(scene.model.rest[i][a] + state.tissue.displacement[i][a]);

@@ -8,6 +8,7 @@ namespace vallecula::gui {
 namespace {
 
 using engine::Vec3;
+using pipeline::Tissue;
 
 constexpr double kTermSize = 50.3;  // mm, upper gum to vallecula of the term manikin
 // Soft parts go with the jaw as far as its bone is nearer than the upper jaw's, and no farther off than this (assumed;
@@ -16,6 +17,7 @@ constexpr double kNearerFrom = 0.38, kNearerTo = 0.58;
 constexpr double kWithBone = 7.0, kOffBone = 16.0;  // mm
 // The larynx moves as one with the wall about it, and slides on the spine's (assumed; term).
 constexpr double kWithGlottis = 8.0, kOffGlottis = 20.0;  // mm
+constexpr double kAboutLips = 8.0;                        // mm of skin that a lip draws along
 constexpr double kBackWall = 4.0;                         // mm behind the glottis' hind end
 
 double smooth_step(double from, double to, double x) {
@@ -40,6 +42,35 @@ engine::TriangleMesh mesh(const pipeline::PatientPackage& package, const char* n
   return out;
 }
 
+/// The face's lips, with what skin and mucosa lies within `about` (mm) of them.
+engine::TriangleMesh lips_of(const pipeline::PatientPackage& package, double about) {
+  const engine::TriangleMesh face = mesh(package, "face");
+  const auto& tissue = package.surfaces.at("face").tissue;
+  engine::TriangleMesh red{face.points, {}}, out;
+  for (std::size_t t = 0; t < std::min(tissue.size(), face.triangles.size()); ++t)
+    if (static_cast<Tissue>(tissue[t]) == Tissue::lip) red.triangles.push_back(face.triangles[t]);
+  if (red.triangles.empty()) return out;
+  const engine::TriangleBvh near(red);
+  std::vector<int> kept(face.points.size(), -1);
+  for (std::size_t t = 0; t < face.triangles.size(); ++t) {
+    const auto kind = static_cast<Tissue>(tissue[t]);
+    if (kind != Tissue::lip && kind != Tissue::skin && kind != Tissue::mucosa) continue;
+    const auto& c = face.triangles[t];
+    if (near.closest((face.points[c[0]] + face.points[c[1]] + face.points[c[2]]) / 3, about).triangle < 0) continue;
+    std::array<int, 3> own;
+    for (int k = 0; k < 3; ++k) {
+      int& place = kept[static_cast<std::size_t>(c[k])];
+      if (place < 0) {
+        place = static_cast<int>(out.points.size());
+        out.points.push_back(face.points[static_cast<std::size_t>(c[k])]);
+      }
+      own[k] = place;
+    }
+    out.triangles.push_back(own);
+  }
+  return out;
+}
+
 }  // namespace
 
 double size_of(const pipeline::PatientPackage& package) {
@@ -54,6 +85,8 @@ AnatomyMotion::AnatomyMotion(const pipeline::PatientPackage& package)
       back_(glottis_.y()),
       size_(size_of(package)) {
   for (const Vec3& p : mesh(package, "glottis").points) back_ = std::max(back_, p.y());
+  lips_ = lips_of(package, kAboutLips * size_);
+  if (!lips_.triangles.empty()) lips_bvh_.emplace(lips_);
 }
 
 double AnatomyMotion::with_jaw(const Vec3& p) const {
@@ -70,6 +103,10 @@ double AnatomyMotion::with_jaw(const Vec3& p) const {
 double AnatomyMotion::with_larynx(const Vec3& p) const {
   return (1.0 - smooth_step(kWithGlottis * size_, kOffGlottis * size_, (p - glottis_).norm())) *
          (1.0 - smooth_step(back_ + 0.25 * kBackWall * size_, back_ + kBackWall * size_, p.y()));
+}
+
+engine::TriangleBvh::Hit AnatomyMotion::on_lips(const Vec3& p, double limit) const {
+  return lips_bvh_ ? lips_bvh_->closest(p, limit) : engine::TriangleBvh::Hit{};
 }
 
 Vec3 AnatomyMotion::displaced(const Vec3& p, double with_jaw, double with_larynx,

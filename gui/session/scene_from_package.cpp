@@ -25,6 +25,11 @@ constexpr double kLarynxStiffness = 35.0;    // N/m
 constexpr double kMandibleStiffness = 0.6;   // N m/rad about the condyles
 constexpr double kLigamentYoung = 6000.0;    // Pa, thyroepiglottic ligament at the small strains of a hinge (assumed)
 constexpr double kMandibleStop = 0.2;        // rad: the mouth is imaged open; farther than this it hardly goes (assumed)
+// Lips give by their thickness over their modulus: 15 kPa over 6 mm of it (assumed), under a skin's tension that carries a dent
+// 2 mm to the side (assumed); a third of a stretch is left after 0.15 s (assumed).
+constexpr double kLipBed = 15000.0 / 0.006;  // Pa/m
+constexpr double kLipTension = kLipBed * 0.002 * 0.002;  // N/m
+constexpr double kLipRecovery = 0.15;        // s
 constexpr double kBodyDampingRatio = 1.0;    // critically damped (assumed)
 constexpr double kHyoidMass = 0.010;         // kg, with the muscles that hang on it (assumed)
 constexpr double kMandibleMass = 0.030;      // kg (assumed)
@@ -60,7 +65,7 @@ engine::Structure structure_of(std::uint8_t tissue) {
     case Tissue::larynx: return engine::Structure::larynx;
     case Tissue::skin:
     case Tissue::lip:
-    case Tissue::mucosa: break;  // they yield; lips and cheeks do not stop the blade yet
+    case Tissue::mucosa: break;  // they yield: see LipDescription for the lips; cheeks do not resist
   }
   return engine::Structure::other;
 }
@@ -152,6 +157,15 @@ engine::SceneDescription scene_from_package(const PatientPackage& package, const
     scene.rigid.triangle_structure.push_back(structure_of(t < face.tissue.size() ? face.tissue[t] : 0));
   const AnatomyMotion motion(package);
   follow_bodies(motion, scene.rigid);
+  for (const Vec3& p : motion.lips().points) {
+    scene.lips.surface.points.push_back(kMetres * p);
+    scene.lips.jaw_share.push_back(static_cast<float>(motion.with_jaw(p)));
+  }
+  scene.lips.surface.triangles = motion.lips().triangles;
+  scene.lips.jaw_body = kMandibleBody;
+  scene.lips.bed_pa_m = kLipBed;
+  scene.lips.tension_n_m = kLipTension;
+  scene.lips.recovery_s = kLipRecovery;
   scene.tool.surface = engine::blade_surface(engine::miller_blade(scenario.blade));
   scene.sight.eye = landmark(package, "operator_eye");
   for (const auto& p : surface(package, "glottis").points) scene.sight.glottis_outline.push_back(metres(p));

@@ -305,7 +305,7 @@ vtkSmartPointer<vtkPolyData> to_poly_data(const Surface& surface) {
 
 void PatientLook::update(const engine::Snapshot& snapshot) {
   soft->update(snapshot.soft_points);
-  for (MovingSurface& surface : moving) surface.update(snapshot.body_displacement);
+  for (MovingSurface& surface : moving) surface.update(snapshot);
 }
 
 std::shared_ptr<PatientLook> make_patient_look(pipeline::PatientPackage package,
@@ -330,7 +330,8 @@ std::shared_ptr<PatientLook> make_patient_look(pipeline::PatientPackage package,
   report("airway", 0.9);
   look->trachea = make_trachea(package);
   look->motion = std::make_unique<AnatomyMotion>(package);
-  look->moving = {{look->face, *look->motion}, {look->trachea, *look->motion}};
+  look->moving = {{look->face, *look->motion, MovingSurface::Kind::solid},
+                  {look->trachea, *look->motion, MovingSurface::Kind::solid}};
   look->package = std::move(package);
   report("ready", 1.0);
   return look;

@@ -8,7 +8,6 @@
 #include <memory>
 #include <string>
 
-#include "engine/snapshot.h"
 #include "gui/session/anatomy_motion.h"
 #include "gui/views/moving_surface.h"
 #include "gui/views/soft_surface.h"

@@ -96,7 +96,7 @@ void SagittalView::add_anatomy_cuts() {
   };
   moving_.clear();
   const auto add_moving = [&](vtkPolyData* cut, double layer, const Colour& colour) {
-    moving_.emplace_back(cut, *look_->motion);
+    moving_.emplace_back(cut, *look_->motion, MovingSurface::Kind::cut);
     return add_flat(cut, layer, colour[0], colour[1], colour[2]);
   };
   constexpr Colour kFleshColour = {0.78, 0.50, 0.45}, kAirColour = {0.13, 0.19, 0.27};
@@ -227,7 +227,7 @@ void SagittalView::update_from(const engine::Snapshot& snapshot, double sight_pe
     soft_points_->Modified();
     for (const auto& grid : soft_) grid->Modified();
   }
-  for (MovingSurface& cut : moving_) cut.update(snapshot.body_displacement);
+  for (MovingSurface& cut : moving_) cut.update(snapshot);
   const auto in_front = [](const engine::Pose& pose) {
     auto matrix = tool_matrix(pose);
     matrix->SetElement(0, 3, matrix->GetElement(0, 3) + kTool);
