@@ -35,7 +35,7 @@ void check(const SceneDescription& d) {
     throw std::invalid_argument("rigid anatomy: a structure is needed for each triangle");
 }
 
-SignedDistanceGrid rigid_field(const SceneDescription& d) {
+RigidField rigid_field(const SceneDescription& d) {
   if (d.rigid.surface.triangles.empty()) return {};
   // Only where the blade can meet it: around the tissue and from the mouth's opening (the landmarks lie within).
   Vec3 low = d.soft.nodes.front(), high = low;
@@ -54,9 +54,7 @@ SignedDistanceGrid rigid_field(const SceneDescription& d) {
       high = high.cwiseMax(d.rigid.surface.points[v] + 0.5 * margin);
     }
   }
-  std::vector<std::uint8_t> classes;
-  for (Structure s : d.rigid.triangle_structure) classes.push_back(static_cast<std::uint8_t>(s));
-  return SignedDistanceGrid(d.rigid.surface, low, high, kRigidSpacing, kRigidBand, classes);
+  return RigidField(d.rigid, d.soft.bodies, low, high, kRigidSpacing, kRigidBand);
 }
 
 const SceneDescription& checked(const SceneDescription& d) {
@@ -91,7 +89,8 @@ Scene::Scene(const SceneDescription& d)
                                                     : TriangleCollision()),
       tool(d.tool.surface, d.tool.tissue_low, d.tool.tissue_high),
       rigid(rigid_field(d)),
-      sight(d.sight),
+      lips(d.lips, d.soft.bodies, d.step_s),
+      sight(d.sight, d.soft.bodies),
       proxy(proxy_settings(d)) {
   contact_stiffness = contact_stiffness_per_area(model, surface);
   for (const Vec3& p : model.rest) centre += p / static_cast<double>(model.nodes);

@@ -29,6 +29,18 @@ struct SprungBody {
   double stiffness = 0.0;             ///< N/m (translation) or N m/rad (hinge)
   double inertia = 0.0;               ///< kg or kg m^2
   double damping = 0.0;               ///< N s/m or N m s/rad
+  double stop = 0.0;                  ///< hinge: beyond this angle (rad) it is kStopFactor times as stiff; 0: nowhere
+  static constexpr double kStopFactor = 30.0;
+
+  /// Where a point p at rest is carried to by the body's displacement q (translation, or angle in x), as a way from p.
+  Vec3 way_of(const Vec3& p, const Vec3& q) const {
+    switch (motion) {
+      case Motion::translation: return q;
+      case Motion::hinge: return q.x() * axis.normalized().cross(p - pivot);
+      case Motion::fixed: break;
+    }
+    return Vec3::Zero();
+  }
 };
 
 struct SoftBodyDescription {
@@ -41,10 +53,29 @@ struct SoftBodyDescription {
   std::vector<SprungBody> bodies;
 };
 
+/// A part of the rigid anatomy that moves with a sprung body: all its way, or a share of it.
+struct RigidPart {
+  int body = -1;       ///< index into SoftBodyDescription::bodies
+  double share = 1.0;  ///< above 0, up to 1
+};
+
 /// Rigid anatomy: a closed surface whose triangles name what they are. Triangles of `Structure::other` carry no load.
 struct RigidAnatomy {
   TriangleMesh surface;
   std::vector<Structure> triangle_structure;
+  std::vector<RigidPart> parts;             ///< what moves
+  std::vector<std::int8_t> triangle_part;   ///< -1 stands still, else index into parts; empty: all stands still
+};
+
+/// The lips and what is about them: a surface under tension on an elastic bed, that the blade moves aside. Its force is part of
+/// the model force and of no structure's load. Without points there are none.
+struct LipDescription {
+  TriangleMesh surface;
+  std::vector<float> jaw_share;        ///< per point: of the jaw's motion; empty: none moves
+  int jaw_body = -1;                   ///< index into SoftBodyDescription::bodies
+  double bed_pa_m = 0.0;               ///< pressure per depth, Pa/m
+  double tension_n_m = 0.0;            ///< of the skin, N/m
+  double recovery_s = 0.0;             ///< time in which a lip let go comes back by all but a third
 };
 
 struct ToolDescription {
@@ -60,6 +91,13 @@ struct SightDescription {
   Vec3 eye = Vec3::Zero();
   std::vector<Vec3> glottis_outline;   ///< polygon of the glottic opening, in order
   std::vector<TriangleMesh> occluders; ///< rigid surfaces that can stand in the way (face with mouth and airway walls)
+  /// What of this moves with a sprung body, each point by a share of the body's way (0..1).
+  struct Follower {
+    int body = -1;                     ///< index into SoftBodyDescription::bodies
+    double glottis_share = 0.0;
+    std::vector<float> point_share;    ///< of the occluders' points, in their order; empty: none moves
+  };
+  std::vector<Follower> followers;
 };
 
 struct HapticSettings {
@@ -73,6 +111,7 @@ struct HapticSettings {
 struct SceneDescription {
   SoftBodyDescription soft;
   RigidAnatomy rigid;
+  LipDescription lips;
   ToolDescription tool;
   SightDescription sight;
   HapticSettings haptics;

@@ -2,6 +2,8 @@
 #pragma once
 
 #include "engine/aist/sphere_tree.h"
+#include "engine/contact/lips.h"
+#include "engine/contact/rigid_field.h"
 #include "engine/contact/tool_field.h"
 #include "engine/contact/triangle_contact.h"
 #include "engine/haptics/proxy.h"
@@ -21,7 +23,8 @@ class Scene {
   SphereTree tree;
   TriangleCollision triangles;   ///< only where the description asks for it
   ToolField tool;
-  SignedDistanceGrid rigid;      ///< empty (nothing inside) without rigid anatomy
+  RigidField rigid;              ///< empty (nothing inside) without rigid anatomy
+  Lips lips;
   LineOfSight sight;
   ProxySettings proxy;
   float contact_stiffness = 0.0f;  ///< N/m^3

@@ -21,6 +21,8 @@ struct Snapshot {
   std::int64_t overruns = 0;         ///< ticks whose simulation step was not finished in time
   double loop_rate_hz = 0.0;         ///< servo rate over the last second
   std::vector<float> soft_points;    ///< x y z (m) of every tissue node in the package's order; sized once
+  std::vector<Vec3> body_displacement;  ///< of the tissue's sprung bodies: translation (m), or angle (rad) in x
+  std::vector<Vec3> lip_displacement;   ///< of LipDescription's points, on top of the jaw's, m
 };
 
 }  // namespace vallecula::engine

@@ -59,6 +59,29 @@ void collect_tissue_load(const Scene& scene, SceneState& state, std::array<Struc
     if (weight[s] > 0) loads[s].centre_m /= weight[s];
 }
 
+/// What anatomy and tool ask of the sprung bodies in the coming step: the tool on what is theirs, and the joints' stops.
+void load_bodies(const Scene& scene, SceneState& state) {
+  TissueState& tissue = state.tissue;
+  std::fill(tissue.body_load.begin(), tissue.body_load.end(), Vec3::Zero());
+  std::fill(tissue.body_load_stiffness.begin(), tissue.body_load_stiffness.end(), 0.0);
+  if (state.placed)
+    press_parts(scene.rigid, state.parts, scene.tool, state.rigid_scan, state.proxy, scene.model.step_s,
+                {tissue.body_load, tissue.body_load_stiffness});
+  for (std::size_t b = 0; b < scene.model.bodies.size(); ++b) {
+    const SprungBody& body = scene.model.bodies[b];
+    const double angle = tissue.body_displacement[b].x(), beyond = std::abs(angle) - body.stop;
+    if (body.motion != SprungBody::Motion::hinge || !(body.stop > 0) || !(beyond > 0)) continue;
+    const double stiffer = (SprungBody::kStopFactor - 1) * body.stiffness;
+    tissue.body_load[b].x() -= std::copysign(stiffer * beyond, angle);
+    tissue.body_load_stiffness[b] += stiffer;
+  }
+}
+
+/// Of tissue and lips on the tool.
+Wrench soft_wrench(const SceneState& state) {
+  return {state.tissue_wrench.force + state.lips.wrench.force, state.tissue_wrench.torque + state.lips.wrench.torque};
+}
+
 bool tissue_finite(const SceneState& state) {
   double sum = state.tissue_wrench.force.squaredNorm() + state.tissue_wrench.torque.squaredNorm();
   for (const Vec3& u : state.tissue.displacement) sum += u.squaredNorm();
@@ -67,7 +90,7 @@ bool tissue_finite(const SceneState& state) {
 }
 
 void look(const Scene& scene, SceneState& state) {
-  scene.sight.begin(state.sight);
+  scene.sight.begin(state.sight, state.tissue.body_displacement);
   scene.sight.add(state.sight, scene.model.nodes, scene.surface.triangles,
                   [&](int i) -> Vec3 { return scene.model.rest[i] + state.tissue.displacement[i]; });
   const TriangleMesh& tool = scene.description.tool.surface;
@@ -86,6 +109,7 @@ SceneState::SceneState(const Scene& scene)
                    : ContactState(scene.triangles.vertices.size(), scene.triangles.most_contacts())),
       triangles(scene.triangles),
       rigid_scan(scene.tool.samples.size()),
+      lips(scene.lips.make_state()),
       sight(scene.sight.make_scratch(
           std::max<std::size_t>(scene.model.rest.size(), scene.description.tool.surface.points.size()))) {}
 
@@ -124,23 +148,29 @@ StepResult step(const Scene& scene, SceneState& state, const StepInput& input) n
   } else if (held) {
     state.proxy.velocity.setZero();
     state.proxy.angular_velocity.setZero();
-    rigid = rigid_contacts(scene.rigid, scene.tool, state.rigid_scan, state.proxy.pose);
+    rigid = rigid_contacts(scene.rigid, state.parts, scene.tool, scene.model.step_s, state.rigid_scan, state.proxy.pose);
     // Admissible is a pose that the device could hold: what the blow of stopping drove into bone beyond that is let out.
     if (rigid.wrench.force.norm() > settings.device_limit_n) {
       HandState stop;
       stop.device = state.proxy.pose;
       stop.force_limit_n = settings.device_limit_n;
-      rigid = move_proxy(scene.proxy, scene.rigid, scene.tool, state.rigid_scan, stop, Wrench{}, Mat6::Zero(), state.proxy);
+      rigid = move_proxy(scene.proxy, scene.rigid, state.parts, scene.tool, state.rigid_scan, stop, Wrench{}, Mat6::Zero(),
+                         state.proxy);
     }
   } else {
     state.hand.scale = state.limit.coupling_scale;
     state.hand.force_limit_n = state.limit.state == HapticState::recovering ? settings.device_limit_n : kStrongestPull;
-    rigid = move_proxy(scene.proxy, scene.rigid, scene.tool, state.rigid_scan, state.hand, state.tissue_wrench,
-                       state.tissue_stiffness, state.proxy);
+    rigid = move_proxy(scene.proxy, scene.rigid, state.parts, scene.tool, state.rigid_scan, state.hand, soft_wrench(state),
+                       state.tissue_stiffness + state.lips.stiffness, state.proxy);
   }
 
   StageTimes times;
+  load_bodies(scene, state);
   step_tissue(scene, state, before, result.loads, times);
+  scene.rigid.place(state.tissue.body_displacement, state.tissue.body_velocity, state.parts);
+  if (state.placed && scene.rigid.part_count() > 0)  // as they press now that the bodies have given way
+    rigid = rigid_contacts(scene.rigid, state.parts, scene.tool, scene.model.step_s, state.rigid_scan, state.proxy.pose);
+  if (state.placed) scene.lips.step(scene.tool, state.proxy.pose, state.tissue.body_displacement, state.lips);
   if (!tissue_finite(state) || !usable(state.proxy.pose)) {
     state.tissue.set_rest(scene.model);
     state.contacts.forget();
@@ -149,14 +179,17 @@ StepResult step(const Scene& scene, SceneState& state, const StepInput& input) n
     state.proxy = ProxyState{};
     state.proxy.pose = state.hand.device;
     state.rigid_scan.begin_anew(state.hand.device);
+    state.parts = PartPoses{};
+    state.lips.set_rest();
     result.loads = {};
     rigid = RigidContacts{};
     result.faults |= kFaultTissue;
   }
   for (int s = 0; s < kLoadedStructures; ++s)
     if (rigid.loads[s].contacts > 0) result.loads[s] = rigid.loads[s];  // rigid and soft structures never share a name
-  result.model_force_n = state.tissue_wrench.force + rigid.wrench.force;
-  result.model_torque_nm = state.tissue_wrench.torque + rigid.wrench.torque;
+  const Wrench soft = soft_wrench(state);
+  result.model_force_n = soft.force + rigid.wrench.force;
+  result.model_torque_nm = soft.torque + rigid.wrench.torque;
 
   const Wrench spring = coupling_wrench(scene.proxy, state.proxy.pose, state.hand.device, 1.0);
   judge_limit(settings, scene.model.step_s, trial_force(spring.force, result.model_force_n), valid, state.limit);
@@ -171,7 +204,7 @@ StepResult step(const Scene& scene, SceneState& state, const StepInput& input) n
   coupling.proxy = state.proxy;
   coupling.held = proxy_held(state.limit.state);
   if (held) coupling.proxy.pull = coupling_wrench(scene.proxy, state.proxy.pose, state.hand.device, coupling.hand.scale);
-  add_tissue(state.tissue_wrench, state.felt.feel(state.proxy.pose, state.tissue_wrench), coupling.springs);
+  add_tissue(soft, state.felt.feel(state.proxy.pose, soft), coupling.springs);
   for (int i = 0; i < state.rigid_scan.near.count; ++i) {
     const PushingSprings& near = state.rigid_scan.near;
     coupling.springs.add(near.direction[i], near.depth[i], near.stiffness[i], near.damping[i]);

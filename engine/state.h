@@ -38,6 +38,8 @@ struct SceneState {
   TriangleScratch triangles;   ///< where the scene tests triangles
   ProxyState proxy;
   RigidScan rigid_scan;
+  PartPoses parts;             ///< of the rigid anatomy, as the tissue's bodies have taken them
+  LipState lips;
   LimitState limit;
   Wrench tissue_wrench;        ///< of the last step, on the tool
   Mat6 tissue_stiffness = Mat6::Zero();  ///< of the contacts that pushed in it: how the tissue resists a move within a tick

@@ -27,7 +27,7 @@ struct Pose {
 };
 
 /// What a contact touches; the split in which forces are recorded and scored. `other` (lips, cheeks, the rest) never
-/// carries load: lips yield passively in the real mouth and are not modelled as obstacles yet.
+/// carries load of its own: what the lips push with is part of the model force alone.
 enum class Structure : std::uint8_t { tongue, epiglottis, gum, palate, teeth, larynx, other };
 constexpr int kLoadedStructures = 6;  ///< all but `other`
 

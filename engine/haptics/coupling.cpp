@@ -26,15 +26,18 @@ PushingSprings& PushingSprings::operator=(const PushingSprings& other) noexcept 
   std::copy_n(other.depth.begin(), count, depth.begin());
   std::copy_n(other.stiffness.begin(), count, stiffness.begin());
   std::copy_n(other.damping.begin(), count, damping.begin());
+  std::copy_n(other.comes.begin(), count, comes.begin());
   return *this;
 }
 
-void PushingSprings::add(const Vec6& along, double deep, double stiffness_n_m, double damping_n_s_m) noexcept {
+void PushingSprings::add(const Vec6& along, double deep, double stiffness_n_m, double damping_n_s_m,
+                         double way) noexcept {
   if (count == kMost) return;
   direction[count] = along;
   depth[count] = deep;
   stiffness[count] = stiffness_n_m;
   damping[count] = damping_n_s_m;
+  comes[count] = way;
   ++count;
 }
 
@@ -105,7 +108,7 @@ Vec6 move_coupled(const ProxySettings& settings, const HandState& hand, const Wr
       settings.inertia_kg_m2 / h * proxy.angular_velocity + br * hand.velocity.torque + pull.torque + extra.torque;
   // Which springs push at the end of the move is found by trying (a few passes settle it).
   std::array<bool, PushingSprings::kMost> pushes;
-  for (int i = 0; i < springs.count; ++i) pushes[i] = springs.depth[i] > 0;
+  for (int i = 0; i < springs.count; ++i) pushes[i] = springs.depth[i] + springs.comes[i] > 0;
   Vec6 move = Vec6::Zero();
   for (int pass = 0; pass < kPasses; ++pass) {
     Mat6 with = matrix;
@@ -113,12 +116,13 @@ Vec6 move_coupled(const ProxySettings& settings, const HandState& hand, const Wr
     for (int i = 0; i < springs.count; ++i) {
       if (!pushes[i]) continue;
       with += (springs.stiffness[i] + springs.damping[i] / h) * springs.direction[i] * springs.direction[i].transpose();
-      load += springs.stiffness[i] * springs.depth[i] * springs.direction[i];
+      load += (springs.stiffness[i] * (springs.depth[i] + springs.comes[i]) + springs.damping[i] / h * springs.comes[i]) *
+              springs.direction[i];
     }
     move = with.llt().solve(load);
     bool changed = false;
     for (int i = 0; i < springs.count; ++i) {
-      const bool push = springs.depth[i] - springs.direction[i].dot(move) > 0;
+      const bool push = springs.depth[i] + springs.comes[i] - springs.direction[i].dot(move) > 0;
       changed |= push != pushes[i];
       pushes[i] = push;
     }

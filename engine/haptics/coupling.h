@@ -49,16 +49,16 @@ class PushingSprings {
   PushingSprings& operator=(const PushingSprings& other) noexcept;  ///< copies those there are
 
   void clear() noexcept { count = 0; }
-  /// `direction`: a unit force and its torque. `deep`: how far it is pressed in, m; negative: still away. Left out when
-  /// full.
-  void add(const Vec6& direction, double deep, double stiffness_n_m, double damping_n_s_m) noexcept;
+  /// `direction`: a unit force and its torque. `deep`: how far it is pressed in, m; negative: still away. `comes`: how far
+  /// what pushes moves along it in a tick, m. Left out when full.
+  void add(const Vec6& direction, double deep, double stiffness_n_m, double damping_n_s_m, double comes = 0.0) noexcept;
   /// The tool has moved.
   void follow(const Vec6& move) noexcept;
   Vec3 force() const noexcept;  ///< of all, dampers not counted
 
   int count = 0;
   std::array<Vec6, kMost> direction;
-  std::array<double, kMost> depth, stiffness, damping;
+  std::array<double, kMost> depth, stiffness, damping, comes;
 };
 
 /// Rotation vector (axis times angle, rad) that turns `from` into `to`, world axes.

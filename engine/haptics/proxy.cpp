@@ -16,57 +16,61 @@ constexpr double kRigidDamping = 15.0;  // N s/m a sample point
 // Points this near to rigid anatomy may come into contact within the tick.
 constexpr double kRigidReach = 0.0008;  // m
 
-/// Calls visit(world arm from the tip, normal, depth, structure) for each sample point that touches, and keeps it with
-/// those no more than kRigidReach outside in scan.near.
+/// Calls visit(world arm from the tip, depth, touch) for each sample point that is pressed in, and keeps it with those no
+/// more than kRigidReach outside in scan.near.
 template <class Visit>
-void for_each_rigid_contact(const SignedDistanceGrid& rigid, const ToolField& tool, RigidScan& scan, const Pose& pose,
-                            Visit visit) {
-  scan.near.clear();
-  scan.travel +=
+void for_each_rigid_contact(const RigidField& rigid, const PartPoses& parts, const ToolField& tool, double step_s,
+                            RigidScan& scan, const Pose& pose, Visit visit) {
+  double moved =
       (pose.position - scan.last.position).norm() + tool.radius * pose.rotation.angularDistance(scan.last.rotation);
+  for (int p = 0; p < rigid.part_count(); ++p) moved += (parts[p].travel - scan.parts[p].travel).norm();
+  scan.near.clear();
+  scan.travel += moved;
   scan.last = pose;
+  scan.parts = parts;
   const Mat3 to_world = pose.rotation.toRotationMatrix();
   for (std::size_t i = 0; i < tool.samples.size(); ++i) {
     if (scan.travel < scan.next_check[i]) continue;
     const Vec3 arm = to_world * tool.samples[i];
-    const Vec3 world = pose.position + arm;
-    const SignedDistanceGrid::Sample s = rigid.sample(world);
-    double& met = scan.met[i];
-    if (!(s.distance < kRigidReach)) {
-      scan.next_check[i] = scan.travel + s.distance - kRigidReach;
-      met = 0.0;
-      continue;
-    }
-    // Deeper than the field's band nothing is known of what is touched or which way is out.
-    const std::uint8_t structure = rigid.class_at(world);
-    if (structure >= kLoadedStructures) {
-      met = RigidScan::kNotMet;
-      continue;
-    }
-    met = std::max(0.0, std::min(met, -s.distance));
-    const double depth = -s.distance - met;
-    Vec6 direction;
-    direction << s.gradient, arm.cross(s.gradient);
-    scan.near.add(direction, depth, kRigidStiffness, kRigidDamping);
-    if (depth > 0) visit(arm, s.gradient, depth, static_cast<Structure>(structure));
+    const auto met_by = [&](int part) -> double& { return scan.met[i][static_cast<std::size_t>(part + 1)]; };
+    const double nearest = rigid.look(
+        pose.position + arm, parts, kRigidReach,
+        [&](const RigidField::Touch& touch) {
+          double& met = met_by(touch.part);
+          if (static_cast<int>(touch.structure) >= kLoadedStructures) {
+            met = RigidScan::kNotMet;
+            return;
+          }
+          met = std::max(0.0, std::min(met, -touch.distance));
+          const double depth = -touch.distance - met;
+          Vec6 direction;
+          direction << touch.normal, arm.cross(touch.normal);
+          const double comes =
+              touch.part < 0 ? 0.0 : step_s * touch.normal.dot(parts[touch.part].velocity_at(touch.rest));
+          scan.near.add(direction, depth, kRigidStiffness, kRigidDamping, comes);
+          if (depth > 0) visit(arm, depth, touch);
+        },
+        [&](int part, double distance) { met_by(part) = distance < 0 ? RigidScan::kNotMet : 0.0; });
+    if (!(nearest < kRigidReach)) scan.next_check[i] = scan.travel + nearest - kRigidReach;
   }
 }
 
 }  // namespace
 
-RigidContacts rigid_contacts(const SignedDistanceGrid& rigid, const ToolField& tool, RigidScan& scan,
-                             const Pose& pose) noexcept {
+RigidContacts rigid_contacts(const RigidField& rigid, const PartPoses& parts, const ToolField& tool, double step_s,
+                             RigidScan& scan, const Pose& pose) noexcept {
   RigidContacts out;
   std::array<double, kLoadedStructures> weight{};
-  for_each_rigid_contact(rigid, tool, scan, pose,
-                         [&](const Vec3& arm, const Vec3& n, double depth, Structure structure) {
-                           const Vec3 force = kRigidStiffness * depth * n;
+  for_each_rigid_contact(rigid, parts, tool, step_s, scan, pose,
+                         [&](const Vec3& arm, double depth, const RigidField::Touch& touch) {
+                           const Vec3 force = kRigidStiffness * depth * touch.normal;
+                           const int structure = static_cast<int>(touch.structure);
                            out.wrench.force += force;
                            out.wrench.torque += arm.cross(force);
-                           StructureLoad& load = out.loads[static_cast<int>(structure)];
+                           StructureLoad& load = out.loads[structure];
                            load.force_n += force;
                            load.centre_m += kRigidStiffness * depth * (pose.position + arm);
-                           weight[static_cast<int>(structure)] += kRigidStiffness * depth;
+                           weight[structure] += kRigidStiffness * depth;
                            ++load.contacts;
                          });
   for (int i = 0; i < kLoadedStructures; ++i)
@@ -74,11 +78,25 @@ RigidContacts rigid_contacts(const SignedDistanceGrid& rigid, const ToolField& t
   return out;
 }
 
-RigidContacts move_proxy(const ProxySettings& settings, const SignedDistanceGrid& rigid, const ToolField& tool,
-                         RigidScan& scan, const HandState& hand, const Wrench& tissue, const Mat6& tissue_stiffness,
-                         ProxyState& proxy) noexcept {
-  move_coupled(settings, hand, tissue, tissue_stiffness, scan.near, proxy);
-  return rigid_contacts(rigid, tool, scan, proxy.pose);
+void press_parts(const RigidField& rigid, const PartPoses& parts, const ToolField& tool, RigidScan& scan,
+                 const ProxyState& proxy, double step_s, const BodyLoads& bodies) noexcept {
+  if (rigid.part_count() == 0) return;
+  for_each_rigid_contact(rigid, parts, tool, step_s, scan, proxy.pose,
+                         [&](const Vec3& arm, double depth, const RigidField::Touch& touch) {
+                           if (touch.part < 0) return;
+                           const std::size_t body = static_cast<std::size_t>(rigid.body_of(touch.part));
+                           const Vec3 lever = rigid.lever(touch.part, touch.rest, touch.normal);
+                           const double away = touch.normal.dot(proxy.velocity + proxy.angular_velocity.cross(arm));
+                           bodies.load[body] -= (kRigidStiffness * depth - kRigidDamping * away) * lever;
+                           bodies.stiffness[body] += (kRigidStiffness + kRigidDamping / step_s) * lever.squaredNorm();
+                         });
+}
+
+RigidContacts move_proxy(const ProxySettings& settings, const RigidField& rigid, const PartPoses& parts,
+                         const ToolField& tool, RigidScan& scan, const HandState& hand, const Wrench& soft,
+                         const Mat6& soft_stiffness, ProxyState& proxy) noexcept {
+  move_coupled(settings, hand, soft, soft_stiffness, scan.near, proxy);
+  return rigid_contacts(rigid, parts, tool, settings.step_s, scan, proxy.pose);
 }
 
 }  // namespace vallecula::engine

@@ -33,12 +33,18 @@ std::int64_t now_ns() {
   return t.tv_sec * 1'000'000'000LL + t.tv_nsec;
 }
 
+void size_snapshot(const Scene& scene, Snapshot& s) {
+  s.soft_points.assign(3 * scene.model.nodes, 0.0f);
+  s.body_displacement.assign(scene.model.bodies.size(), Vec3::Zero());
+  s.lip_displacement.assign(scene.description.lips.surface.points.size(), Vec3::Zero());
+}
+
 /// Wait-free hand-over of the newest snapshot: the writer fills one of three, swaps it with the one in the middle, the
 /// reader swaps the middle with its own.
 class LatestSnapshot {
  public:
-  explicit LatestSnapshot(std::size_t points) {
-    for (Snapshot& s : slots_) s.soft_points.assign(3 * points, 0.0f);
+  explicit LatestSnapshot(const Scene& scene) {
+    for (Snapshot& s : slots_) size_snapshot(scene, s);
   }
   Snapshot& to_write() { return slots_[writing_]; }
   void publish() { writing_ = middle_.exchange(writing_ | kFresh, std::memory_order_acq_rel) & ~kFresh; }
@@ -65,6 +71,8 @@ void fill_snapshot(const Scene& scene, const SceneState& state, const StepResult
   s.loads = result.loads;
   s.glottis_visible = result.glottis_visible;
   s.faults = result.faults;
+  std::copy(state.tissue.body_displacement.begin(), state.tissue.body_displacement.end(), s.body_displacement.begin());
+  std::copy(state.lips.displacement.begin(), state.lips.displacement.end(), s.lip_displacement.begin());
   for (int i = 0; i < scene.model.nodes; ++i)
     for (int a = 0; a < 3; ++a)
       s.soft_points[3 * i + a] = static_cast<float>(scene.model.rest[i][a] + state.tissue.displacement[i][a]);
@@ -106,7 +114,7 @@ std::string raise_this_thread(int priority) {
 
 struct Runner::Impl {
   Impl(std::shared_ptr<const Scene> s, HapticPort& p)
-      : scene(std::move(s)), port(p), state(*scene), snapshots(scene->model.nodes), ring(kRingSize), bins(kBins, 0) {
+      : scene(std::move(s)), port(p), state(*scene), snapshots(*scene), ring(kRingSize), bins(kBins, 0) {
     sem_init(&work, 0, 0);
   }
   ~Impl() {
@@ -309,7 +317,7 @@ void Runner::run(std::int64_t ticks, const std::function<void(const TickRecord&)
 
 struct Replayer::Impl {
   explicit Impl(std::shared_ptr<const Scene> s) : scene(std::move(s)), state(*scene) {
-    snapshot.soft_points.assign(3 * scene->model.nodes, 0.0f);
+    size_snapshot(*scene, snapshot);
   }
   std::shared_ptr<const Scene> scene;
   SceneState state;

@@ -11,12 +11,15 @@ namespace {
 
 // A surface this close to a sample is the glottis' own rim, not something in front of it.
 constexpr double kRim = 0.0005;  // m
+// No anatomy comes farther than this across the line of sight by the bodies' motion: a jaw at its stop moves a gum by 10 mm.
+constexpr double kComesNear = 0.015;  // m, at the glottis' distance from the eye
 
 double cross2(double ax, double ay, double bx, double by) { return ax * by - ay * bx; }
 
 }  // namespace
 
-LineOfSight::LineOfSight(const SightDescription& sight, int samples) : eye_(sight.eye) {
+LineOfSight::LineOfSight(const SightDescription& sight, const std::vector<SprungBody>& bodies, int samples)
+    : eye_(sight.eye) {
   const auto& outline = sight.glottis_outline;
   if (outline.empty()) return;  // nothing to be seen: the laboratory's scenes
   Vec3 centre = Vec3::Zero(), normal = Vec3::Zero();
@@ -51,22 +54,69 @@ LineOfSight::LineOfSight(const SightDescription& sight, int samples) : eye_(sigh
         const auto [bx, by] = polygon[j];
         if ((ay > t) != (by > t) && s < (bx - ax) * (t - ay) / (by - ay) + ax) inside = !inside;
       }
-      if (inside) points_.push_back(project(centre + s * a + t * b));
+      if (inside) points_.push_back(centre + s * a + t * b);
     }
-  if (points_.empty()) points_.push_back(project(centre));
-  low_u_ = low_v_ = std::numeric_limits<double>::infinity();
-  high_u_ = high_v_ = -low_u_;
-  for (const Vec3& p : points_) {
-    low_u_ = std::min(low_u_, p.x());
-    high_u_ = std::max(high_u_, p.x());
-    low_v_ = std::min(low_v_, p.y());
-    high_v_ = std::max(high_v_, p.y());
+  if (points_.empty()) points_.push_back(centre);
+  std::size_t occluding = 0;
+  for (const TriangleMesh& mesh : sight.occluders) occluding += mesh.points.size();
+  for (const SightDescription::Follower& f : sight.followers) {
+    if (f.body < 0 || f.body >= static_cast<int>(bodies.size()))
+      throw std::invalid_argument("sight: something follows body " + std::to_string(f.body) + ", which is not there");
+    if (!f.point_share.empty() && f.point_share.size() != occluding)
+      throw std::invalid_argument("sight: a follower has " + std::to_string(f.point_share.size()) +
+                                  " shares; the occluders have " + std::to_string(occluding) + " points");
+    followers_.push_back({bodies[static_cast<std::size_t>(f.body)], f.body, f.glottis_share, {}});
   }
-  hidden_by_fixed_.assign(points_.size(), 0);
+  keep_occluders_near(sight);
+}
+
+/// Of the occluders only triangles that are before the glottis, or can come there, are looked at in a tick.
+void LineOfSight::keep_occluders_near(const SightDescription& sight) {
+  Scratch rest;
+  rest.samples.resize(points_.size());
+  place_samples(rest, {});
+  std::size_t first = 0;
   for (const TriangleMesh& mesh : sight.occluders) {
-    std::vector<Vec3> projected;
-    for (const Vec3& p : mesh.points) projected.push_back(project(p));
-    for (const auto& t : mesh.triangles) hide_behind(projected[t[0]], projected[t[1]], projected[t[2]], hidden_by_fixed_);
+    std::vector<int> kept(mesh.points.size(), -1);
+    for (const auto& t : mesh.triangles) {
+      const Vec3 a = project(mesh.points[t[0]]), b = project(mesh.points[t[1]]), c = project(mesh.points[t[2]]);
+      const auto [u0, u1] = std::minmax({a.x(), b.x(), c.x()});
+      const auto [v0, v1] = std::minmax({a.y(), b.y(), c.y()});
+      if (u1 < rest.low_u - kComesNear || u0 > rest.high_u + kComesNear || v1 < rest.low_v - kComesNear ||
+          v0 > rest.high_v + kComesNear)
+        continue;
+      std::array<int, 3> own;
+      for (int k = 0; k < 3; ++k) {
+        int& place = kept[t[k]];
+        if (place < 0) {
+          place = static_cast<int>(occluders_.points.size());
+          occluders_.points.push_back(mesh.points[t[k]]);
+          for (std::size_t f = 0; f < followers_.size(); ++f)
+            if (!sight.followers[f].point_share.empty())
+              followers_[f].point_share.push_back(sight.followers[f].point_share[first + t[k]]);
+        }
+        own[k] = place;
+      }
+      occluders_.triangles.push_back(own);
+    }
+    first += mesh.points.size();
+  }
+}
+
+void LineOfSight::place_samples(Scratch& scratch, const std::vector<Vec3>& body_displacement) const noexcept {
+  scratch.low_u = scratch.low_v = std::numeric_limits<double>::infinity();
+  scratch.high_u = scratch.high_v = -scratch.low_u;
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    Vec3 p = points_[i];
+    for (const Follower& f : followers_)
+      if (f.glottis_share > 0 && !body_displacement.empty())
+        p += f.glottis_share * f.body.way_of(points_[i], body_displacement[f.index]);
+    p = project(p);
+    scratch.samples[i] = p;
+    scratch.low_u = std::min(scratch.low_u, p.x());
+    scratch.high_u = std::max(scratch.high_u, p.x());
+    scratch.low_v = std::min(scratch.low_v, p.y());
+    scratch.high_v = std::max(scratch.high_v, p.y());
   }
 }
 
@@ -78,35 +128,45 @@ Vec3 LineOfSight::project(const Vec3& p) const noexcept {
   return Vec3(u_.dot(d) * scale, v_.dot(d) * scale, depth);
 }
 
-void LineOfSight::hide_behind(const Vec3& a, const Vec3& b, const Vec3& c, std::vector<char>& hidden) const noexcept {
+void LineOfSight::hide_behind(const Vec3& a, const Vec3& b, const Vec3& c, Scratch& scratch) const noexcept {
   if (a.z() < 0 || b.z() < 0 || c.z() < 0) return;
   const auto [u0, u1] = std::minmax({a.x(), b.x(), c.x()});
   const auto [v0, v1] = std::minmax({a.y(), b.y(), c.y()});
-  if (u1 < low_u_ || u0 > high_u_ || v1 < low_v_ || v0 > high_v_) return;
+  if (u1 < scratch.low_u || u0 > scratch.high_u || v1 < scratch.low_v || v0 > scratch.high_v) return;
   const double area = cross2(b.x() - a.x(), b.y() - a.y(), c.x() - a.x(), c.y() - a.y());
   if (area == 0 || !std::isfinite(area)) return;
   for (std::size_t i = 0; i < points_.size(); ++i) {
-    if (hidden[i]) continue;
-    const Vec3& p = points_[i];
+    if (scratch.hidden[i]) continue;
+    const Vec3& p = scratch.samples[i];
     const double wa = cross2(b.x() - p.x(), b.y() - p.y(), c.x() - p.x(), c.y() - p.y()) / area;
     const double wb = cross2(c.x() - p.x(), c.y() - p.y(), a.x() - p.x(), a.y() - p.y()) / area;
     const double wc = 1 - wa - wb;
     if (wa < 0 || wb < 0 || wc < 0) continue;
     // 1/depth is what interpolates linearly in the picture.
     const double depth = 1 / (wa / a.z() + wb / b.z() + wc / c.z());
-    if (depth < p.z() - kRim) hidden[i] = 1;
+    if (depth < p.z() - kRim) scratch.hidden[i] = 1;
   }
 }
 
 LineOfSight::Scratch LineOfSight::make_scratch(std::size_t most_points) const {
   Scratch scratch;
-  scratch.hidden = hidden_by_fixed_;
-  scratch.projected.resize(most_points);
+  scratch.hidden.resize(points_.size());
+  scratch.samples.resize(points_.size());
+  scratch.projected.resize(std::max(most_points, occluders_.points.size()));
   return scratch;
 }
 
-void LineOfSight::begin(Scratch& scratch) const noexcept {
-  std::copy(hidden_by_fixed_.begin(), hidden_by_fixed_.end(), scratch.hidden.begin());
+void LineOfSight::begin(Scratch& scratch, const std::vector<Vec3>& body_displacement) const noexcept {
+  std::fill(scratch.hidden.begin(), scratch.hidden.end(), 0);
+  place_samples(scratch, body_displacement);
+  add(scratch, static_cast<int>(occluders_.points.size()), occluders_.triangles, [&](int i) -> Vec3 {
+    const Vec3& rest = occluders_.points[i];
+    Vec3 p = rest;
+    for (const Follower& f : followers_)
+      if (!f.point_share.empty() && f.point_share[i] > 0 && !body_displacement.empty())
+        p += f.point_share[i] * f.body.way_of(rest, body_displacement[f.index]);
+    return p;
+  });
 }
 
 double LineOfSight::visible(const Scratch& scratch) const noexcept {
@@ -117,8 +177,9 @@ double LineOfSight::visible(const Scratch& scratch) const noexcept {
 
 double LineOfSight::unobstructed() const {
   if (points_.empty()) return 0.0;
-  const auto hidden = std::count(hidden_by_fixed_.begin(), hidden_by_fixed_.end(), 1);
-  return 1.0 - static_cast<double>(hidden) / static_cast<double>(points_.size());
+  Scratch scratch = make_scratch(0);
+  begin(scratch, {});
+  return visible(scratch);
 }
 
 }  // namespace vallecula::engine

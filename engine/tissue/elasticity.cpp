@@ -316,6 +316,8 @@ TissueState::TissueState(const TissueModel& model) {
   velocity.assign(model.nodes, Vec3::Zero());
   body_displacement.assign(model.bodies.size(), Vec3::Zero());
   body_velocity.assign(model.bodies.size(), Vec3::Zero());
+  body_load.assign(model.bodies.size(), Vec3::Zero());
+  body_load_stiffness.assign(model.bodies.size(), 0.0);
   packs.resize(model.packs.size());
   assembly.resize(model.packs.size());
   stiffness.resize(model.column.size() / 2);
@@ -337,7 +339,7 @@ TissueState::TissueState(const TissueModel& model) {
 }
 
 void TissueState::set_rest(const TissueModel& model) {
-  for (auto* v : {&displacement, &velocity, &body_displacement, &body_velocity})
+  for (auto* v : {&displacement, &velocity, &body_displacement, &body_velocity, &body_load})
     std::fill(v->begin(), v->end(), Vec3::Zero());
   for (PackState& s : packs) {
     for (int i = 0; i < 4; ++i) s.quaternion[i] = splat8(i == 0 ? 1.0f : 0.0f);
@@ -347,6 +349,7 @@ void TissueState::set_rest(const TissueModel& model) {
     }
     s.pressure = s.barrier = s.hardening = splat8(0.0f);
   }
+  std::fill(body_load_stiffness.begin(), body_load_stiffness.end(), 0.0);
   std::fill(solution.begin(), solution.end(), Float4{});
   std::fill(external.begin(), external.end(), Float4{});
   held_pressure = 0.0;

@@ -80,7 +80,8 @@ StepStatistics implicit_step(const TissueModel& model, TissueState& state, Conta
     const SprungBody& body = model.bodies[b];
     const Vec3 own = body.motion == Motion::fixed
                          ? Vec3::Zero().eval()
-                         : (body.inertia / h * state.body_velocity[b] - body.stiffness * state.body_displacement[b]).eval();
+                         : (body.inertia / h * state.body_velocity[b] - body.stiffness * state.body_displacement[b] +
+                            state.body_load[b]).eval();
     state.rhs[model.nodes + b].v = from_vec3(own);
   }
 

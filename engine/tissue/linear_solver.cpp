@@ -41,12 +41,12 @@ void reduce(const TissueModel& model, Float4* y) {
   for (std::int32_t i : model.fixed_nodes) y[i].v = splat(0.0f);
 }
 
-/// A body's own share of the system matrix: inertia/h^2 + damping/h + stiffness.
-float body_matrix(const TissueModel& model, int b) {
+/// A body's own share of the system matrix: inertia/h^2 + damping/h + stiffness, and that of what it is jammed against.
+float body_matrix(const TissueModel& model, const TissueState& state, std::size_t b) {
   const SprungBody& body = model.bodies[b];
   if (body.motion == Motion::fixed) return 1.0f;
   const double h = model.step_s;
-  return static_cast<float>(body.inertia / (h * h) + body.damping / h + body.stiffness);
+  return static_cast<float>(body.inertia / (h * h) + body.damping / h + body.stiffness + state.body_load_stiffness[b]);
 }
 
 VALLECULA_INLINE F8 load8(const Float4* from) {
@@ -82,7 +82,7 @@ void multiply(const TissueModel& model, const TissueState& state, const ContactC
   expand(model, x);
   multiply_nodes(model, state.stiffness.data(), scales.mass, scales.stiffness, x, y);
   for (std::size_t b = 0; b < model.bodies.size(); ++b)
-    y[model.nodes + b].v = splat(body_matrix(model, static_cast<int>(b))) * x[model.nodes + b].v;
+    y[model.nodes + b].v = splat(body_matrix(model, state, b)) * x[model.nodes + b].v;
   for (int c = 0; c < contact_count; ++c) {
     const ContactConstraint& contact = contacts[c];
     if (!contact.active) continue;
@@ -200,7 +200,7 @@ void build_preconditioner(const TissueModel& model, TissueState& state, const Co
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     Block3& own = d[model.nodes + b];
     own = Block3{};
-    for (int a = 0; a < 3; ++a) own.column[a][a] = body_matrix(model, static_cast<int>(b));
+    for (int a = 0; a < 3; ++a) own.column[a][a] = body_matrix(model, state, b);
   }
   for (const auto& a : model.anchored) {
     Block3& own = d[model.nodes + a.body];

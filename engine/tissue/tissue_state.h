@@ -69,6 +69,11 @@ struct TissueState {
 
   bool tangled = false;             ///< turned inside out somewhere: the plain law until it is whole again
 
+  /// What rigid contacts ask of the bodies in this tick: load (N, or N m in x) and how it falls as the body gives way (N/m or
+  /// N m/rad). Whoever finds the contacts sets both anew each tick.
+  std::vector<Vec3> body_load;
+  std::vector<double> body_load_stiffness;
+
   double fastest_m = 0.0;           ///< the farthest way of a node in the last step, m
 
   std::vector<PackState> packs;

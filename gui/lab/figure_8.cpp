@@ -45,7 +45,7 @@ const Structure kStructures[] = {{engine::Structure::tongue, "tongue", QColor(0x
                                  {engine::Structure::larynx, "larynx", QColor(0xCC, 0x79, 0xA7)}};
 const QColor kModel(0x00, 0x72, 0xB2), kShown(0x11, 0x11, 0x11), kSight(0x38, 0x80, 0xB0), kLip(0xB0, 0x60, 0x70);
 
-/// Area of the lips' surface that lies at the blade. The lips carry no load in this engine: a matter of geometry alone.
+/// Area of the lips' surface that lies at the blade. Their force is part of the model force, not recorded alone.
 class LipTouch {
  public:
   LipTouch(const pipeline::PatientPackage& package, const engine::TriangleMesh& tool) : tool_(tool) {
@@ -296,8 +296,8 @@ FigureResult write_figure_8(const FigureSetting& setting) {
   sheet.plot_height = 1080;
   result.seen =
       QStringLiteral(
-          "The scripted expert's blade touches %1; up to %2 mm2 of the lips lie at the blade (they carry no load "
-          "in this version). Up to %3 % of the glottis is seen; the model force reaches %4 N. The novice "
+          "The scripted expert's blade touches %1; up to %2 mm2 of the lips lie at the blade (their force is not "
+          "recorded alone). Up to %3 % of the glottis is seen; the model force reaches %4 N. The novice "
           "presses past the device's limit for %5 s (%6 s of it lost); the hand goes up to %7 mm beyond the blade, "
           "the force shown stays at %8 N at most (the model's reaches %9 N%11), and the run goes on: %10.")
           .arg(touched.isEmpty() ? QStringLiteral("nothing") : touched.join(QStringLiteral(", ")),

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "engine/tool/miller_blade.h"
+#include "gui/session/anatomy_motion.h"
 
 namespace vallecula::gui {
 
@@ -19,11 +20,16 @@ constexpr double kMetres = 0.001;  // the one conversion from the package's mill
 
 // Springs that hold hyoid and mandible (DESIGN 4.1: the hyoid follows 0.3-0.4 of the lift). No measured stiffness was
 // found; these were tried out on the term manikin and scale with the infant's size.
-constexpr double kTermSize = 0.0503;         // m, upper gum to vallecula of the term manikin
 constexpr double kHyoidStiffness = 80.0;    // N/m
 constexpr double kLarynxStiffness = 35.0;    // N/m
 constexpr double kMandibleStiffness = 0.6;   // N m/rad about the condyles
 constexpr double kLigamentYoung = 6000.0;    // Pa, thyroepiglottic ligament at the small strains of a hinge (assumed)
+constexpr double kMandibleStop = 0.2;        // rad: the mouth is imaged open; farther than this it hardly goes (assumed)
+// Lips give by their thickness over their modulus: 15 kPa over 6 mm of it (assumed), under a skin's tension that carries a dent
+// 2 mm to the side (assumed); a third of a stretch is left after 0.15 s (assumed).
+constexpr double kLipBed = 15000.0 / 0.006;  // Pa/m
+constexpr double kLipTension = kLipBed * 0.002 * 0.002;  // N/m
+constexpr double kLipRecovery = 0.15;        // s
 constexpr double kBodyDampingRatio = 1.0;    // critically damped (assumed)
 constexpr double kHyoidMass = 0.010;         // kg, with the muscles that hang on it (assumed)
 constexpr double kMandibleMass = 0.030;      // kg (assumed)
@@ -59,7 +65,7 @@ engine::Structure structure_of(std::uint8_t tissue) {
     case Tissue::larynx: return engine::Structure::larynx;
     case Tissue::skin:
     case Tissue::lip:
-    case Tissue::mucosa: break;  // they yield; lips and cheeks do not stop the blade yet
+    case Tissue::mucosa: break;  // they yield: see LipDescription for the lips; cheeks do not resist
   }
   return engine::Structure::other;
 }
@@ -90,7 +96,7 @@ engine::SoftBodyDescription soft_body(const PatientPackage& package, const curri
         soft.tet_material[t] = 2;
 
   const Vec3 condyles = landmark(package, "condyle_axis");
-  const double size = (landmark(package, "vallecula") - landmark(package, "upper_gum_midline")).norm() / kTermSize;
+  const double size = size_of(package);
   const double stiffer = soft.materials[0].young_pa / 6000.0;  // a stiffer tongue is taken to hang in stiffer muscles
   const auto damped = [](engine::SprungBody body) {
     body.damping = 2 * kBodyDampingRatio * std::sqrt(body.stiffness * body.inertia);
@@ -101,14 +107,14 @@ engine::SoftBodyDescription soft_body(const PatientPackage& package, const curri
   mandible.pivot = condyles;
   mandible.axis = Vec3::UnitX();
   mandible.stiffness = kMandibleStiffness * stiffer * size * size * size;
+  mandible.stop = kMandibleStop;
   const double reach = (landmark(package, "lower_gum_midline") - condyles).norm();
   mandible.inertia = kMandibleMass * size * size * size * reach * reach / 3;
   engine::SprungBody hyoid;
   hyoid.motion = engine::SprungBody::Motion::translation;
   hyoid.stiffness = kHyoidStiffness * stiffer * size;
   hyoid.inertia = kHyoidMass * size * size * size;
-  // The larynx follows a little: where the epiglottis hangs on it, it gives way. Its own surfaces and the glottis stay
-  // where they were imaged: a simplification of this version.
+  // Where the epiglottis hangs on the larynx, it gives way.
   engine::SprungBody larynx;
   larynx.motion = engine::SprungBody::Motion::translation;
   larynx.stiffness = kLarynxStiffness * stiffer * size;
@@ -117,13 +123,27 @@ engine::SoftBodyDescription soft_body(const PatientPackage& package, const curri
   for (std::uint8_t anchor : package.tongue.anchor) {
     switch (static_cast<Anchor>(anchor)) {
       case Anchor::free: soft.node_anchor.push_back(-1); break;
-      case Anchor::mandible: soft.node_anchor.push_back(0); break;
-      case Anchor::hyoid: soft.node_anchor.push_back(1); break;
-      case Anchor::larynx: soft.node_anchor.push_back(2); break;
+      case Anchor::mandible: soft.node_anchor.push_back(kMandibleBody); break;
+      case Anchor::hyoid: soft.node_anchor.push_back(kHyoidBody); break;
+      case Anchor::larynx: soft.node_anchor.push_back(kLarynxBody); break;
       default: throw std::runtime_error("patient '" + package.name + "': tongue.vtu has an unknown anchor");
     }
   }
   return soft;
+}
+
+/// The lower gum goes with the jaw, the larynx some of the hyoid's way. A gum's triangle belongs to the jaw it is nearer to.
+void follow_bodies(const AnatomyMotion& motion, engine::RigidAnatomy& rigid) {
+  rigid.parts = {{kMandibleBody, 1.0}, {kHyoidBody, kLarynxShare}};
+  for (std::size_t t = 0; t < rigid.surface.triangles.size(); ++t) {
+    const auto& corner = rigid.surface.triangles[t];
+    const Vec3 middle =
+        (rigid.surface.points[corner[0]] + rigid.surface.points[corner[1]] + rigid.surface.points[corner[2]]) / 3;
+    std::int8_t part = -1;
+    if (rigid.triangle_structure[t] == engine::Structure::gum && motion.with_jaw(middle / kMetres) > 0.5) part = 0;
+    if (rigid.triangle_structure[t] == engine::Structure::larynx && motion.with_larynx(middle / kMetres) > 0.5) part = 1;
+    rigid.triangle_part.push_back(part);
+  }
 }
 
 }  // namespace
@@ -135,10 +155,27 @@ engine::SceneDescription scene_from_package(const PatientPackage& package, const
   scene.rigid.surface = mesh_of(face);
   for (std::size_t t = 0; t < face.triangles.size(); ++t)
     scene.rigid.triangle_structure.push_back(structure_of(t < face.tissue.size() ? face.tissue[t] : 0));
+  const AnatomyMotion motion(package);
+  follow_bodies(motion, scene.rigid);
+  for (const Vec3& p : motion.lips().points) {
+    scene.lips.surface.points.push_back(kMetres * p);
+    scene.lips.jaw_share.push_back(static_cast<float>(motion.with_jaw(p)));
+  }
+  scene.lips.surface.triangles = motion.lips().triangles;
+  scene.lips.jaw_body = kMandibleBody;
+  scene.lips.bed_pa_m = kLipBed;
+  scene.lips.tension_n_m = kLipTension;
+  scene.lips.recovery_s = kLipRecovery;
   scene.tool.surface = engine::blade_surface(engine::miller_blade(scenario.blade));
   scene.sight.eye = landmark(package, "operator_eye");
   for (const auto& p : surface(package, "glottis").points) scene.sight.glottis_outline.push_back(metres(p));
   scene.sight.occluders = {scene.rigid.surface};
+  engine::SightDescription::Follower jaw{kMandibleBody, 0.0, {}}, larynx{kHyoidBody, kLarynxShare, {}};
+  for (const Vec3& p : scene.rigid.surface.points) {
+    jaw.point_share.push_back(static_cast<float>(motion.with_jaw(p / kMetres)));
+    larynx.point_share.push_back(static_cast<float>(kLarynxShare * motion.with_larynx(p / kMetres)));
+  }
+  scene.sight.followers = {std::move(jaw), std::move(larynx)};
   return scene;
 }
 

@@ -64,7 +64,7 @@ void OperatorView::show_patient(std::shared_ptr<PatientLook> look, const engine:
 
 void OperatorView::update_from(const engine::Snapshot& snapshot) {
   if (!look_ || snapshot.step < 0) return;
-  look_->soft->update(snapshot.soft_points);
+  look_->update(snapshot);
   tool_->place(snapshot.proxy_pose);
   ghost_shown_ = ghost_->place(snapshot.device_pose, snapshot.proxy_pose);
   // In or out: how far the tip is past the gums on the way to the glottis, with some play so that the view does not

@@ -303,6 +303,11 @@ vtkSmartPointer<vtkPolyData> to_poly_data(const Surface& surface) {
   return result;
 }
 
+void PatientLook::update(const engine::Snapshot& snapshot) {
+  soft->update(snapshot.soft_points);
+  for (MovingSurface& surface : moving) surface.update(snapshot);
+}
+
 std::shared_ptr<PatientLook> make_patient_look(pipeline::PatientPackage package,
                                                const std::function<void(const std::string&, double)>& progress) {
   const auto report = [&](const std::string& stage, double fraction) {
@@ -324,6 +329,9 @@ std::shared_ptr<PatientLook> make_patient_look(pipeline::PatientPackage package,
   look->soft->shade(openness);
   report("airway", 0.9);
   look->trachea = make_trachea(package);
+  look->motion = std::make_unique<AnatomyMotion>(package);
+  look->moving = {{look->face, *look->motion, MovingSurface::Kind::solid},
+                  {look->trachea, *look->motion, MovingSurface::Kind::solid}};
   look->package = std::move(package);
   report("ready", 1.0);
   return look;

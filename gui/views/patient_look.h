@@ -8,6 +8,8 @@
 #include <memory>
 #include <string>
 
+#include "gui/session/anatomy_motion.h"
+#include "gui/views/moving_surface.h"
 #include "gui/views/soft_surface.h"
 #include "pipeline/package/patient_package.h"
 
@@ -28,8 +30,13 @@ struct PatientLook {
   vtkSmartPointer<vtkPolyData> face;     ///< points mm, normals, colours
   vtkSmartPointer<vtkPolyData> trachea;  ///< wall below the glottis, seen from inside, the paper's blue
   std::unique_ptr<SoftSurface> soft;     ///< tongue and epiglottis
+  std::unique_ptr<AnatomyMotion> motion;
+  std::vector<MovingSurface> moving;     ///< face and trachea
   Framing framing;
   pipeline::PatientPackage package;  ///< what it was made from
+
+  /// Everything as it lies in the snapshot.
+  void update(const engine::Snapshot& snapshot);
 };
 
 /// Throws std::runtime_error naming the surface or landmark that is missing. `progress(stage, 0..1)` may be empty.

@@ -80,29 +80,35 @@ vtkSmartPointer<vtkActor> SagittalView::add_flat(vtkPolyData* surface, double to
 void SagittalView::show_patient(std::shared_ptr<PatientLook> look, const engine::TriangleMesh& tool) {
   renderer()->RemoveAllViewProps();
   look_ = std::move(look);
-  add_static_cuts();
+  add_anatomy_cuts();
   add_soft_cut();
   add_tool(tool);
   add_sight_line();
   frame();
 }
 
-void SagittalView::add_static_cuts() {
+void SagittalView::add_anatomy_cuts() {
   const double x = look_->framing.midline_x_mm;
   const auto& surfaces = look_->package.surfaces;
   const auto find = [&](const char* name) -> vtkSmartPointer<vtkPolyData> {
     const auto found = surfaces.find(name);
     return found == surfaces.end() ? nullptr : to_poly_data(found->second);
   };
+  moving_.clear();
+  const auto add_moving = [&](vtkPolyData* cut, double layer, const Colour& colour) {
+    moving_.emplace_back(cut, *look_->motion, MovingSurface::Kind::cut);
+    return add_flat(cut, layer, colour[0], colour[1], colour[2]);
+  };
+  constexpr Colour kFleshColour = {0.78, 0.50, 0.45}, kAirColour = {0.13, 0.19, 0.27};
   if (const auto face = find("face")) {
     const Cut cut = cut_of(face, x);
-    add_flat(cut.fill, kFlesh, 0.78, 0.50, 0.45);
-    add_flat(cut.outline, kEdges, 0.40, 0.18, 0.17)->GetProperty()->SetLineWidth(1.4f);
+    add_moving(cut.fill, kFlesh, kFleshColour);
+    add_moving(cut.outline, kEdges, {0.40, 0.18, 0.17})->GetProperty()->SetLineWidth(1.4f);
   }
   // Where the tongue lay at rest there is air once it has been lifted away: its rest shape is drawn as air below it.
-  add_flat(cut_of(look_->soft->boundary(), x).fill, kAir, 0.13, 0.19, 0.27);
-  if (const auto airway = find("airway")) add_flat(cut_of(airway, x).fill, kAir + 0.2, 0.13, 0.19, 0.27);
+  add_moving(cut_of(look_->soft->boundary(), x).fill, kAir, kAirColour);
   if (const auto airway = find("airway")) {
+    add_moving(cut_of(airway, x).fill, kAir + 0.2, kAirColour);
     const auto& normal = look_->package.landmarks.at("glottis_normal");
     vtkNew<vtkPlane> below;
     below->SetOrigin(look_->package.landmarks.at("glottis_centre").data());
@@ -116,13 +122,13 @@ void SagittalView::add_static_cuts() {
     trachea->SetExtractionModeToClosestPointRegion();
     trachea->SetClosestPoint(look_->package.landmarks.at("carina").data());
     trachea->Update();
-    add_flat(trachea->GetOutput(), kAir + 0.4, kAirwayBlue[0], kAirwayBlue[1], kAirwayBlue[2]);
+    add_moving(trachea->GetOutput(), kAir + 0.4, kAirwayBlue);
   }
   for (const char* name : {"palate", "mandible", "hyoid", "spine", "skull"})
     if (const auto bone = find(name)) {
       const Cut cut = cut_of(bone, x);
-      add_flat(cut.fill, kBone, kBoneColour[0], kBoneColour[1], kBoneColour[2]);
-      add_flat(cut.outline, kBone + 0.2, 0.55, 0.50, 0.38)->GetProperty()->SetLineWidth(1.2f);
+      add_moving(cut.fill, kBone, kBoneColour);
+      add_moving(cut.outline, kBone + 0.2, {0.55, 0.50, 0.38})->GetProperty()->SetLineWidth(1.2f);
     }
 }
 
@@ -221,6 +227,7 @@ void SagittalView::update_from(const engine::Snapshot& snapshot, double sight_pe
     soft_points_->Modified();
     for (const auto& grid : soft_) grid->Modified();
   }
+  for (MovingSurface& cut : moving_) cut.update(snapshot);
   const auto in_front = [](const engine::Pose& pose) {
     auto matrix = tool_matrix(pose);
     matrix->SetElement(0, 3, matrix->GetElement(0, 3) + kTool);

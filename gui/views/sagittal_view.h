@@ -26,7 +26,7 @@ class SagittalView : public GlView {
   void resizeEvent(QResizeEvent* event) override;
 
  private:
-  void add_static_cuts();
+  void add_anatomy_cuts();
   void add_soft_cut();
   void add_tool(const engine::TriangleMesh& tool);
   void add_sight_line();
@@ -35,6 +35,7 @@ class SagittalView : public GlView {
                                      double blue);
 
   std::shared_ptr<PatientLook> look_;
+  std::vector<MovingSurface> moving_;
   vtkSmartPointer<vtkPoints> soft_points_;
   std::vector<vtkSmartPointer<vtkUnstructuredGrid>> soft_;  ///< tongue and, where there is one, epiglottis
   vtkSmartPointer<vtkActor> blade_, handle_, ghost_, sight_;

@@ -174,20 +174,49 @@ TEST(LineOfSight, AnEdgeHidesTheShareOfTheOpeningBehindIt) {
   SightDescription sight;
   sight.eye = Vec3(0, 0, 0.3);
   sight.glottis_outline = {Vec3(-0.002, -0.003, 0), Vec3(0.002, -0.003, 0), Vec3(0.002, 0.003, 0), Vec3(-0.002, 0.003, 0)};
-  const LineOfSight open(sight, 400);
+  const LineOfSight open(sight, {}, 400);
   EXPECT_EQ(open.unobstructed(), 1.0);
   auto scratch = open.make_scratch(8);
   // A wall half way up whose edge stands, seen from the eye, over y = cut in the glottis' plane.
   for (double cut : {-0.0015, 0.0, 0.0012}) {
     const TriangleMesh wall = testing::box_surface(Vec3(0, cut / 2 + 0.05, 0.15), Vec3(0.1, 0.1, 1e-6));
-    open.begin(scratch);
+    open.begin(scratch, {});
     open.add(scratch, 8, wall.triangles, [&](int i) -> Vec3 { return wall.points[i]; });
     EXPECT_NEAR(open.visible(scratch), (cut + 0.003) / 0.006, 0.06) << cut;
   }
   const TriangleMesh behind = testing::box_surface(Vec3(0, 0, -0.05), Vec3(0.1, 0.1, 0.01));
-  open.begin(scratch);
+  open.begin(scratch, {});
   open.add(scratch, 8, behind.triangles, [&](int i) -> Vec3 { return behind.points[i]; });
   EXPECT_EQ(open.visible(scratch), 1.0);
+}
+
+// A square glottis of 6 mm half behind a fixed edge near it: shifted by a millimetre towards the edge a sixth more is hidden,
+// and as much the other way when the edge itself is shifted.
+TEST(LineOfSight, GlottisAndAnatomyFollowTheBodiesByTheirShares) {
+  SightDescription sight;
+  sight.eye = Vec3(0, 0, 0.3);
+  for (const auto& [x, y] : {std::pair{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}) sight.glottis_outline.emplace_back(0.003 * x, 0.003 * y, 0);
+  TriangleMesh edge;
+  edge.points = {Vec3(0, -0.05, 0.001), Vec3(0.05, -0.05, 0.001), Vec3(0.05, 0.05, 0.001), Vec3(0, 0.05, 0.001)};
+  edge.triangles = {{0, 1, 2}, {0, 2, 3}};
+  sight.occluders = {edge};
+  SprungBody body;
+  body.motion = SprungBody::Motion::translation;
+  sight.followers = {{0, 0.5, {}}, {1, 0.0, std::vector<float>(4, 0.25f)}};
+  const LineOfSight line(sight, {body, body}, 2000);
+  auto scratch = line.make_scratch(4);
+  const auto seen = [&](double glottis, double anatomy) {
+    line.begin(scratch, {Vec3(glottis, 0, 0), Vec3(anatomy, 0, 0)});
+    return line.visible(scratch);
+  };
+  EXPECT_NEAR(seen(0, 0), 0.5, 0.02);
+  EXPECT_NEAR(seen(0.002, 0), 0.5 - 1.0 / 6, 0.02);
+  EXPECT_NEAR(seen(0, 0.004), 0.5 + 1.0 / 6, 0.02);
+  EXPECT_NEAR(seen(0.002, 0.004), 0.5, 0.02);
+  sight.followers[1].point_share.pop_back();
+  EXPECT_THROW(LineOfSight(sight, {body, body}), std::invalid_argument);
+  sight.followers = {{7, 0.5, {}}};
+  EXPECT_THROW(LineOfSight(sight, {body}), std::invalid_argument);
 }
 
 }  // namespace
