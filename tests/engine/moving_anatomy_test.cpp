@@ -83,11 +83,12 @@ TEST(RigidField, AMovedPartIsWhereItsLinearisedMotionPutsItAndTheRestStandsStill
   const Vec3 shift(0.001, 0.004, -0.002);
   PartPoses poses;
   field.place({Vec3(angle, 0, 0), shift}, {Vec3::Zero(), Vec3::Zero()}, poses);
+  const auto ignored = [](int, double) {};
   const auto distance_at = [&](const Vec3& x, int part) {
     double found = 1.0;
     field.look(x, poses, 0.002, [&](const RigidField::Touch& t) {
       if (t.part == part) found = t.distance;
-    });
+    }, ignored);
     return found;
   };
   // A millimetre above the middle of each box's top, moved as the body moves.
@@ -102,7 +103,7 @@ TEST(RigidField, AMovedPartIsWhereItsLinearisedMotionPutsItAndTheRestStandsStill
   EXPECT_GT(distance_at(top, -1), 0.5);
   // The normal of the moved top stands square on it.
   const Vec3 along = Vec3::UnitY() + angle * Vec3::UnitX().cross(Vec3::UnitY());
-  field.look(turned, poses, 0.002, [&](const RigidField::Touch& t) { EXPECT_NEAR(t.normal.dot(along), 0.0, 1e-4); });
+  field.look(turned, poses, 0.002, [&](const RigidField::Touch& t) { EXPECT_NEAR(t.normal.dot(along), 0.0, 1e-4); }, ignored);
 }
 
 TEST(MovingAnatomy, AJawUnderTheBladeGivesWayByItsHingeAndRests) {
