@@ -6,6 +6,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "engine/aist/sphere_ties.h"
 #include "engine/aist/sphere_tree.h"
 #include "engine/mesh/triangle_bvh.h"
 
@@ -62,8 +63,8 @@ class TetLocator {
     return best;
   }
 
-  /// Number of tetrahedra whose centroid lies within `radius` of p.
-  int count_within(const Vec3& p, double radius) const {
+  /// Tetrahedra whose centroid lies within `radius` of p.
+  std::vector<int> within(const Vec3& p, double radius) const {
     std::set<int> found;
     for_cells(p - Vec3::Constant(radius), p + Vec3::Constant(radius), [&](std::size_t c) {
       for (int t : cells_[c]) {
@@ -72,7 +73,7 @@ class TetLocator {
         if ((centroid - p).squaredNorm() <= radius * radius) found.insert(t);
       }
     });
-    return static_cast<int>(found.size());
+    return {found.begin(), found.end()};
   }
 
  private:
@@ -249,7 +250,6 @@ SphereTree fill_spheres(const SoftBodyDescription& soft, const SoftSurface& surf
   const TetLocator locator(soft);
   for (InnerSphere& s : spheres) {
     s.tet = locator.locate(s.centre, s.weight);
-    s.tied = locator.count_within(s.centre, s.radius);
     const TriangleBvh::Hit hit = bvh.closest(s.centre, reach);
     s.core = settings.coverage == Coverage::full && s.level < settings.levels;
     if (s.core) s.standoff = kCoreShare * s.radius;
@@ -258,6 +258,9 @@ SphereTree fill_spheres(const SoftBodyDescription& soft, const SoftSurface& surf
       for (int k = 0; k < 3; ++k) s.surface_weight[k] = hit.weights[k];
       s.area = M_PI * s.radius * s.radius;  // it answers for its shadow
     }
+    const std::vector<int> enclosed = locator.within(s.centre, s.radius);
+    s.tied = static_cast<std::int32_t>(enclosed.size());
+    tie_sphere(soft, enclosed, s, tree);
     s.touchable = s.core;
     for (int k = 0; k < 3; ++k)
       s.touchable |= s.surface_weight[k] > 0 && soft.node_anchor[mesh.triangles[s.triangle][k]] < 0;

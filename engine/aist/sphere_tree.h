@@ -16,6 +16,7 @@ struct InnerSphere {
   std::int32_t tet = -1;           ///< that contains the centre
   std::array<double, 4> weight{};  ///< of that tet's nodes, in file order
   std::int32_t tied = 0;           ///< number of tetrahedra the sphere encloses (their centroids lie in it)
+  std::int32_t first_tied = 0, tied_count = 0;  ///< range of SphereTree::tied_nodes: the nodes of those and of `tet`
   std::int32_t triangle = -1;      ///< face of the soft body's surface that its surface point lies in
   std::array<double, 3> surface_weight{};  ///< of the surface point next to it, in that face
   double area = 0.0;               ///< surface area the sphere answers for, m^2 (contact stiffness is per area)
@@ -37,6 +38,8 @@ struct SphereTree {
   std::vector<InnerSphere> spheres;    ///< ordered by cluster
   std::vector<SphereCluster> clusters;
   std::vector<std::int32_t> cluster_nodes;
+  std::vector<std::int32_t> tied_nodes;  ///< per sphere in ascending order
+  std::vector<float> tied_weights;       ///< a sphere's sum to 1 and give its centre
   std::vector<int> spheres_per_level;
   double coarse_radius = 0.0;          ///< m
   double mean_tet_volume = 0.0;        ///< m^3

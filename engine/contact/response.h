@@ -7,9 +7,8 @@
 
 namespace vallecula::engine {
 
-StepStatistics respond(Response response, const SphereTree& tree, const std::vector<std::array<int, 4>>& tets,
-                       const TissueModel& model, const Pose& tool, TissueState& tissue, ContactState& contacts,
-                       StageTimes& times) noexcept;
+StepStatistics respond(Response response, const SphereTree& tree, const TissueModel& model, const Pose& tool,
+                       TissueState& tissue, ContactState& contacts, StageTimes& times) noexcept;
 
 /// Stiffness of the augmented Lagrangian over what a surface node itself offers within a step.
 constexpr float kContactAugmentation = 60.0f;
