@@ -278,6 +278,7 @@ SphereTree fill_spheres(const SoftBodyDescription& soft, const SoftSurface& surf
     tree.cluster_nodes.insert(tree.cluster_nodes.end(), nodes.begin(), nodes.end());
   }
   tree.spheres = std::move(spheres);
+  tree.distances = sphere_distances(tree, settings.levels);
   return tree;
 }
 
