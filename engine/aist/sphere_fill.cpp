@@ -126,6 +126,43 @@ void fill_cell(const TriangleBvh& bvh, const Vec3& centre, double radius, int le
   }
 }
 
+/// The grid whose first cell's corner is `low`.
+std::vector<InnerSphere> lay_grid(const TriangleBvh& bvh, const Vec3& low, const Vec3& high, double radius, int levels,
+                                  double reach) {
+  const double edge = 2 * radius;
+  std::vector<InnerSphere> spheres;
+  for (double z = low.z() + radius; z - radius < high.z(); z += edge)
+    for (double y = low.y() + radius; y - radius < high.y(); y += edge)
+      for (double x = low.x() + radius; x - radius < high.x(); x += edge)
+        fill_cell(bvh, Vec3(x, y, z), radius, 0, levels, reach, spheres);
+  return spheres;
+}
+
+/// The paper leaves open where its grid begins: it is moved in quarters of a cell along one axis after the other, and stays each
+/// time where its spheres fill most of the body; of equals the first.
+std::vector<InnerSphere> best_grid(const TriangleBvh& bvh, Vec3 low, const Vec3& high, double radius, int levels,
+                                   double reach) {
+  constexpr int kPlaces = 4;
+  const auto filled = [](const std::vector<InnerSphere>& spheres) {
+    double sum = 0.0;
+    for (const InnerSphere& s : spheres) sum += s.radius * s.radius * s.radius;
+    return sum;
+  };
+  std::vector<InnerSphere> best = lay_grid(bvh, low, high, radius, levels, reach);
+  for (int axis = 0; axis < 3; ++axis) {
+    const double from = low[axis];
+    for (int n = 1; n < kPlaces; ++n) {
+      Vec3 moved = low;
+      moved[axis] = from - 2 * radius * n / kPlaces;
+      std::vector<InnerSphere> spheres = lay_grid(bvh, moved, high, radius, levels, reach);
+      if (!(filled(spheres) > filled(best) * (1 + 1e-9))) continue;
+      best = std::move(spheres);
+      low = moved;
+    }
+  }
+  return best;
+}
+
 /// `full`: spheres that touch the surface from inside at points all over it, as large as its shape allows.
 void cover_surface(const TriangleBvh& bvh, const FillSettings& settings, std::vector<InnerSphere>& out) {
   const TriangleMesh& mesh = bvh.mesh();
@@ -237,12 +274,8 @@ SphereTree fill_spheres(const SoftBodyDescription& soft, const SoftSurface& surf
     low = low.cwiseMin(p);
     high = high.cwiseMax(p);
   }
-  const double r = tree.coarse_radius, edge = 2 * r, reach = (high - low).norm();
-  std::vector<InnerSphere> spheres;
-  for (double z = low.z() + r; z - r < high.z(); z += edge)
-    for (double y = low.y() + r; y - r < high.y(); y += edge)
-      for (double x = low.x() + r; x - r < high.x(); x += edge)
-        fill_cell(bvh, Vec3(x, y, z), r, 0, settings.levels, reach, spheres);
+  const double reach = (high - low).norm();
+  std::vector<InnerSphere> spheres = best_grid(bvh, low, high, tree.coarse_radius, settings.levels, reach);
   if (settings.coverage == Coverage::full) cover_surface(bvh, settings, spheres);
   if (spheres.empty()) throw std::invalid_argument("no inner sphere fits into the soft body; take a smaller sphere ratio");
 
