@@ -122,6 +122,7 @@ struct SceneDescription {
   Coverage coverage = Coverage::full;
   double sphere_ratio = 10.0;          ///< AIST: coarse sphere's volume over the mean tetrahedron's (paper 3.1.1)
   int sphere_levels = 2;               ///< AIST: levels of the paper's grid
+  bool sphere_distances = false;       ///< `projection`: neighbouring spheres resist being pressed together (paper 3.1)
   double step_s = 0.001;
 };
 

@@ -124,7 +124,7 @@ StepStatistics step_tissue(const Scene& scene, SceneState& state, const Pose& be
                   state.proxy.pose, before, scene.contact_stiffness,
                   static_cast<float>(scene.description.friction), state.contacts);
   clock.add_to(times.collision_s);
-  const StepStatistics statistics = respond(scene.description.response, scene.tree, scene.description.soft.tets,
+  const StepStatistics statistics = respond(scene.description.response, scene.description.sphere_distances, scene.tree,
                                             scene.model, state.proxy.pose, state.tissue, state.contacts, times);
   clock = StageClock();
   collect_tissue_load(scene, state, loads);

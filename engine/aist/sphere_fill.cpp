@@ -6,6 +6,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "engine/aist/sphere_ties.h"
 #include "engine/aist/sphere_tree.h"
 #include "engine/mesh/triangle_bvh.h"
 
@@ -62,8 +63,8 @@ class TetLocator {
     return best;
   }
 
-  /// Number of tetrahedra whose centroid lies within `radius` of p.
-  int count_within(const Vec3& p, double radius) const {
+  /// Tetrahedra whose centroid lies within `radius` of p.
+  std::vector<int> within(const Vec3& p, double radius) const {
     std::set<int> found;
     for_cells(p - Vec3::Constant(radius), p + Vec3::Constant(radius), [&](std::size_t c) {
       for (int t : cells_[c]) {
@@ -72,7 +73,7 @@ class TetLocator {
         if ((centroid - p).squaredNorm() <= radius * radius) found.insert(t);
       }
     });
-    return static_cast<int>(found.size());
+    return {found.begin(), found.end()};
   }
 
  private:
@@ -123,6 +124,43 @@ void fill_cell(const TriangleBvh& bvh, const Vec3& centre, double radius, int le
     const Vec3 offset((child & 1) ? 0.5 : -0.5, (child & 2) ? 0.5 : -0.5, (child & 4) ? 0.5 : -0.5);
     fill_cell(bvh, centre + radius * offset, radius / 2, level + 1, levels, reach, out);
   }
+}
+
+/// The grid whose first cell's corner is `low`.
+std::vector<InnerSphere> lay_grid(const TriangleBvh& bvh, const Vec3& low, const Vec3& high, double radius, int levels,
+                                  double reach) {
+  const double edge = 2 * radius;
+  std::vector<InnerSphere> spheres;
+  for (double z = low.z() + radius; z - radius < high.z(); z += edge)
+    for (double y = low.y() + radius; y - radius < high.y(); y += edge)
+      for (double x = low.x() + radius; x - radius < high.x(); x += edge)
+        fill_cell(bvh, Vec3(x, y, z), radius, 0, levels, reach, spheres);
+  return spheres;
+}
+
+/// The paper leaves open where its grid begins: it is moved in quarters of a cell along one axis after the other, and stays each
+/// time where its spheres fill most of the body; of equals the first.
+std::vector<InnerSphere> best_grid(const TriangleBvh& bvh, Vec3 low, const Vec3& high, double radius, int levels,
+                                   double reach) {
+  constexpr int kPlaces = 4;
+  const auto filled = [](const std::vector<InnerSphere>& spheres) {
+    double sum = 0.0;
+    for (const InnerSphere& s : spheres) sum += s.radius * s.radius * s.radius;
+    return sum;
+  };
+  std::vector<InnerSphere> best = lay_grid(bvh, low, high, radius, levels, reach);
+  for (int axis = 0; axis < 3; ++axis) {
+    const double from = low[axis];
+    for (int n = 1; n < kPlaces; ++n) {
+      Vec3 moved = low;
+      moved[axis] = from - 2 * radius * n / kPlaces;
+      std::vector<InnerSphere> spheres = lay_grid(bvh, moved, high, radius, levels, reach);
+      if (!(filled(spheres) > filled(best) * (1 + 1e-9))) continue;
+      best = std::move(spheres);
+      low = moved;
+    }
+  }
+  return best;
 }
 
 /// `full`: spheres that touch the surface from inside at points all over it, as large as its shape allows.
@@ -236,12 +274,8 @@ SphereTree fill_spheres(const SoftBodyDescription& soft, const SoftSurface& surf
     low = low.cwiseMin(p);
     high = high.cwiseMax(p);
   }
-  const double r = tree.coarse_radius, edge = 2 * r, reach = (high - low).norm();
-  std::vector<InnerSphere> spheres;
-  for (double z = low.z() + r; z - r < high.z(); z += edge)
-    for (double y = low.y() + r; y - r < high.y(); y += edge)
-      for (double x = low.x() + r; x - r < high.x(); x += edge)
-        fill_cell(bvh, Vec3(x, y, z), r, 0, settings.levels, reach, spheres);
+  const double reach = (high - low).norm();
+  std::vector<InnerSphere> spheres = best_grid(bvh, low, high, tree.coarse_radius, settings.levels, reach);
   if (settings.coverage == Coverage::full) cover_surface(bvh, settings, spheres);
   if (spheres.empty()) throw std::invalid_argument("no inner sphere fits into the soft body; take a smaller sphere ratio");
 
@@ -249,7 +283,6 @@ SphereTree fill_spheres(const SoftBodyDescription& soft, const SoftSurface& surf
   const TetLocator locator(soft);
   for (InnerSphere& s : spheres) {
     s.tet = locator.locate(s.centre, s.weight);
-    s.tied = locator.count_within(s.centre, s.radius);
     const TriangleBvh::Hit hit = bvh.closest(s.centre, reach);
     s.core = settings.coverage == Coverage::full && s.level < settings.levels;
     if (s.core) s.standoff = kCoreShare * s.radius;
@@ -258,6 +291,9 @@ SphereTree fill_spheres(const SoftBodyDescription& soft, const SoftSurface& surf
       for (int k = 0; k < 3; ++k) s.surface_weight[k] = hit.weights[k];
       s.area = M_PI * s.radius * s.radius;  // it answers for its shadow
     }
+    const std::vector<int> enclosed = locator.within(s.centre, s.radius);
+    s.tied = static_cast<std::int32_t>(enclosed.size());
+    tie_sphere(soft, enclosed, s, tree);
     s.touchable = s.core;
     for (int k = 0; k < 3; ++k)
       s.touchable |= s.surface_weight[k] > 0 && soft.node_anchor[mesh.triangles[s.triangle][k]] < 0;
@@ -275,6 +311,7 @@ SphereTree fill_spheres(const SoftBodyDescription& soft, const SoftSurface& surf
     tree.cluster_nodes.insert(tree.cluster_nodes.end(), nodes.begin(), nodes.end());
   }
   tree.spheres = std::move(spheres);
+  tree.distances = sphere_distances(tree, settings.levels);
   return tree;
 }
 

@@ -16,6 +16,7 @@ struct InnerSphere {
   std::int32_t tet = -1;           ///< that contains the centre
   std::array<double, 4> weight{};  ///< of that tet's nodes, in file order
   std::int32_t tied = 0;           ///< number of tetrahedra the sphere encloses (their centroids lie in it)
+  std::int32_t first_tied = 0, tied_count = 0;  ///< range of SphereTree::tied_nodes: the nodes of those and of `tet`
   std::int32_t triangle = -1;      ///< face of the soft body's surface that its surface point lies in
   std::array<double, 3> surface_weight{};  ///< of the surface point next to it, in that face
   double area = 0.0;               ///< surface area the sphere answers for, m^2 (contact stiffness is per area)
@@ -33,10 +34,19 @@ struct SphereCluster {
   std::int32_t first_node = 0, node_count = 0;  ///< range of SphereTree::cluster_nodes
 };
 
+/// Two neighbouring spheres of the grid, which resist being pressed together (paper 3.1).
+struct SphereDistance {
+  std::int32_t a = -1, b = -1;     ///< spheres
+  double rest = 0.0;               ///< distance of the centres at rest, m
+};
+
 struct SphereTree {
   std::vector<InnerSphere> spheres;    ///< ordered by cluster
   std::vector<SphereCluster> clusters;
   std::vector<std::int32_t> cluster_nodes;
+  std::vector<std::int32_t> tied_nodes;  ///< per sphere in ascending order
+  std::vector<float> tied_weights;       ///< a sphere's sum to 1 and give its centre
+  std::vector<SphereDistance> distances; ///< of grid spheres that touch or nearly do
   std::vector<int> spheres_per_level;
   double coarse_radius = 0.0;          ///< m
   double mean_tet_volume = 0.0;        ///< m^3

@@ -7,9 +7,9 @@
 
 namespace vallecula::engine {
 
-StepStatistics respond(Response response, const SphereTree& tree, const std::vector<std::array<int, 4>>& tets,
-                       const TissueModel& model, const Pose& tool, TissueState& tissue, ContactState& contacts,
-                       StageTimes& times) noexcept;
+/// `sphere_distances`: `projection` also holds the tree's distances while there is contact.
+StepStatistics respond(Response response, bool sphere_distances, const SphereTree& tree, const TissueModel& model,
+                       const Pose& tool, TissueState& tissue, ContactState& contacts, StageTimes& times) noexcept;
 
 /// Stiffness of the augmented Lagrangian over what a surface node itself offers within a step.
 constexpr float kContactAugmentation = 60.0f;

@@ -10,8 +10,45 @@
 
 namespace vallecula::engine {
 
+namespace {
+
+constexpr int kFineParts = 3;                // a refined cell's edge
+constexpr int kFineSamples = kFineParts + 1;
+constexpr int kFinePerCell = kFineSamples * kFineSamples * kFineSamples;
+constexpr double kNearSurface = 0.0003;      // m; cells beyond are not refined
+
+/// Calls work(first, workers) on every worker: each takes every workers-th piece.
+template <class Work>
+void share_out(Work work) {
+  const int workers = std::clamp<int>(static_cast<int>(std::thread::hardware_concurrency()), 1, 4);
+  std::vector<std::thread> threads;
+  for (int w = 1; w < workers; ++w) threads.emplace_back(work, w, workers);
+  work(0, workers);
+  for (auto& t : threads) t.join();
+}
+
+/// Distance and gradient at p; distance infinity where no triangle is within `band`.
+F4 exact_value(const TriangleBvh& bvh, const Vec3& p, double band, TriangleBvh::Hit& hit) {
+  const double d = bvh.signed_distance(p, band, &hit);
+  if (hit.triangle < 0) return F4{0, 0, 0, std::numeric_limits<float>::infinity()};
+  // On the surface itself the way to it has no direction: the face's normal is it.
+  F4 value = from_vec3(std::abs(d) > 1e-9 ? Vec3((p - hit.point) / d) : bvh.triangle_normal(hit.triangle));
+  value[3] = static_cast<float>(d);
+  return value;
+}
+
+F4 trilinear(const Float4* v, std::size_t dy, std::size_t dz, const float f[3]) {
+  const F4 fx = splat(f[0]), fy = splat(f[1]), fz = splat(f[2]);
+  const F4 x00 = v[0].v + fx * (v[1].v - v[0].v), x10 = v[dy].v + fx * (v[dy + 1].v - v[dy].v);
+  const F4 x01 = v[dz].v + fx * (v[dz + 1].v - v[dz].v), x11 = v[dz + dy].v + fx * (v[dz + dy + 1].v - v[dz + dy].v);
+  const F4 y0 = x00 + fy * (x10 - x00), y1 = x01 + fy * (x11 - x01);
+  return y0 + fz * (y1 - y0);
+}
+
+}  // namespace
+
 SignedDistanceGrid::SignedDistanceGrid(const TriangleMesh& mesh, const Vec3& low, const Vec3& high, double spacing,
-                                       double band, const std::vector<std::uint8_t>& triangle_class)
+                                       double band, const std::vector<std::uint8_t>& triangle_class, double tolerance)
     : low_(low), spacing_(spacing), inverse_spacing_(1.0 / spacing), band_(band) {
   constexpr double kMostCells = 2e7;  // 320 MB: a larger grid means wrong units, not a finer tool
   double cells = 1;
@@ -50,24 +87,12 @@ SignedDistanceGrid::SignedDistanceGrid(const TriangleMesh& mesh, const Vec3& low
           F4& value = values_[index(i, j, k)].v;
           if (value[3] == kUnknown) continue;
           TriangleBvh::Hit hit;
-          const Vec3 p = low_ + spacing_ * Vec3(i, j, k);
-          const double d = bvh.signed_distance(p, band, &hit);
-          if (hit.triangle < 0) {
-            value[3] = kUnknown;
-            continue;
-          }
-          // On the surface itself the way to it has no direction: the face's normal is it.
-          const Vec3 gradient = std::abs(d) > 1e-9 ? Vec3((p - hit.point) / d) : bvh.triangle_normal(hit.triangle);
-          value = from_vec3(gradient);
-          value[3] = static_cast<float>(d);
+          value = exact_value(bvh, low_ + spacing_ * Vec3(i, j, k), band, hit);
+          if (hit.triangle < 0) continue;
           if (!classes_.empty()) classes_[index(i, j, k)] = triangle_class[hit.triangle];
         }
   };
-  const int workers = std::clamp<int>(static_cast<int>(std::thread::hardware_concurrency()), 1, 4);
-  std::vector<std::thread> threads;
-  for (int w = 1; w < workers; ++w) threads.emplace_back(fill_slices, w, workers);
-  fill_slices(0, workers);
-  for (auto& t : threads) t.join();
+  share_out(fill_slices);
 
   // Beyond the band only the side matters; it is that of the next known sample along x (the band is wider than a cell,
   // so a line cannot change sides without passing known samples). Lines without any are filled from their neighbours.
@@ -94,6 +119,76 @@ SignedDistanceGrid::SignedDistanceGrid(const TriangleMesh& mesh, const Vec3& low
   for (int axis = 0; axis < 3; ++axis) spread(axis);
   for (Float4& node : values_)
     if (node.v[3] == kUnknown) node.v[3] = static_cast<float>(band);
+  if (std::isfinite(tolerance)) refine(bvh, tolerance);
+}
+
+bool SignedDistanceGrid::bent(std::size_t cell, double tolerance) const {
+  const std::size_t dy = size_[0], dz = static_cast<std::size_t>(size_[0]) * size_[1];
+  F4 corners[8];
+  double nearest = band_;
+  for (int c = 0; c < 8; ++c) {
+    corners[c] = values_[cell + (c & 1) + (c >> 1 & 1) * dy + (c >> 2) * dz].v;
+    nearest = std::min(nearest, std::abs(double(corners[c][3])));
+  }
+  if (nearest > kNearSurface + std::sqrt(0.75) * spacing_) return false;
+  // At the middles of the cell, its faces and its edges: what is interpolated there, and what each corner's own distance and
+  // gradient make of it. All agree where the field is flat.
+  for (int middle = 0; middle < 27; ++middle) {
+    const Vec3 at = 0.5 * Vec3(middle % 3, middle / 3 % 3, middle / 9);
+    double sum = 0.0, low = band_, high = -band_;
+    int count = 0;
+    for (int c = 0; c < 8; ++c) {
+      const Vec3 way = at - Vec3(c & 1, c >> 1 & 1, c >> 2);
+      if (way.cwiseAbs().maxCoeff() > 0.5) continue;  // not of this face or edge
+      const double guess = corners[c][3] + spacing_ * to_vec3(corners[c]).dot(way);
+      low = std::min(low, guess);
+      high = std::max(high, guess);
+      sum += corners[c][3];
+      ++count;
+    }
+    if (std::max(high, sum / count) - std::min(low, sum / count) > tolerance) return true;
+  }
+  return false;
+}
+
+void SignedDistanceGrid::refine(const TriangleBvh& bvh, double tolerance) {
+  refined_.assign(values_.size(), -1);
+  std::vector<std::array<int, 3>> cells;
+  for (int k = 0; k + 1 < size_[2]; ++k)
+    for (int j = 0; j + 1 < size_[1]; ++j)
+      for (int i = 0; i + 1 < size_[0]; ++i)
+        if (bent(index(i, j, k), tolerance)) {
+          refined_[index(i, j, k)] = static_cast<std::int32_t>(cells.size());
+          cells.push_back({i, j, k});
+        }
+  fine_values_.resize(cells.size() * kFinePerCell);
+  share_out([&](int first, int step) {
+    for (std::size_t c = first; c < cells.size(); c += step)
+      for (int n = 0; n < kFinePerCell; ++n) {
+        const int at[3] = {n % kFineSamples, n / kFineSamples % kFineSamples, n / (kFineSamples * kFineSamples)};
+        // On a face shared with a cell that is not refined the sample is what that cell interpolates there, so that the field
+        // has no step.
+        int from[3], to[3];
+        for (int a = 0; a < 3; ++a) {
+          from[a] = std::max(0, cells[c][a] - (at[a] == 0 ? 1 : 0));
+          to[a] = std::min(size_[a] - 2, cells[c][a] + (at[a] == kFineParts ? 1 : 0));
+        }
+        bool all_refined = true;
+        for (int k = from[2]; k <= to[2]; ++k)
+          for (int j = from[1]; j <= to[1]; ++j)
+            for (int i = from[0]; i <= to[0]; ++i) all_refined = all_refined && refined_[index(i, j, k)] >= 0;
+        F4& value = fine_values_[c * kFinePerCell + n].v;
+        const float f[3] = {float(at[0]) / kFineParts, float(at[1]) / kFineParts, float(at[2]) / kFineParts};
+        const std::size_t cell = index(cells[c][0], cells[c][1], cells[c][2]);
+        value = trilinear(values_.data() + cell, size_[0], static_cast<std::size_t>(size_[0]) * size_[1], f);
+        if (!all_refined) continue;
+        Vec3 p = low_;
+        for (int a = 0; a < 3; ++a) p[a] += spacing_ / kFineParts * (kFineParts * cells[c][a] + at[a]);
+        TriangleBvh::Hit hit;
+        const F4 exact = exact_value(bvh, p, band_, hit);
+        if (hit.triangle >= 0) value = exact;
+      }
+  });
 }
 
 bool SignedDistanceGrid::locate(const Vec3& p, int cell[3], float frac[3]) const noexcept {
@@ -107,13 +202,18 @@ bool SignedDistanceGrid::locate(const Vec3& p, int cell[3], float frac[3]) const
 }
 
 F4 SignedDistanceGrid::interpolate(const int c[3], const float f[3]) const noexcept {
-  const std::size_t dy = size_[0], dz = static_cast<std::size_t>(size_[0]) * size_[1];
-  const Float4* v = values_.data() + index(c[0], c[1], c[2]);
-  const F4 fx = splat(f[0]), fy = splat(f[1]), fz = splat(f[2]);
-  const F4 x00 = v[0].v + fx * (v[1].v - v[0].v), x10 = v[dy].v + fx * (v[dy + 1].v - v[dy].v);
-  const F4 x01 = v[dz].v + fx * (v[dz + 1].v - v[dz].v), x11 = v[dz + dy].v + fx * (v[dz + dy + 1].v - v[dz + dy].v);
-  const F4 y0 = x00 + fy * (x10 - x00), y1 = x01 + fy * (x11 - x01);
-  return y0 + fz * (y1 - y0);
+  const std::size_t cell = index(c[0], c[1], c[2]);
+  const std::int32_t refined = refined_.empty() ? -1 : refined_[cell];
+  if (refined < 0) return trilinear(values_.data() + cell, size_[0], static_cast<std::size_t>(size_[0]) * size_[1], f);
+  std::size_t at = static_cast<std::size_t>(refined) * kFinePerCell;
+  float g[3];
+  for (int a = 0, stride = 1; a < 3; ++a, stride *= kFineSamples) {
+    const float s = f[a] * kFineParts;
+    const int part = std::min(kFineParts - 1, static_cast<int>(s));
+    g[a] = s - static_cast<float>(part);
+    at += part * stride;
+  }
+  return trilinear(fine_values_.data() + at, kFineSamples, kFineSamples * kFineSamples, g);
 }
 
 SignedDistanceGrid::Sample SignedDistanceGrid::sample(const Vec3& p) const noexcept {

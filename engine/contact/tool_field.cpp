@@ -1,6 +1,7 @@
 #include "engine/contact/tool_field.h"
 
 #include <cmath>
+#include <limits>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -12,17 +13,19 @@ namespace vallecula::engine {
 namespace {
 
 constexpr double kFineSpacing = 0.00025, kFineBand = 0.0015;
+constexpr double kFineTolerance = 0.00003;  // what an edge may bend the field within a cell before it is sampled more finely
 constexpr double kCoarseSpacing = 0.002, kCoarseBand = 0.016;
 constexpr double kSampleSpacing = 0.0015;
 
-SignedDistanceGrid field(const TriangleMesh& mesh, double spacing, double band, const Vec3& least, const Vec3& most) {
+SignedDistanceGrid field(const TriangleMesh& mesh, double spacing, double band, const Vec3& least, const Vec3& most,
+                         double tolerance = std::numeric_limits<double>::infinity()) {
   Vec3 low = mesh.points.front(), high = low;
   for (const Vec3& p : mesh.points) {
     low = low.cwiseMin(p);
     high = high.cwiseMax(p);
   }
   const Vec3 margin = Vec3::Constant(band + spacing);
-  return SignedDistanceGrid(mesh, (low - margin).cwiseMax(least), (high + margin).cwiseMin(most), spacing, band);
+  return SignedDistanceGrid(mesh, (low - margin).cwiseMax(least), (high + margin).cwiseMin(most), spacing, band, {}, tolerance);
 }
 
 TriangleMesh checked(const TriangleMesh& mesh) {
@@ -37,7 +40,7 @@ TriangleMesh checked(const TriangleMesh& mesh) {
 }  // namespace
 
 ToolField::ToolField(const TriangleMesh& surface, const Vec3& low, const Vec3& high)
-    : fine(field(checked(surface), kFineSpacing, kFineBand, low, high)),
+    : fine(field(checked(surface), kFineSpacing, kFineBand, low, high, kFineTolerance)),
       coarse(field(surface, kCoarseSpacing, kCoarseBand, Vec3::Constant(-1e3), Vec3::Constant(1e3))) {
   for (const Vec3& p : surface.points) radius = std::max(radius, p.norm());
   std::set<std::array<long long, 3>> taken;  // one sample a cell of the sample spacing

@@ -31,7 +31,8 @@ namespace {
 
 struct LabOptions {
   std::string tet, tool, trajectory, fix, fix_nodes, json, csv, spheres, final_state, figure, out;
-  std::string response = "compliant", collision = "aist", coverage = "full", force_limit = "none", length_unit = "m";
+  std::string response = "compliant", collision = "aist", coverage = "full", force_limit = "none", length_unit = "m",
+              sphere_constraints = "off";
   double young = 10000.0, poisson = 0.45, density = 1040.0, steps_per_second = 1000.0;
   double sphere_ratio = 10.0, friction = 0.0;
   std::string volume = "held";
@@ -70,6 +71,7 @@ QJsonObject settings_json(const LabOptions& o) {
           {"force_limit", QString::fromStdString(o.force_limit)},
           {"sphere_ratio", o.sphere_ratio},
           {"levels", o.levels},
+          {"sphere_constraints", o.sphere_constraints == "on"},
           {"steps_per_second", o.steps_per_second},
           {"serve_every", o.serve_every},
           {"realtime", o.realtime},
@@ -123,6 +125,7 @@ void run_lab(const LabOptions& o) {
   d.hold_volume = o.volume == "held";
   d.sphere_ratio = o.sphere_ratio;
   d.sphere_levels = o.levels;
+  d.sphere_distances = o.sphere_constraints == "on";
   const auto scene = engine::build_scene(d);
 
   const auto pose = [&](double t) { return pose_of(trajectory.at(trajectory.start_s() + t)); };
@@ -226,6 +229,10 @@ void add_lab_command(CLI::App& app, int& exit_code) {
   command->add_option("--sphere-ratio", o->sphere_ratio, "Coarse sphere's volume over the mean tetrahedron's")
       ->capture_default_str();
   command->add_option("--levels", o->levels, "Levels of the sphere grid")->capture_default_str();
+  command->add_option("--sphere-constraints", o->sphere_constraints,
+                      "With --response projection: neighbouring spheres resist being pressed together: on or off")
+      ->check(CLI::IsMember({"on", "off"}))
+      ->capture_default_str();
   command->add_option("--steps-per-second", o->steps_per_second, "Steps a second")->capture_default_str();
   command->add_option("--serve-every", o->serve_every,
                       "Runs it once more with one step where there were N, predicted in between: its error")

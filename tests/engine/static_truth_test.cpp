@@ -87,10 +87,11 @@ TEST(StaticIndentation, AnotherCodeFindsTheSameOnTheSameTets) {
               "sphere");
 }
 
-/// Slope of a plate pressed by 0.5 mm, N/m, by response and step.
-double plate_slope(Response response, double step_s) {
+/// Slope of a plate pressed by 0.5 mm, N/m, by response and step; `distances`: with spheres that keep theirs.
+double plate_slope(Response response, double step_s, bool distances = false) {
   SceneDescription d = block_under(plate(), 0.45, {10, 10, 5});
   d.response = response;
+  d.sphere_distances = distances;
   d.step_s = step_s;
   return resting_forces(d, 0.002, {0.0005})[0] / 0.0005;
 }
@@ -112,6 +113,15 @@ TEST(StaticIndentation, ProjectionReadsLessForceTheLongerTheStep) {
   EXPECT_LT(half, truth);
   EXPECT_LT(one, 0.9 * half);
   EXPECT_LT(two, 0.9 * one);
+}
+
+// Spheres that keep their distance (paper 3.1) make tissue stiffer than it is, the more the shorter the step: what they cost.
+TEST(StaticIndentation, SphereDistancesStiffenTheTissue) {
+  const double truth = plate_slope(Response::compliant, 0.001), half = plate_slope(Response::projection, 0.0005, true),
+               one = plate_slope(Response::projection, 0.001, true);
+  std::printf("compliant %.1f N/m; projection with sphere distances at 0.5, 1 ms: %.1f, %.1f N/m\n", truth, half, one);
+  EXPECT_GT(one, plate_slope(Response::projection, 0.001));
+  EXPECT_GT(half, 1.2 * truth);
 }
 
 }  // namespace
