@@ -101,7 +101,7 @@ TEST(DistanceTruth, WithinATwentiethOfAMillimetreNearEverySurface) {
       const Quat way = turn == 0 ? Quat::Identity() : Quat(normal(random), normal(random), normal(random), normal(random)).normalized();
       const Vec3 off = turn == 0 ? Vec3::Zero().eval() : Vec3(0.0123 * u(random), -0.0071 * u(random), 0.0049 * u(random));
       for (Vec3& p : mesh.points) p = way * p + off;
-      const ToolField field(mesh);
+      const ToolField field(mesh, Vec3::Constant(-1.0), Vec3::Constant(1.0));
       std::vector<double> areas;
       double area = 0.0;
       for (const auto& t : mesh.triangles)
