@@ -10,6 +10,10 @@ Sources
     Averaging of J   node-averaged volume ratio of linear tetrahedra: Bonet and Burton, Commun. Numer. Meth. Engng 14
                      (1998): E = sum_t V_t mu |F_t - R_t|^2 + sum_n lambda/2 V_n (Jbar_n - 1)^2,
                      Jbar_n = 1/V_n sum_{t at n} V_t/4 det F_t, V_n = sum_{t at n} V_t/4.
+    Volume hold      total volume sum_t V_t det F_t >= least_volume V_0 with one multiplier >= 0, a uniform pressure;
+                     augmented Lagrangian as for contact, to a violation below 1e-9 (Nocedal and Wright, Numerical
+                     Optimization, 2nd ed., 17.4). Its rank-one Hessian enters by Sherman and Morrison, so that steps
+                     are Newton's.
     Contact          augmented Lagrangian: Alart and Curnier, Comput. Meth. Appl. Mech. Engng 92 (1991), no friction.
 
 Units: metres, newtons, pascals. Needs numpy and scipy; pypardiso, if present, makes the factorisations faster.
@@ -147,9 +151,14 @@ class Elastic:
 
     law: "small" (small-strain linear), "corotational", "neo-hookean" (mu/2 (tr C - 3) - mu ln J + lambda/2 (J - 1)^2,
     with lambda such that its linearisation is the same), "averaged" (corotational with nodally averaged J; tet4 only).
+
+    least_volume: None, or the share of the whole rest volume that is to be left at least (not with "small").
+    barrier: None, or (least det F, c): "averaged" tetrahedra squashed below it resist by themselves, each with a
+    pressure lambda (x + c x^3) of x = det F - least.
     """
 
-    def __init__(self, nodes, cells, reference, law, young, poisson, held):
+    def __init__(self, nodes, cells, reference, law, young, poisson, held, least_volume=None,
+                 barrier=None):
         self.nodes, self.cells, self.law = nodes, cells, law
         self.mu, self.lam = lame(young, poisson)
         _, gradients, weights = reference
@@ -169,11 +178,36 @@ class Elastic:
                                   shape=(len(nodes), len(cells)))
             self.node_volume = np.asarray(share.sum(1)).ravel()
             self.share = share
+        self.barrier = barrier if law == "averaged" else None
+        self.least_volume, self.rest_volume = least_volume, self.w.sum()
+        self.holding = 0.0  # multiplier: the uniform pressure that holds the volume, Pa, positive outwards
+        # Well above lambda, that few rounds are needed.
+        self.holding_stiffness = 30 * self.lam
+        self._rank_one = None
         self.factor = Factor()
 
     @property
     def size(self):
         return len(self.free)
+
+    def determinants(self, u):
+        return np.linalg.det(self._gradient(u))
+
+    def volume_ratio(self, u):
+        return float((self.w * self.determinants(u)).sum() / self.rest_volume)
+
+    def _holding_trial(self, j):
+        beyond = (self.w * j).sum() / self.rest_volume - self.least_volume
+        return max(0.0, self.holding - self.holding_stiffness * beyond)
+
+    def settle(self, u):
+        """Renews the multiplier of the volume hold; returns how far it was from settled, as a share of the volume."""
+        if self.least_volume is None:
+            return 0.0
+        trial = self._holding_trial(self.determinants(u))
+        change = abs(trial - self.holding) / self.holding_stiffness
+        self.holding = trial
+        return change
 
     def _pattern(self):
         """Where each entry of each element matrix goes in the CSR upper triangle of the free unknowns."""
@@ -207,7 +241,7 @@ class Elastic:
         never indefinite.
         """
         f, mu, lam = self._gradient(u), self.mu, self.lam
-        second = None
+        second, trial = None, 0.0
         if self.law == "small":
             strain = 0.5 * (f + f.swapaxes(-1, -2)) - np.eye(3)
             trace = np.trace(strain, axis1=-2, axis2=-1)
@@ -223,6 +257,12 @@ class Elastic:
             if self.law == "averaged":
                 excess, pressure = self._pressure(j)
                 energy = lam / 2 * (self.node_volume * excess ** 2).sum()
+                if self.barrier:
+                    least, c = self.barrier
+                    x = np.minimum(0, j - least)
+                    energy += (self.w * lam * (x ** 2 / 2 + c * x ** 4 / 4)).sum()
+                    pressure = pressure + lam * (x + c * x ** 3)
+                    squashed = np.where(x < 0, lam * (1 + 3 * c * x ** 2), 0)
             elif self.law == "neo-hookean":
                 # ln J contributes mu to the second derivative in J, so that lambda itself is unchanged.
                 energy = (self.w * (mu / 2 * ((f ** 2).sum((-1, -2)) - 3) - mu * np.log(j)
@@ -231,6 +271,10 @@ class Elastic:
             else:
                 energy = (self.w * lam / 2 * (j - 1) ** 2).sum()
                 pressure = lam * (j - 1)
+            if self.least_volume is not None:
+                trial = self._holding_trial(j)
+                energy += self.rest_volume * (trial ** 2 - self.holding ** 2) / (2 * self.holding_stiffness)
+                pressure = pressure - trial
             stress = pressure[..., None, None] * cof
             if hessian:
                 part = 0 * pressure if projected == "safe" else pressure
@@ -238,6 +282,8 @@ class Elastic:
                 if self.law != "averaged":
                     slope = lam + (mu / j ** 2 if self.law == "neo-hookean" else 0 * j)
                     second += np.einsum("eq,eqij,eqkl->eqijkl", slope, cof, cof, optimize=True)
+                elif self.barrier and squashed.any():
+                    second += np.einsum("eq,eqij,eqkl->eqijkl", squashed, cof, cof, optimize=True)
             if self.law == "neo-hookean":
                 stress += mu * f
                 if hessian:
@@ -256,14 +302,11 @@ class Elastic:
                         if projected:
                             rate = np.minimum(rate, 1)
                         second -= np.einsum("eq,eqij,eqkl->eqijkl", 2 * mu * rate, twist, twist, optimize=True)
-        force = np.zeros((len(self.nodes), 3))
-        per_node = np.einsum("eq,eqij,eqaj->eai", self.w, stress, self.dn, optimize=True)
-        for i in range(3):
-            force[:, i] = np.bincount(self.cells.ravel(), per_node[:, :, i].ravel(), minlength=len(self.nodes))
-        gradient = force.ravel()[self.free]
+        gradient = self._divergence(stress)
         if not hessian:
             return energy, gradient, None
         matrix = self._assemble(second)
+        self._rank_one = (self._divergence(cof), self.holding_stiffness / self.rest_volume) if trial > 0 else None
         if self.law == "averaged":
             rows = np.einsum("eij,eaj->eai", self.w[:, 0, None, None] / 4 * cof[:, 0], self.dn[:, 0])
             ne, index = len(self.cells), 3 * self.cells[:, :, None] + np.arange(3)
@@ -273,6 +316,14 @@ class Elastic:
                                     shape=(len(self.nodes), ne)) @ by_tet
             matrix = matrix + sp.triu(at_node.T @ sp.diags(self.lam / self.node_volume) @ at_node, format="csr")
         return energy, gradient, matrix
+
+    def _divergence(self, stress):
+        """What a stress does to the free unknowns."""
+        force = np.zeros((len(self.nodes), 3))
+        per_node = np.einsum("eq,eqij,eqaj->eai", self.w, stress, self.dn, optimize=True)
+        for i in range(3):
+            force[:, i] = np.bincount(self.cells.ravel(), per_node[:, :, i].ravel(), minlength=len(self.nodes))
+        return force.ravel()[self.free]
 
     def _assemble(self, second):
         ne, nq, na = self.dn.shape[:3]
@@ -286,8 +337,14 @@ class Elastic:
         return sp.csr_matrix((data, self._indices, self._indptr), shape=(self.size, self.size))
 
     def direction(self, matrix, right):
+        """Solution of the matrix, with the volume hold's rank-one part as of the last evaluated Hessian."""
         self.factor.factorise(matrix)
-        return self.factor.solve(right).ravel()
+        out = self.factor.solve(right).ravel()
+        if self._rank_one is not None:
+            column, scale = self._rank_one
+            answer = self.factor.solve(column).ravel()
+            out -= answer * (scale * (column @ out) / (1 + scale * (column @ answer)))
+        return out
 
 
 class Condensed:
@@ -316,6 +373,10 @@ class Condensed:
     def evaluate(self, u, hessian=False, projected=False):
         force = self.stiffness @ u
         return 0.5 * u @ force, force, self.stiffness if hessian else None
+
+    @staticmethod
+    def settle(u):
+        return 0.0
 
     @staticmethod
     def direction(matrix, right):
@@ -386,11 +447,12 @@ class Contact:
 
 def equilibrate(body, contact, tool, u, residual=1e-7, exact=True, rounds=30, steps=80):
     """Equilibrium from the guess u. exact: augmented Lagrangian to a penetration below 1e-9 m; else the penalty alone.
+    A volume hold of the body is exact in both.
 
     Returns (u, lifting force on the tool in N, greatest unbalanced force component in N, penetration in m, solves).
     """
     solves, far = 0, True
-    for _ in range(rounds if exact else 1):
+    for _ in range(rounds):
         for _ in range(steps):
             # Far from equilibrium the exact Hessian is indefinite and leads astray.
             projected = far
@@ -425,10 +487,10 @@ def equilibrate(body, contact, tool, u, residual=1e-7, exact=True, rounds=30, st
         c = contact.evaluate(tool, u)
         penetration = max(0.0, -c["gap"].min())
         worst = np.abs(body.evaluate(u)[1] + c["gradient"]).max()
-        if not exact:
-            break
-        slack = np.abs(c["trial"] - contact.multiplier).max() / contact.stiffness
-        contact.multiplier = c["trial"]
+        slack = body.settle(u)
+        if exact:
+            slack = max(slack, np.abs(c["trial"] - contact.multiplier).max() / contact.stiffness)
+            contact.multiplier = c["trial"]
         if slack < 1e-9:
             break
     return u, float(c["push"][:, 2].sum()), float(worst), float(penetration), solves

@@ -8,6 +8,12 @@ indentation_solver.py (formulation and sources stand there), without any code of
                tends to as its mesh is refined) and "neo-hookean" (to see how much the choice of law matters);
   same-law     linear tetrahedra with nodally averaged volume ratio on the engine's own kind of mesh, to equilibrium.
 
+and, where a deep press would lose more of the whole volume than a tongue may, both once with and once without a bound:
+
+  volume-held  the whole is to keep 99.3 % of its volume at least: one inequality with its multiplier, which is a
+               uniform pressure. Tetrahedra have a squash barrier of the engine's kind (below det F = 0.5); how many met
+               it is written: two, at 5 mm and nu 0.45, where it adds 0.01 % to the force (block-12000).
+
 Scenes
   block        40 x 40 x 20 mm, base fixed, E = 6000 Pa; tools centred on the top.
   tongue       ellipsoid, semi-axes 22.5 x 15 x 10 mm, E = 10000 Pa; tetrahedral meshes t5k and t20k (files .node .ele
@@ -17,7 +23,8 @@ Scenes
                footprint; sphere: radius 5 mm, signed distance at the displaced place. No friction, unilateral.
                Continuum: a stiff penalty at quadrature points (its share is below 0.05 %). Same law: exact, at the
                surface's vertices (lattice-1), or also at the points of a lattice of order 3 on each triangle.
-  depths       0.5, 1.0, 1.5, 2.0 mm. A slope is the secant from the depth before (the first: from zero).
+  depths       0.5, 1.0, 1.5, 2.0 mm; volume-held 1 to 5 mm, continuum to 3 mm. A slope is the secant from the depth
+               before (the first: from zero).
 
 Run (Python 3.11 or later; pip install numpy scipy scikit-fem gmsh pypardiso; pypardiso is optional, scikit-fem serves
 one check):
@@ -25,7 +32,7 @@ one check):
     OMP_NUM_THREADS=1 python static_indentation.py --lab <folder of t5k.node ...> --out static_indentation.json
 
 `--only TEXT` runs the cases whose name holds TEXT and leaves the others in the file as they are; `--list` names them.
-Run time: about 25 minutes on one core, with pypardiso; no case takes more than two and a half.
+Run time: about 32 minutes on one core, with pypardiso; no case takes more than two and a half.
 """
 import argparse
 import importlib.metadata
@@ -44,6 +51,8 @@ POISSON = (0.30, 0.45, 0.49)
 PLATE_HALF, SPHERE_RADIUS = 0.010, 0.005
 BLOCK_SIZE, BLOCK_YOUNG = np.array([0.04, 0.04, 0.02]), 6000.0
 TONGUE_AXES, TONGUE_BASE, TONGUE_YOUNG = np.array([0.0225, 0.015, 0.010]), -0.01 / 3, 10000.0
+HELD_DEPTHS = (0.001, 0.002, 0.003, 0.004, 0.005)
+LEAST_VOLUME, BARRIER = 0.993, (0.5, 20.0)
 PENALTY = 2e10  # Pa/m, of quadrature points: a pressure of 4 kPa sinks in 0.2 micrometres
 
 
@@ -69,12 +78,12 @@ def join(*parts):
     return np.concatenate([parts[0]] + [p[1:] for p in parts[1:]])
 
 
-def block_hexahedra(tool, h):
-    """Hexahedra of 27 nodes, finest at the plate's edge (h / 80, else h) or under the sphere (h, else up to 8 h)."""
+def block_hexahedra(tool, h, edge=80):
+    """Hexahedra of 27 nodes, finest at the plate's edge (h / edge, else h) or under the sphere (h, else up to 8 h)."""
     mm = 1e-3
     if tool == "plate":
-        axis = join(graded(0, 10 * mm, h, h / 80), graded(10 * mm, 20 * mm, h / 80, h))
-        depth = graded(0, 20 * mm, 1.5 * h, h / 40)
+        axis = join(graded(0, 10 * mm, h, h / edge), graded(10 * mm, 20 * mm, h / edge, h))
+        depth = graded(0, 20 * mm, 1.5 * h, 2 * h / edge)
     else:
         near = 4 * mm
         axis = join(graded(0, near, h, h), graded(near, 20 * mm, h, 8 * h))
@@ -302,6 +311,74 @@ def run_tets(nodes, tets, fixed, top, young, poisson, tool, order, quarter=False
     return result
 
 
+# --- Volume held -----------------------------------------------------------------------------------------------------
+
+def press_held(body, contact, depths, factor, **how):
+    """Figures of the plate on the block at each depth in turn; `factor`: whole body over the part that is meshed.
+
+    squashed: tetrahedra (continuum: quadrature points, where it has no meaning) below the barrier's det F.
+    """
+    u, out = np.zeros(body.size), []
+    stiffness = contact.stiffness
+    for depth in depths:
+        # As in run_continuum a soft penalty first; multipliers at points need none.
+        for share in (1,) if how.get("exact", True) else (0.01, 0.1, 1):
+            contact.stiffness = stiffness * share
+            u, force, residual, _, _ = fe.equilibrate(body, contact, tool_at("plate", BLOCK_SIZE[2] - depth), u, **how)
+        if residual > 1e-6:
+            raise ArithmeticError(f"no equilibrium at {depth} m: {residual} N left")
+        j = body.determinants(u)
+        out.append({"depth_m": depth, "force_n": float(f"{factor * force:.7g}"),
+                    "holding_pressure_pa": float(f"{body.holding:.6g}"), "volume_ratio": round(body.volume_ratio(u), 8),
+                    "least_det_f": round(float(j.min()), 4), "squashed": int((j < BARRIER[0]).sum()),
+                    "residual_n": residual})
+        print("   ", out[-1], flush=True)
+    body.factor.release()
+    return out
+
+
+def with_ratios(held, free):
+    return {"held": held, "free": free,
+            "held_over_free": [round(a["force_n"] / b["force_n"], 5) for a, b in zip(held, free)]}
+
+
+def run_held_tets(cells, poisson):
+    start, results = time.time(), []
+    nodes, tets, fixed = block_tets(cells)
+    bonded = np.zeros(nodes.shape, bool)
+    bonded[fixed] = True
+    points = lattice(nodes, tets, 1)
+    rest = points @ nodes
+    points = points[(np.abs(rest[:, :2]) <= PLATE_HALF + 0.003).all(1) & (rest[:, 2] > BLOCK_SIZE[2] - 1e-9)]
+    for least in (LEAST_VOLUME, None):
+        body = fe.Elastic(nodes, upright(nodes, tets), fe.tet4(), "averaged", BLOCK_YOUNG, poisson, bonded, least,
+                          BARRIER)
+        contact = fe.Contact(body, points, np.ones(points.shape[0]), 5e3)
+        results.append(press_held(body, contact, HELD_DEPTHS, 1, residual=1e-10))
+    return {"inputs": {"young_pa": BLOCK_YOUNG, "poisson": poisson, "lattice_order": 1, "least_volume": LEAST_VOLUME,
+                       "barrier": BARRIER},
+            "mesh": {"element": "tetrahedron, 4 nodes", "elements": len(tets), "nodes": len(nodes)},
+            **with_ratios(*results), "seconds": round(time.time() - start, 1)}
+
+
+def run_held_continuum(law, poisson, sizes):
+    """A coarser edge than elsewhere: at depth the finest elements there are squashed flat. What the hold adds is the
+    figure; it changes less between meshes than the forces do."""
+    meshes = []
+    for h in sizes:
+        start, results = time.time(), []
+        mesh = block_hexahedra("plate", h, 4)
+        for least in (LEAST_VOLUME, None):
+            body = fe.Elastic(mesh["nodes"], mesh["cells"], mesh["reference"], law, BLOCK_YOUNG, poisson, mesh["held"],
+                              least)
+            contact = fe.Contact(body, *mesh["contact"], PENALTY / 100)
+            results.append(press_held(body, contact, HELD_DEPTHS[:3], 4, residual=1e-8, exact=False))
+        meshes.append({"element": mesh["element"], "h_mm": h * 1e3, "elements": len(mesh["cells"]),
+                       "unknowns": body.size, **with_ratios(*results), "seconds": round(time.time() - start, 1)})
+    return {"inputs": {"young_pa": BLOCK_YOUNG, "poisson": poisson, "penalty_pa_per_m": PENALTY / 100,
+                       "least_volume": LEAST_VOLUME}, "meshes": meshes}
+
+
 # --- Cases -----------------------------------------------------------------------------------------------------------
 
 def with_slopes(forces):
@@ -342,6 +419,13 @@ def cases(lab):
                     for order in (1,) if mesh == "t20k" else (1, 3):
                         out[f"same-law/{scene}-{mesh}/{tool}/{nu}/lattice-{order}"] = (
                             lambda load=load, a=(top, young, nu, tool, order): run_tets(*load(), *a))
+    for cells in ((20, 20, 5), (18, 18, 6)):
+        for nu in (0.45, 0.49):
+            out[f"volume-held/block-{6 * np.prod(cells)}/plate/{nu}/lattice-1"] = (
+                lambda a=(cells, nu): run_held_tets(*a))
+    for law in ("corotational", "neo-hookean"):
+        out[f"volume-held/continuum/block/plate/{law}/0.45"] = lambda law=law: (
+            run_held_continuum(law, 0.45, (0.005, 0.0035)))
     # Checks: the other element; another program; a tenth of the penalty.
     out["check/block/sphere/small/0.45/hexahedra"] = lambda: (
         run_continuum("block", "sphere", "small", 0.45, (0.00133, 0.001), True))
