@@ -11,8 +11,8 @@ constexpr int kRotationIterations = 1;
 // inside out between swollen neighbours. Its pressure is lambda (x + kHardening x^3) of what is missing, x = det F - least.
 // Tissue that was turned inside out by more than kTangled all the same goes without barrier until it is whole again:
 // squashed neighbours would bar the way back (seen under a blade 25 mm deep without a force limit).
-constexpr float kLeastVolume = 0.5f;
-constexpr float kHardening = 20.0f;
+constexpr float kLeastVolume = 0.3f;
+constexpr float kHardening = 60.0f;
 constexpr float kTangled = -0.4f;
 constexpr double kHoldTicks = 8.0;
 // Half of a bound on a curvature is enough for an implicit step to be stable, stretches beyond one ask for a little more.
@@ -166,7 +166,7 @@ VALLECULA_KERNEL void stress_pass(const TissueModel& model, TissueState& state, 
     const F8 change = (h[0] + h[4] + h[8]) + minors + third;
     const F8 left = change + splat8(1.0f);  // det F
     least = min8(least, left);
-    const F8 squashed = barrier_on * min8(splat8(0.0f), left - splat8(kLeastVolume));
+    const F8 squashed = barrier_on * pack.guarded * min8(splat8(0.0f), left - splat8(kLeastVolume));
     s.hardening = splat8(kHardening) * squashed * squashed;
     s.barrier = pack.lambda * squashed * (splat8(1.0f) + s.hardening);
     const F8 dilation = change * pack.volume * splat8(0.25f);

@@ -11,6 +11,8 @@ namespace vallecula::engine {
 
 namespace {
 
+constexpr double kStiff = 4.0;  // times the softest material: there block Jacobi alone is too slow
+
 double lame_lambda(const TissueMaterial& m) {
   return m.young_pa * m.poisson / ((1 + m.poisson) * (1 - 2 * m.poisson));
 }
@@ -93,7 +95,7 @@ TissueModel::TissueModel(const SoftBodyDescription& soft, double step, bool hold
         pack.pressure[c][lane] = 0;
         for (int a = 0; a < 3; ++a) pack.gradient[c][a][lane] = 0.0f;
       }
-      pack.volume[lane] = pack.mu[lane] = pack.lambda[lane] = pack.tolerance[lane] = 0.0f;
+      pack.volume[lane] = pack.mu[lane] = pack.lambda[lane] = pack.guarded[lane] = pack.tolerance[lane] = 0.0f;
       continue;
     }
     const int t = stepped[s];
@@ -104,6 +106,7 @@ TissueModel::TissueModel(const SoftBodyDescription& soft, double step, bool hold
     pack.volume[lane] = static_cast<float>(tet_volume(rest[k[0]], rest[k[1]], rest[k[2]], rest[k[3]]));
     pack.mu[lane] = static_cast<float>(material.young_pa / (2 * (1 + material.poisson)));
     pack.lambda[lane] = static_cast<float>(lame_lambda(material));
+    pack.guarded[lane] = material.young_pa < kStiff * softest ? 1.0f : 0.0f;
     pack.tolerance[lane] = static_cast<float>(kRefreshTolerance * softest / material.young_pa);
     for (int c = 0; c < 4; ++c) {
       pack.node[c][lane] = k[c];
@@ -128,7 +131,6 @@ TissueModel::TissueModel(const SoftBodyDescription& soft, double step, bool hold
 }
 
 void TissueModel::build_coarse_space(const SoftBodyDescription& soft) {
-  constexpr double kStiff = 4.0;          // times the softest material: there block Jacobi alone is too slow
   constexpr std::size_t kGroupSize = 40;  // nodes: small enough to bend as a chain of rigid groups
   coarse_index.assign(nodes, -1);
   double softest = soft.materials[soft.tet_material[0]].young_pa;

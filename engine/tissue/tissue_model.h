@@ -27,6 +27,7 @@ struct TetPack {
   F8 gradient[4][3];                 ///< rest shape gradients [corner][axis], 1/m
   F8 volume;                         ///< m^3; zero in padding lanes
   F8 mu, lambda;                     ///< Pa
+  F8 guarded;                        ///< 1 in tissue that is kept from being squashed, 0 in stiff leaves: they bend
   F8 tolerance;                      ///< change of rotation and cofactor (squared norm) that renews the stiffness
 };
 

@@ -15,7 +15,7 @@ namespace vallecula::gui {
 constexpr double kLarynxShare = 0.3;
 
 /// Indices of SoftBodyDescription::bodies in a patient's scene.
-enum SceneBody { kMandibleBody = 0, kHyoidBody = 1, kLarynxBody = 2 };
+enum SceneBody { kMandibleBody = 0, kHyoidBody = 1, kLarynxBody = 2, kFloorBody = 3 };
 
 class AnatomyMotion {
  public:

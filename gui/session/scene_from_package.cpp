@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "engine/mesh/triangle_bvh.h"
 #include "engine/tool/miller_blade.h"
 #include "gui/session/anatomy_motion.h"
 
@@ -23,6 +24,11 @@ constexpr double kMetres = 0.001;  // the one conversion from the package's mill
 constexpr double kHyoidStiffness = 80.0;    // N/m
 constexpr double kLarynxStiffness = 35.0;    // N/m
 constexpr double kMandibleStiffness = 0.6;   // N m/rad about the condyles
+// The floor under the tongue: no measured stiffness was found; with the hinge alone a lift, which passes within 2 mm of
+// the condyles' axis, moves the jaw by nothing and crushes the tongue.
+constexpr double kFloorStiffness = 250.0;    // N/m
+constexpr double kFloorMass = 0.015;         // kg (assumed)
+constexpr double kBoneReach = 0.0025;        // m: nodes nearer to the mandible hang on it
 constexpr double kLigamentYoung = 6000.0;    // Pa, thyroepiglottic ligament at the small strains of a hinge (assumed)
 constexpr double kMandibleStop = 0.2;        // rad: the mouth is imaged open; farther than this it hardly goes (assumed)
 // Lips give by their thickness over their modulus: 15 kPa over 6 mm of it (assumed), under a skin's tension that carries a dent
@@ -119,11 +125,22 @@ engine::SoftBodyDescription soft_body(const PatientPackage& package, const curri
   larynx.motion = engine::SprungBody::Motion::translation;
   larynx.stiffness = kLarynxStiffness * stiffer * size;
   larynx.inertia = kHyoidMass * size * size * size;
-  soft.bodies = {damped(mandible), damped(hyoid), damped(larynx)};
+  // The floor of the mouth is muscle slung from bone to bone: what lies against it and not against bone gives way as a whole.
+  engine::SprungBody floor;
+  floor.motion = engine::SprungBody::Motion::translation;
+  floor.stiffness = kFloorStiffness * stiffer * size;
+  floor.inertia = kFloorMass * size * size * size;
+  soft.bodies = {damped(mandible), damped(hyoid), damped(larynx), damped(floor)};
+  const engine::TriangleBvh bone(mesh_of(surface(package, "mandible")));
   for (std::uint8_t anchor : package.tongue.anchor) {
     switch (static_cast<Anchor>(anchor)) {
       case Anchor::free: soft.node_anchor.push_back(-1); break;
-      case Anchor::mandible: soft.node_anchor.push_back(kMandibleBody); break;
+      case Anchor::mandible: {
+        const Vec3& at = soft.nodes[soft.node_anchor.size()];
+        const bool on_bone = bone.closest(at, kBoneReach * size).triangle >= 0;
+        soft.node_anchor.push_back(on_bone ? kMandibleBody : kFloorBody);
+        break;
+      }
       case Anchor::hyoid: soft.node_anchor.push_back(kHyoidBody); break;
       case Anchor::larynx: soft.node_anchor.push_back(kLarynxBody); break;
       default: throw std::runtime_error("patient '" + package.name + "': tongue.vtu has an unknown anchor");

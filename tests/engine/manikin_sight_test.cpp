@@ -60,10 +60,10 @@ TEST(ManikinSight, TheEngineSeesWhatTheDesignsTableSays) {
   const std::array<double, 2> front = {29.6, -48.9}, back = {36.4, -47.1};
   sight.glottis_outline = {at(-kSlit, front), at(kSlit, front), at(kSlit, back), at(-kSlit, back)};
   sight.occluders = {drawn_out(kUpperLip), drawn_out(kGumAndPalate)};
-  const LineOfSight eye(sight, 400);
+  const LineOfSight eye(sight, {}, 400);
   auto scratch = eye.make_scratch(64);
   const auto seen = [&](double lift) {
-    eye.begin(scratch);
+    eye.begin(scratch, {});
     for (const Outline& part : {tongue(lift), epiglottis(lift)}) {
       const TriangleMesh wall = drawn_out(part);
       eye.add(scratch, static_cast<int>(wall.points.size()), wall.triangles, [&](int i) -> Vec3 { return wall.points[i]; });
