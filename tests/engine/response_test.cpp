@@ -119,6 +119,7 @@ TEST(SphereDistances, RigidMotionMakesNoForce) {
     for (int i = 0; i < scene->model.nodes; ++i)
       state.tissue.displacement[i] = turn * scene->model.rest[i] + Vec3(0.01, 0.02, -0.005) - scene->model.rest[i];
     for (int i = 0; i < 40; ++i) elastic_forces(scene->model, state.tissue);  // finds the rotations
+    assemble_stiffness(scene->model, state.tissue);
     ContactConstraint& c = state.contacts.constraints[0];  // one that is open: the distances are held while there is contact
     for (int k = 0; k < 4; ++k) {
       c.node[k] = scene->surface.triangles[0][std::min(k, 2)];
