@@ -15,6 +15,7 @@ namespace {
 constexpr int kFineParts = 3;                // a refined cell's edge
 constexpr int kFineSamples = kFineParts + 1;
 constexpr int kFinePerCell = kFineSamples * kFineSamples * kFineSamples;
+constexpr std::size_t kMostFineCells = 400'000;  // a kilobyte each; the blades have up to some 60,000
 constexpr double kNearSurface = 0.0003;      // m; cells beyond are not refined
 
 /// Calls work(first, workers) on every worker: each takes every workers-th piece.
@@ -161,6 +162,10 @@ void SignedDistanceGrid::refine(const TriangleBvh& bvh, double tolerance) {
           refined_[index(i, j, k)] = static_cast<std::int32_t>(cells.size());
           cells.push_back({i, j, k});
         }
+  if (cells.size() > kMostFineCells)
+    throw std::invalid_argument("the tool's surface is too rough: " + std::to_string(cells.size()) +
+                                " cells of its distance field are bent (at most " + std::to_string(kMostFineCells) +
+                                " fit); smooth or simplify it");
   fine_values_.resize(cells.size() * kFinePerCell);
   share_out([&](int first, int step) {
     for (std::size_t c = first; c < cells.size(); c += step)

@@ -30,15 +30,16 @@ PushingSprings& PushingSprings::operator=(const PushingSprings& other) noexcept 
   return *this;
 }
 
-void PushingSprings::add(const Vec6& along, double deep, double stiffness_n_m, double damping_n_s_m,
+bool PushingSprings::add(const Vec6& along, double deep, double stiffness_n_m, double damping_n_s_m,
                          double way) noexcept {
-  if (count == kMost) return;
+  if (count == kMost) return false;
   direction[count] = along;
   depth[count] = deep;
   stiffness[count] = stiffness_n_m;
   damping[count] = damping_n_s_m;
   comes[count] = way;
   ++count;
+  return true;
 }
 
 void PushingSprings::follow(const Vec6& move) noexcept {

@@ -50,8 +50,8 @@ class PushingSprings {
 
   void clear() noexcept { count = 0; }
   /// `direction`: a unit force and its torque. `deep`: how far it is pressed in, m; negative: still away. `comes`: how far
-  /// what pushes moves along it in a tick, m. Left out when full.
-  void add(const Vec6& direction, double deep, double stiffness_n_m, double damping_n_s_m, double comes = 0.0) noexcept;
+  /// what pushes moves along it in a tick, m. Returns false when full: it is left out.
+  bool add(const Vec6& direction, double deep, double stiffness_n_m, double damping_n_s_m, double comes = 0.0) noexcept;
   /// The tool has moved.
   void follow(const Vec6& move) noexcept;
   Vec3 force() const noexcept;  ///< of all, dampers not counted

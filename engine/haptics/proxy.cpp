@@ -37,20 +37,28 @@ void for_each_rigid_contact(const RigidField& rigid, const PartPoses& parts, con
         pose.position + arm, parts, kRigidReach,
         [&](const RigidField::Touch& touch) {
           double& met = met_by(touch.part);
-          if (static_cast<int>(touch.structure) >= kLoadedStructures) {
+          std::uint8_t& in = scan.pressed_in[i][static_cast<std::size_t>(touch.part + 1)];
+          const bool resists = static_cast<int>(touch.structure) < kLoadedStructures;
+          if (!resists && in == RigidScan::kNothing) {
             met = RigidScan::kNotMet;
             return;
           }
+          RigidField::Touch felt = touch;
+          if (!resists) felt.structure = static_cast<Structure>(in);
           met = std::max(0.0, std::min(met, -touch.distance));
           const double depth = -touch.distance - met;
+          in = depth > 0 ? static_cast<std::uint8_t>(felt.structure) : RigidScan::kNothing;
           Vec6 direction;
           direction << touch.normal, arm.cross(touch.normal);
           const double comes =
               touch.part < 0 ? 0.0 : step_s * touch.normal.dot(parts[touch.part].velocity_at(touch.rest));
-          scan.near.add(direction, depth, kRigidStiffness, kRigidDamping, comes);
-          if (depth > 0) visit(arm, depth, touch);
+          // What does not fit among the springs that stop the tool is not counted among those that load it either.
+          if (scan.near.add(direction, depth, kRigidStiffness, kRigidDamping, comes) && depth > 0) visit(arm, depth, felt);
         },
-        [&](int part, double distance) { met_by(part) = distance < 0 ? RigidScan::kNotMet : 0.0; });
+        [&](int part, double distance) {
+          met_by(part) = distance < 0 ? RigidScan::kNotMet : 0.0;
+          scan.pressed_in[i][static_cast<std::size_t>(part + 1)] = RigidScan::kNothing;
+        });
     if (!(nearest < kRigidReach)) scan.next_check[i] = scan.travel + nearest - kRigidReach;
   }
 }

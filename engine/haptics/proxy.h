@@ -26,12 +26,15 @@ struct BodyLoads {
 /// touch it before tool and anatomy have travelled that far.
 struct RigidScan {
   static constexpr double kNotMet = 1e9;  ///< m: by nothing that resists, however deep it is
-  explicit RigidScan(std::size_t samples) : next_check(samples, 0.0), met(samples) { begin_anew(Pose{}); }
+  explicit RigidScan(std::size_t samples) : next_check(samples, 0.0), met(samples), pressed_in(samples) {
+    begin_anew(Pose{});
+  }
   /// As before the first look, with the tool at `pose`.
   void begin_anew(const Pose& pose) noexcept {
     travel = 0.0;
     std::fill(next_check.begin(), next_check.end(), 0.0);
     for (auto& of : met) of.fill(kNotMet);
+    for (auto& of : pressed_in) of.fill(kNothing);
     near.clear();
     last = pose;
     parts = PartPoses{};
@@ -43,6 +46,10 @@ struct RigidScan {
   /// or cheek, which do not resist, is met where it is. Drawn out to there it is free, and met anew. So the resistance
   /// has a potential: no way round gives energy.
   std::vector<std::array<double, 1 + kMostRigidParts>> met;
+  /// Likewise: the structure it is pressed into, or kNothing. It stays in that where it slides on beneath the border of
+  /// something that does not resist, or the blade would sink deeper at each crossing.
+  std::vector<std::array<std::uint8_t, 1 + kMostRigidParts>> pressed_in;
+  static constexpr std::uint8_t kNothing = 255;
   PushingSprings near;  ///< the points that touch or soon will, with the tool where it was last looked at
   Pose last;            ///< of the tool, when travel was added to,
   PartPoses parts;      ///< and of the anatomy

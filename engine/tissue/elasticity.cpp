@@ -14,7 +14,7 @@ constexpr int kRotationIterations = 1;
 constexpr float kLeastVolume = 0.3f;
 constexpr float kHardening = 60.0f;
 constexpr float kTangled = -0.4f;
-constexpr double kHoldTicks = 8.0;
+constexpr double kHoldNow = 2.0, kHoldSeconds = 0.003, kMostHoldGain = 0.3;  // of the volume hold
 // Half of a bound on a curvature is enough for an implicit step to be stable, stretches beyond one ask for a little more.
 constexpr float kPressureShare = 0.7f;
 VALLECULA_INLINE void rotation_from_quaternion(const F8 q[4], F8 r[9]) {
@@ -214,14 +214,17 @@ double find_stresses(const TissueModel& model, TissueState& state, int iteration
   return dilation;
 }
 
-/// The pressure that keeps the whole body's volume within its band: it grows by what is lost beyond (an integral, settling
-/// in some kHoldTicks) and falls back to nothing. Explicit, and stable since inertia lets a pressure change the volume within a
-/// tick by far less than lambda says. `dilation`: change of the held volume, m^3.
+/// The pressure that keeps the whole body's volume within its band: what is lost beyond times lambda and a sum over time of
+/// the same, never more than lambda, so that tissue jammed between blade and bone is not blown up. Explicit, and stable since
+/// inertia lets a pressure change the volume within a tick by far less than lambda says. `dilation`: change of the held
+/// volume, m^3.
 void hold_volume(const TissueModel& model, TissueState& state, double dilation) {
   if (!(model.held_volume > 0)) return;
-  const double beyond = dilation / model.held_volume + TissueModel::kVolumeBand;
-  state.held_pressure = std::min(0.0, state.held_pressure + model.held_lambda / kHoldTicks * beyond);
-  const float held = static_cast<float>(state.held_pressure);
+  const double beyond = model.held_lambda * (dilation / model.held_volume + TissueModel::kVolumeBand);
+  const auto bounded = [&](double pressure) { return std::clamp(pressure, -model.held_lambda, 0.0); };
+  if (!state.tangled)  // volume turned inside out is not lost
+    state.held_pressure = bounded(state.held_pressure + std::min(kMostHoldGain, model.step_s / kHoldSeconds) * beyond);
+  const float held = static_cast<float>(bounded(state.held_pressure + kHoldNow * beyond));
   if (held == 0.0f) return;
   for (std::size_t n = 0; n < state.pressure.size(); ++n) state.pressure[n] += held * model.pressure_held[n];
 }

@@ -65,7 +65,7 @@ struct TissueState {
   std::vector<Vec3> velocity;       ///< per node, m/s; zero in anchored nodes
   std::vector<Vec3> body_displacement, body_velocity;  ///< per body: translation (m), or angle (rad) in x
 
-  double held_pressure = 0.0;       ///< of the volume hold, Pa; negative presses outwards
+  double held_pressure = 0.0;       ///< of the volume hold, summed over time, Pa; negative presses outwards
 
   bool tangled = false;             ///< turned inside out somewhere: the plain law until it is whole again
 
