@@ -17,6 +17,7 @@
 #include <cmath>
 
 #include "gui/session/placed_tool.h"
+#include "gui/session/poly_data.h"
 
 namespace vallecula::gui {
 namespace {
@@ -173,16 +174,7 @@ vtkSmartPointer<vtkMatrix4x4> tool_matrix(const engine::Pose& pose) {
 }
 
 vtkSmartPointer<vtkPolyData> blade_surface(const engine::TriangleMesh& tool) {
-  auto points = vtkSmartPointer<vtkPoints>::New();
-  for (const auto& p : tool.points) points->InsertNextPoint(1000.0 * p.x(), 1000.0 * p.y(), 1000.0 * p.z());
-  auto cells = vtkSmartPointer<vtkCellArray>::New();
-  for (const auto& t : tool.triangles) {
-    const vtkIdType ids[3] = {t[0], t[1], t[2]};
-    cells->InsertNextCell(3, ids);
-  }
-  auto mesh = vtkSmartPointer<vtkPolyData>::New();
-  mesh->SetPoints(points);
-  mesh->SetPolys(cells);
+  const auto mesh = poly_data(tool.points, tool.triangles, 1000.0);
   if (tool.triangles.size() < kScanTriangles) return with_normals(mesh, 35.0);
   give_smooth_normals(tool, mesh);
   return mesh;
