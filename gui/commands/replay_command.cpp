@@ -38,8 +38,8 @@ int print_summary(const curricula::TrialLog& log, const std::string& name) {
             << "recorded by vallecula " << header.software_version << ", build " << header.build_hash.substr(0, 12)
             << ", kernels " << header.instruction_set << "\n";
   if (!header.tool_sha256.empty())
-    std::cout << "done with a tool of its own, " << kToolFile << ", sha256 " << header.tool_sha256.substr(0, 12)
-              << "\n";
+    std::cout << "done with a tool of its own, " << tool_file_of_trial(name).filename().string() << ", sha256 "
+              << header.tool_sha256.substr(0, 12) << "\n";
   print_score(std::cout, curricula::score_trial(log, scenario), scenario);
   std::cout << "`vallecula replay " << name << " --verify` computes it anew and compares every bit\n";
   return 0;

@@ -7,7 +7,6 @@
 #include "gui/commands/commands.h"
 #include "gui/commands/score_table.h"
 #include "gui/session/files.h"
-#include "gui/session/placed_tool.h"
 
 namespace vallecula::gui {
 
@@ -28,7 +27,6 @@ void add_score_command(CLI::App& app, int& exit_code) {
       throw std::runtime_error(options->trial + ": this log was cut off after " + std::to_string(log.ticks.size()) +
                                " ticks, so its score is not the trial's; --partial scores what there is");
     }
-    tool_of_trial(log.header, options->trial);  // a trial whose tool is missing or another is not whole
     const curricula::Scenario scenario = curricula::parse_scenario(log.header.scenario_yaml, options->trial);
     const curricula::Score score = curricula::score_trial(log, scenario);
     const std::string json = curricula::score_to_json(score, log, scenario) + "\n";

@@ -128,7 +128,8 @@ void add_trial_command(CLI::App& app, int& exit_code) {
   command->add_flag("--asap", options->as_fast_as_possible, "Headless only: as fast as it goes instead of 1 kHz");
   command
       ->add_option("--out", options->out,
-                   "Folder for trial.vtrial, tool.ply (with --tool), score.json, report.html, force.png")
+                   "Folder for trial.vtrial, tool.ply (with --tool), score.json, report.html, force.png, and fault.csv after "
+                   "a fault")
       ->required();
   command->add_option("--tool", options->tool,
                       "A laryngoscope of your own instead of the scenario's blade: a closed mesh .stl, .obj or .ply");

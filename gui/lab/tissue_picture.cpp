@@ -2,7 +2,6 @@
 
 #include <vtkActor.h>
 #include <vtkCamera.h>
-#include <vtkCellArray.h>
 #include <vtkFloatArray.h>
 #include <vtkGlyph3D.h>
 #include <vtkNew.h>
@@ -18,6 +17,8 @@
 #include <QApplication>
 #include <QElapsedTimer>
 
+#include "gui/session/poly_data.h"
+
 namespace vallecula::gui {
 
 namespace {
@@ -28,20 +29,6 @@ constexpr double kMm = 1000.0;         // VTK's clipping and picking like number
 constexpr double kSharp = 40.0;        // degrees: edges of a tool stay edges
 constexpr double kFar = 400.0;         // mm, camera to centre; the projection is parallel
 constexpr int kFirstPictureMs = 5000;  // how long OpenGL may take to come up
-
-vtkSmartPointer<vtkPolyData> poly_data(const std::vector<Vec3>& points, const TissuePicture::Triangles& triangles) {
-  vtkNew<vtkPoints> at;
-  for (const Vec3& p : points) at->InsertNextPoint(kMm * p.x(), kMm * p.y(), kMm * p.z());
-  vtkNew<vtkCellArray> cells;
-  for (const auto& t : triangles) {
-    const vtkIdType ids[3] = {t[0], t[1], t[2]};
-    cells->InsertNextCell(3, ids);
-  }
-  auto data = vtkSmartPointer<vtkPolyData>::New();
-  data->SetPoints(at);
-  data->SetPolys(cells);
-  return data;
-}
 
 vtkSmartPointer<vtkPolyData> with_normals(vtkPolyData* data, double feature_angle) {
   vtkNew<vtkPolyDataNormals> normals;
@@ -77,12 +64,12 @@ TissuePicture::TissuePicture(int width, int height) : GlView(nullptr) {
 
 void TissuePicture::add_surface(const std::vector<Vec3>& points, const Triangles& triangles, const QColor& colour,
                                 double opacity) {
-  renderer()->AddActor(actor_of(with_normals(poly_data(points, triangles), 180.0), colour, opacity));
+  renderer()->AddActor(actor_of(with_normals(poly_data(points, triangles, kMm), 180.0), colour, opacity));
 }
 
 void TissuePicture::add_coloured(const std::vector<Vec3>& points, const Triangles& triangles,
                                  const std::vector<QColor>& colours) {
-  const auto data = poly_data(points, triangles);
+  const auto data = poly_data(points, triangles, kMm);
   vtkNew<vtkUnsignedCharArray> rgb;
   rgb->SetNumberOfComponents(3);
   rgb->SetName("colour");
@@ -97,7 +84,7 @@ void TissuePicture::add_coloured(const std::vector<Vec3>& points, const Triangle
 
 void TissuePicture::add_wireframe(const std::vector<Vec3>& points, const Triangles& triangles, const QColor& colour,
                                   double opacity) {
-  const auto actor = actor_of(poly_data(points, triangles), colour, opacity);
+  const auto actor = actor_of(poly_data(points, triangles, kMm), colour, opacity);
   actor->GetProperty()->SetRepresentationToWireframe();
   actor->GetProperty()->LightingOff();
   actor->GetProperty()->SetLineWidth(1.2f);
@@ -109,7 +96,7 @@ void TissuePicture::add_tool(const engine::TriangleMesh& tool, const engine::Pos
   std::vector<Vec3> placed;
   placed.reserve(tool.points.size());
   for (const Vec3& p : tool.points) placed.push_back(pose.to_world(p));
-  const auto actor = actor_of(with_normals(poly_data(placed, tool.triangles), kSharp), colour, opacity);
+  const auto actor = actor_of(with_normals(poly_data(placed, tool.triangles, kMm), kSharp), colour, opacity);
   actor->GetProperty()->SetSpecular(0.3);
   actor->GetProperty()->SetSpecularPower(30);
   renderer()->AddActor(actor);

@@ -267,9 +267,7 @@ void TrialPage::frame() {
     }
     readings_->show_snapshot(snapshot);
     bars_->show_forces(load(snapshot, engine::Structure::tongue), load(snapshot, engine::Structure::gum));
-    const QString state = words_for(snapshot.state, (snapshot.faults & engine::kFaultDeviceInvalid) != 0).banner;
-    const QString fault = QString::fromStdString(session_->fault());
-    show_banner(fault.isEmpty() ? state : "A fault: " + fault + ". Reset to begin anew; what led to it is kept.");
+    show_banner(banner_for(snapshot, QString::fromStdString(session_->fault())));
     ++frames_;
     if (frame_hook_) frame_hook_(snapshot);
     if (session_->finished()) end("finished");

@@ -23,7 +23,6 @@ constexpr double kLeastBlade = 0.020;                  // m, tip to handle
 constexpr double kTipOff = 0.003, kHandleOff = 0.015;  // m, off the surface (the handle point may be inside or between)
 constexpr double kAheadOfTip = 0.005;                  // m: a blade may bend a little past its tip
 constexpr double kBow = 0.2;             // of the blade's length: more than any blade is curved away from its chord
-constexpr double kHandleStands = 0.030;  // m off the blade's axis: wider than any blade, nearer than any handle's end
 constexpr double kOneSided = 0.5;        // a handle on one side: nearly 1; a ring or two handles: nearly 0
 constexpr double kLeastAcross = 0.34;    // sine of 20 degrees: nearer to the blade's axis a direction says no side
 
@@ -97,6 +96,10 @@ Outstanding outstanding(const TriangleMesh& mesh, const Vec3& tip, const Vec3& x
 
 }  // namespace
 
+bool has_handle(const TriangleMesh& tool) {
+  return outstanding(tool, Vec3::Zero(), Vec3::UnitX()).farthest >= kHandleStands;
+}
+
 PlacedTool place_tool(const TriangleMesh& read, const ToolPlacement& placement, const std::string& name,
                       const std::string& unit) {
   check_size(read, name, unit);
@@ -149,9 +152,17 @@ std::string tool_to_ply(const TriangleMesh& tool) {
                      "tongue side");
 }
 
+fs::path own_tool_file(const fs::path& log_file) { return fs::path(log_file).replace_extension(".tool.ply"); }
+
+fs::path tool_file_of_trial(const fs::path& log_file) {
+  if (fs::is_directory(log_file)) return log_file / kToolFile;
+  const fs::path own = own_tool_file(log_file);
+  return fs::exists(own) ? own : log_file.parent_path() / kToolFile;
+}
+
 std::optional<TriangleMesh> tool_of_trial(const curricula::LogHeader& header, const fs::path& log_file) {
   if (header.tool_sha256.empty()) return std::nullopt;
-  const fs::path file = (fs::is_directory(log_file) ? log_file : log_file.parent_path()) / kToolFile;
+  const fs::path file = tool_file_of_trial(log_file);
   if (!fs::exists(file))
     throw std::runtime_error(file.string() +
                              ": is missing: the tool of its own that this trial was done with; put it back beside the "

@@ -12,6 +12,11 @@
 
 namespace vallecula::gui {
 
+/// m off the line from tip to handle point: wider than any blade and its curve, nearer than any handle's end.
+constexpr double kHandleStands = 0.030;
+/// True when `tool` (m, tool frame) stands so far out of its axis, to whichever side: it has a handle of its own.
+bool has_handle(const engine::TriangleMesh& tool);
+
 /// Points of the mesh as it was read, m.
 struct ToolPlacement {
   engine::Vec3 tip = engine::Vec3::Zero();     ///< of the blade
@@ -42,6 +47,11 @@ void use_own_tool(const engine::TriangleMesh& tool, engine::SceneDescription& sc
 /// The tool of a trial as it lies beside its log: binary PLY, double precision, metres, tool frame.
 constexpr const char* kToolFile = "tool.ply";
 std::string tool_to_ply(const engine::TriangleMesh& tool);
+
+/// The file that keeps the tool for this log alone: NAME.tool.ply of NAME.vtrial.
+std::filesystem::path own_tool_file(const std::filesystem::path& log_file);
+/// Where the tool of a trial (its log or its folder) is: the log's own file if there is one, else tool.ply beside it.
+std::filesystem::path tool_file_of_trial(const std::filesystem::path& log_file);
 
 /// The own tool of a recorded trial, read from beside its log and proven to be the recorded one by its hash; nothing
 /// where the trial was done with its scenario's blade. Throws std::runtime_error when it is missing or another.

@@ -1,12 +1,10 @@
 #include "gui/session/tool_mesh.h"
 
-#include <vtkCellArray.h>
 #include <vtkCleanPolyData.h>
 #include <vtkDecimatePro.h>
 #include <vtkNew.h>
 #include <vtkOBJReader.h>
 #include <vtkObject.h>
-#include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkSTLReader.h>
 #include <vtkTriangleFilter.h>
@@ -23,6 +21,7 @@
 #include "engine/mesh/triangle_bvh.h"
 #include "gui/session/files.h"
 #include "gui/session/ply_file.h"
+#include "gui/session/poly_data.h"
 
 namespace vallecula::gui {
 
@@ -51,19 +50,8 @@ std::string lower_case_ending(const fs::path& file) {
   return ending;
 }
 
-vtkSmartPointer<vtkPolyData> to_vtk(const TriangleMesh& mesh) {
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  for (const Vec3& p : mesh.points) points->InsertNextPoint(p.data());
-  vtkNew<vtkCellArray> cells;
-  for (const auto& t : mesh.triangles) {
-    const vtkIdType ids[3] = {t[0], t[1], t[2]};
-    cells->InsertNextCell(3, ids);
-  }
-  auto data = vtkSmartPointer<vtkPolyData>::New();
-  data->SetPoints(points);
-  data->SetPolys(cells);
-  return data;
+vtkSmartPointer<vtkPolyData> in_double(const TriangleMesh& mesh) {
+  return poly_data(mesh.points, mesh.triangles, 1.0, VTK_DOUBLE);
 }
 
 /// VTK's readers write pages about a file they cannot read; what is wrong is said here, in one line.
@@ -94,7 +82,7 @@ vtkSmartPointer<vtkPolyData> read_kind(const fs::path& file, const std::string& 
   if (kind == ".obj") return read_with<vtkOBJReader>(file);
   if (kind == ".ply") {
     try {
-      return to_vtk(mesh_from_ply(bytes));
+      return in_double(mesh_from_ply(bytes));
     } catch (const std::runtime_error& error) {
       refuse(file, error.what());
     }
@@ -204,7 +192,7 @@ TriangleMesh from_vtk(vtkPolyData* data, double unit_m) {
 void reduce_tool_mesh(ToolMesh& tool, const fs::path& file, std::size_t most) {
   const std::size_t count = tool.surface.triangles.size();
   if (count <= most) return;
-  const vtkSmartPointer<vtkPolyData> whole = to_vtk(tool.surface);
+  const vtkSmartPointer<vtkPolyData> whole = in_double(tool.surface);
   char text[160];
   for (std::size_t target = most; target < count; target *= 2) {
     vtkNew<vtkDecimatePro> decimation;

@@ -72,7 +72,6 @@ struct TrialSession::Impl {
   std::shared_ptr<const engine::Scene> scene;
   std::string package_sha256;
   std::string tool_ply;  ///< of a tool of its own: the bytes of its file; else empty
-  bool tool_is_needed = false;  ///< an attempt before a reset was kept, and replays with it
   ResultsFolder results;
   std::unique_ptr<device::HapticDevice> device;
   std::unique_ptr<DevicePort> port;
@@ -249,7 +248,7 @@ void TrialSession::Impl::discard_log() {
   writer.reset();
   std::error_code ignored;
   fs::remove(results.unfinished_log(), ignored);
-  if (!tool_ply.empty() && !tool_is_needed) fs::remove(results.tool(), ignored);
+  if (!tool_ply.empty()) fs::remove(results.tool(), ignored);
 }
 
 void TrialSession::Impl::add_record(const curricula::TrialLog& log, const curricula::Score& score, const fs::path& file) {
@@ -286,7 +285,8 @@ void TrialSession::Impl::keep_log_of_reset() {
     kept = results.folder() / ("before-reset-" + std::to_string(n) + ".vtrial");
   keep_fault(fs::path(kept).replace_extension(".fault.csv"));
   fs::rename(results.log(), kept);
-  tool_is_needed = true;
+  // Its own, since tool.ply goes with the next trial in this folder. Moved last: a log without one takes tool.ply.
+  if (!tool_ply.empty()) fs::rename(results.tool(), own_tool_file(kept));
   const curricula::TrialLog log = curricula::read_trial_log(kept);
   add_record(log, curricula::score_trial(log, scenario), kept);
 }

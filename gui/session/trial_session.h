@@ -24,7 +24,8 @@ struct TrialSetup {
   std::string device;
   /// A tool of its own (m, tool frame) instead of the scenario's blade; null: the blade.
   std::shared_ptr<const engine::TriangleMesh> tool;
-  std::filesystem::path out;        ///< folder for trial.vtrial, tool.ply (of a tool of its own), score.json, report.html, force.png
+  /// Folder for trial.vtrial, tool.ply (of a tool of its own), score.json, report.html, force.png, fault.csv.
+  std::filesystem::path out;
   /// A device of the caller's own, made anew where a script would be; empty: by the name above.
   std::function<std::unique_ptr<device::HapticDevice>()> own_device;
   bool realtime = true;             ///< false: as fast as it goes, servo and simulation in lockstep on one thread
@@ -55,8 +56,10 @@ class TrialSession {
   /// The first fault of the loop in this attempt, in plain words; empty: none yet. Any thread.
   std::string fault() const;
   bool finished() const;  ///< the script or the scenario's time is over
+  /// Tissue to rest, the attempt starts anew; the one before stays, recorded, as before-reset-N.vtrial, with its tool
+  /// (where it had one of its own) as before-reset-N.tool.ply.
   /// `between`: called when the old attempt is over and the new one has not begun (a hand is put back then).
-  void reset(const std::function<void()>& between = {});           ///< tissue to rest, attempt starts anew; the one before stays as before-reset-N.vtrial, recorded
+  void reset(const std::function<void()>& between = {});
   /// Newest whole snapshot; wait-free; to be called by one thread only (the window's).
   const engine::Snapshot& latest();
   TrialOutcome finish(const std::string& how);  ///< stops, closes the log, scores, writes the results, adds the record

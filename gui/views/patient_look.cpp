@@ -20,6 +20,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "gui/session/poly_data.h"
 #include "gui/views/openness.h"
 #include "gui/views/tissue_colours.h"
 #include "gui/views/tissue_shading.h"
@@ -287,20 +288,7 @@ vtkSmartPointer<vtkPolyData> make_trachea(const pipeline::PatientPackage& packag
 }  // namespace
 
 vtkSmartPointer<vtkPolyData> to_poly_data(const Surface& surface) {
-  auto result = vtkSmartPointer<vtkPolyData>::New();
-  auto points = vtkSmartPointer<vtkPoints>::New();
-  points->SetDataTypeToFloat();
-  points->SetNumberOfPoints(static_cast<vtkIdType>(surface.points.size()));
-  for (std::size_t i = 0; i < surface.points.size(); ++i)
-    points->SetPoint(static_cast<vtkIdType>(i), surface.points[i].data());
-  auto cells = vtkSmartPointer<vtkCellArray>::New();
-  for (const auto& t : surface.triangles) {
-    const vtkIdType ids[3] = {t[0], t[1], t[2]};
-    cells->InsertNextCell(3, ids);
-  }
-  result->SetPoints(points);
-  result->SetPolys(cells);
-  return result;
+  return poly_data(surface.points, surface.triangles);
 }
 
 void PatientLook::update(const engine::Snapshot& snapshot) {

@@ -124,7 +124,7 @@ void SagittalView::add_anatomy_cuts() {
     trachea->Update();
     add_moving(trachea->GetOutput(), kAir + 0.4, kAirwayBlue);
   }
-  for (const char* name : {"palate", "mandible", "hyoid", "spine", "skull"})
+  for (const char* name : {"palate", "mandible"})
     if (const auto bone = find(name)) {
       const Cut cut = cut_of(bone, x);
       add_moving(cut.fill, kBone, kBoneColour);

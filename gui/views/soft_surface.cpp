@@ -1,6 +1,5 @@
 #include "gui/views/soft_surface.h"
 
-#include <vtkCellArray.h>
 #include <vtkFloatArray.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
@@ -10,6 +9,7 @@
 #include <cmath>
 #include <map>
 
+#include "gui/session/poly_data.h"
 #include "gui/views/tissue_colours.h"
 #include "gui/views/tissue_shading.h"
 
@@ -26,15 +26,6 @@ Float3 cross(const Float3& a, const Float3& b) {
 Float3 unit(const Float3& a) {
   const float length = std::sqrt(dot(a, a));
   return length > 1e-12f ? Float3{a[0] / length, a[1] / length, a[2] / length} : Float3{0, 0, 1};
-}
-
-vtkSmartPointer<vtkCellArray> cells_of(const std::vector<std::array<int, 3>>& triangles) {
-  auto cells = vtkSmartPointer<vtkCellArray>::New();
-  for (const auto& t : triangles) {
-    const vtkIdType ids[3] = {t[0], t[1], t[2]};
-    cells->InsertNextCell(3, ids);
-  }
-  return cells;
 }
 
 constexpr float kRoundness = 0.7f;  // of Phong tessellation (Boubekeur and Alexa 2008 take 0.75)
@@ -208,13 +199,8 @@ void SoftSurface::refine_and_publish() {
 }
 
 vtkSmartPointer<vtkPolyData> SoftSurface::boundary() const {
-  auto result = vtkSmartPointer<vtkPolyData>::New();
-  auto points = vtkSmartPointer<vtkPoints>::New();
-  for (std::size_t i = 0; i < node_of_.size(); ++i)
-    points->InsertNextPoint(points_[i][0], points_[i][1], points_[i][2]);
-  result->SetPoints(points);
-  result->SetPolys(cells_of(triangles_));
-  return result;
+  const auto end = points_.begin() + static_cast<std::ptrdiff_t>(node_of_.size());
+  return poly_data(std::vector(points_.begin(), end), triangles_);
 }
 
 }  // namespace vallecula::gui

@@ -16,15 +16,18 @@
 #include <array>
 #include <cmath>
 
+#include "gui/session/placed_tool.h"
+#include "gui/session/poly_data.h"
+
 namespace vallecula::gui {
 namespace {
 
-struct Extent {
+struct Bounds {
   engine::Vec3 low = engine::Vec3::Constant(1e30), high = engine::Vec3::Constant(-1e30);
 };
 
-Extent extent_mm(const engine::TriangleMesh& tool) {
-  Extent extent;
+Bounds extent_mm(const engine::TriangleMesh& tool) {
+  Bounds extent;
   for (const auto& p : tool.points) {
     extent.low = extent.low.cwiseMin(1000.0 * p);
     extent.high = extent.high.cwiseMax(1000.0 * p);
@@ -34,18 +37,15 @@ Extent extent_mm(const engine::TriangleMesh& tool) {
 
 constexpr std::size_t kScanTriangles = 5000;  // the shipped blades have a thousand
 
-/// A blade and its curve stay within 30 mm of its axis; a handle does not.
-bool has_handle(const Extent& extent) { return extent.high.z() > 30.0; }
-
 /// The tool's section across its length at `x_mm`, as far as it belongs to the blade: no higher than the handle's foot.
-Extent section_mm(const engine::TriangleMesh& tool, double x_mm) {
-  Extent section;
+Bounds section_mm(const engine::TriangleMesh& tool, double x_mm) {
+  Bounds section;
   for (const auto& t : tool.triangles)
     for (int k = 0; k < 3; ++k) {
       const engine::Vec3 a = 1000.0 * tool.points[t[k]], b = 1000.0 * tool.points[t[(k + 1) % 3]];
       if ((a.x() < x_mm) == (b.x() < x_mm)) continue;
       const engine::Vec3 p = a + (x_mm - a.x()) / (b.x() - a.x()) * (b - a);
-      if (p.z() > 30.0) continue;
+      if (p.z() > 1000.0 * kHandleStands) continue;
       section.low = section.low.cwiseMin(p);
       section.high = section.high.cwiseMax(p);
     }
@@ -54,9 +54,9 @@ Extent section_mm(const engine::TriangleMesh& tool, double x_mm) {
 
 /// Where the blade ends and the handle stands: on top (+z) of the blade's last millimetres, in their middle.
 engine::Vec3 heel_mm(const engine::TriangleMesh& tool) {
-  const Extent all = extent_mm(tool);
+  const Bounds all = extent_mm(tool);
   const double from = all.high.x() - 0.10 * (all.high.x() - all.low.x());
-  Extent heel;
+  Bounds heel;
   for (const auto& p : tool.points)
     if (1000.0 * p.x() >= from) {
       heel.low = heel.low.cwiseMin(1000.0 * p);
@@ -174,24 +174,15 @@ vtkSmartPointer<vtkMatrix4x4> tool_matrix(const engine::Pose& pose) {
 }
 
 vtkSmartPointer<vtkPolyData> blade_surface(const engine::TriangleMesh& tool) {
-  auto points = vtkSmartPointer<vtkPoints>::New();
-  for (const auto& p : tool.points) points->InsertNextPoint(1000.0 * p.x(), 1000.0 * p.y(), 1000.0 * p.z());
-  auto cells = vtkSmartPointer<vtkCellArray>::New();
-  for (const auto& t : tool.triangles) {
-    const vtkIdType ids[3] = {t[0], t[1], t[2]};
-    cells->InsertNextCell(3, ids);
-  }
-  auto mesh = vtkSmartPointer<vtkPolyData>::New();
-  mesh->SetPoints(points);
-  mesh->SetPolys(cells);
+  const auto mesh = poly_data(tool.points, tool.triangles, 1000.0);
   if (tool.triangles.size() < kScanTriangles) return with_normals(mesh, 35.0);
   give_smooth_normals(tool, mesh);
   return mesh;
 }
 
 vtkSmartPointer<vtkPolyData> handle_surface(const engine::TriangleMesh& tool) {
-  const Extent extent = extent_mm(tool);
-  if (has_handle(extent)) return vtkSmartPointer<vtkPolyData>::New();
+  if (has_handle(tool)) return vtkSmartPointer<vtkPolyData>::New();
+  const Bounds extent = extent_mm(tool);
   const double blade = extent.high.x() - extent.low.x();
   const double radius = std::clamp(0.10 * blade, 7.0, 9.5), long_mm = std::clamp(1.2 * blade, 85.0, 120.0);
   engine::Vec3 foot = heel_mm(tool);
@@ -232,11 +223,11 @@ ToolLook::ToolLook(const engine::TriangleMesh& tool) {
   handle->GetProperty()->SetSpecularPower(30.0);
   make_metallic(handle, 0.55);
 
-  const Extent extent = extent_mm(tool);
+  const Bounds extent = extent_mm(tool);
   const double blade_mm = extent.high.x() - extent.low.x();
   // On the operator's side of the blade, where it does not stand in the tongue, halfway to the patient's right.
   const double along = std::min(0.22 * blade_mm, 16.0);
-  const Extent section = section_mm(tool, along);
+  const Bounds section = section_mm(tool, along);
   bulb_ = {along, 0.5 * (section.high.y() + 0.5 * (section.low.y() + section.high.y())), section.low.z() - 0.6};
   vtkNew<vtkSphereSource> ball;
   ball->SetRadius(0.45);

@@ -64,6 +64,14 @@ StateWords words_for(engine::HapticState state, bool device_invalid) {
   return {};
 }
 
+QString banner_for(const engine::Snapshot& snapshot, const QString& fault) {
+  QStringList sentences;
+  sentences << words_for(snapshot.state, (snapshot.faults & engine::kFaultDeviceInvalid) != 0).banner;
+  if (!fault.isEmpty()) sentences << "A fault: " + fault + ". Reset to begin anew; what led to it is kept.";
+  sentences.removeAll("");
+  return sentences.join(" ");
+}
+
 TrialReadings::TrialReadings(QWidget* parent) : QWidget(parent) {
   auto* grid = new QGridLayout(this);
   grid->setContentsMargins(12, 8, 12, 8);

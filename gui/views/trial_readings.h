@@ -20,6 +20,8 @@ struct StateWords {
   QString name, banner;
 };
 StateWords words_for(engine::HapticState state, bool device_invalid);
+/// What the banner says of a snapshot's state and of the attempt's first fault (empty: none); a fault hides no limit.
+QString banner_for(const engine::Snapshot& snapshot, const QString& fault);
 
 class TrialReadings : public QWidget {
   Q_OBJECT

@@ -78,16 +78,20 @@ TEST_F(AnatomyGivesWay, SharesAreWholeWhereTheyBelongAndNothingElsewhere) {
   EXPECT_EQ(motion.with_larynx(landmark("carina")), 0.0);
   // The lower lip and the chin go with the jaw, the upper lip and the nose do not.
   const Vec3 lower = landmark("lower_gum_midline"), upper = landmark("upper_gum_midline");
-  int low = 0, high = 0;  // of those that do not
+  int lower_lip = 0, upper_lip = 0, low = 0, high = 0;  // looked at; of those that do not
   const pipeline::Surface& face = package_->surfaces.at("face");
   for (std::size_t t = 0; t < face.triangles.size(); ++t) {
     if (static_cast<pipeline::Tissue>(face.tissue[t]) != pipeline::Tissue::lip) continue;
     const auto& q = face.points[face.triangles[t][0]];
     const Vec3 p(q[0], q[1], q[2]);
     if (std::abs(p.x()) > 6.0) continue;  // not the corners, where one passes into the other
+    lower_lip += p.z() < lower.z();
+    upper_lip += p.z() > upper.z();
     if (p.z() < lower.z()) low += motion.with_jaw(p) < 0.95;
     if (p.z() > upper.z()) high += motion.with_jaw(p) > 0.05;
   }
+  EXPECT_GT(lower_lip, 0);
+  EXPECT_GT(upper_lip, 0);
   EXPECT_EQ(low, 0);
   EXPECT_EQ(high, 0);
 }

@@ -8,13 +8,17 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
+#include <memory>
 #include <thread>
 
 #include "curricula/records/records.h"
 #include "curricula/trial_log.h"
 #include "gui/commands/headless_application.h"
+#include "gui/session/placed_tool.h"
+#include "gui/session/replay.h"
 #include "tests/gui/block_patient.h"
 #include "tests/gui/program.h"
+#include "tests/gui/tool_file.h"
 
 namespace vallecula::gui::test {
 namespace {
@@ -105,6 +109,41 @@ TEST_F(SessionRealTime, ResetBeginsAnewWithTissueAtRestAndAFreshLog) {
   EXPECT_EQ(before.footer.ended, "reset");
   EXPECT_GE(before.ticks.size(), 600u);
   EXPECT_EQ(curricula::Records(box_.home() / "records.sqlite").newest(10).size(), 2u);
+}
+
+// An attempt before a reset keeps the tool it was done with when a later trial takes the folder over.
+TEST_F(Session, WhatWasBeforeAResetReplaysWithItsOwnTool) {
+  {
+    TrialSetup own = setup(false);
+    own.tool = std::make_shared<engine::TriangleMesh>(laryngoscope(0.102, 0.11));
+    TrialSession session(own);
+    session.start();
+    wait(session);
+    session.reset();
+    wait(session);
+    session.finish("ended");
+  }
+  const fs::path log_file = box_ / "out" / "before-reset-1.vtrial";
+  const curricula::TrialLog log = curricula::read_trial_log(log_file);
+  ASSERT_FALSE(log.header.tool_sha256.empty());
+  const auto another = std::make_shared<const engine::TriangleMesh>(laryngoscope(0.080, 0.09));
+  for (const auto& later : {another, std::shared_ptr<const engine::TriangleMesh>()}) {
+    TrialSetup next = setup(false);
+    next.tool = later;
+    TrialSession session(next);
+    session.start();
+    wait(session);
+    session.finish("ended");
+    EXPECT_EQ(fs::exists(box_ / "out" / "tool.ply"), later != nullptr);
+    const Verification verified = verify_trial(log, recorded_scene(log, log_file, {}).description);
+    EXPECT_EQ(verified.difference.field, "");
+    EXPECT_EQ(verified.ticks, static_cast<std::int64_t>(log.ticks.size()));
+  }
+  // A log that has no tool of its own takes the one beside it, which must be the recorded one.
+  fs::rename(box_ / "out" / "before-reset-1.tool.ply", box_ / "out" / "tool.ply");
+  EXPECT_TRUE(tool_of_trial(log.header, log_file));
+  fs::remove(box_ / "out" / "tool.ply");
+  EXPECT_THROW(tool_of_trial(log.header, log_file), std::runtime_error);
 }
 
 /// A hand over the block's dorsum that sends poses of no numbers for 20 ms.

@@ -119,12 +119,16 @@ TEST_F(TrialTool, ATrialIsKeptWithItsToolAndVerifies) {
   changed[changed.size() / 2] ^= 0x01;
   const auto refused = [&](const std::string& naming) {
     for (const auto& arguments :
-         {std::vector<std::string>{"replay", folder, "--verify"}, {"replay", folder}, {"score", folder}}) {
+         {std::vector<std::string>{"replay", folder, "--verify"}, {"replay", folder}}) {
       const Outcome one = box_.run(arguments);
       EXPECT_EQ(one.exit_code, 1) << arguments[0];
       ASSERT_EQ(one.messages().size(), 1u) << one.err;
       EXPECT_NE(one.err.find(naming), std::string::npos) << one.err;
     }
+    // A score is of the log alone.
+    const Outcome anew = box_.run({"score", folder, "--json"});
+    EXPECT_EQ(anew.exit_code, 0) << anew.err;
+    EXPECT_EQ(anew.out, scored.out);
   };
   write_text(box_ / "moved" / "tool.ply", changed);
   refused("tool.ply: is not the tool of this trial");
@@ -188,7 +192,14 @@ TEST(ToolLook, AToolWithAHandleIsDrawnAsItselfAndABladeGetsOne) {
     EXPECT_NEAR(bounds[2 * axis + 1], 1e3 * extent.high[axis], 1e-4);
   }
   EXPECT_EQ(handle_surface(scope)->GetNumberOfPoints(), 0);
-  EXPECT_GT(handle_surface(engine::blade_surface(engine::miller_blade("miller-1")))->GetNumberOfPoints(), 0);
+  // A handle that stands to another side than the tongue's is one too.
+  const TriangleMesh aside = moved(scope, axes(Vec3(1, 0, 0), Vec3(0, 1, 0)), Vec3::Zero()),
+                     behind = moved(scope, axes(Vec3(1, 0, 0), Vec3(0, 0, -1)), Vec3::Zero());
+  EXPECT_LT(extent_of(aside).high.z(), 0.030);
+  EXPECT_EQ(handle_surface(aside)->GetNumberOfPoints(), 0);
+  EXPECT_EQ(handle_surface(behind)->GetNumberOfPoints(), 0);
+  for (const char* blade : {"miller-00", "miller-0", "miller-1"})
+    EXPECT_GT(handle_surface(engine::blade_surface(engine::miller_blade(blade)))->GetNumberOfPoints(), 0) << blade;
   // The bulb sits under the blade (its lower face is at -1 mm), within its width, near the tip.
   ToolLook look(scope);
   look.place(engine::Pose{});

@@ -243,5 +243,20 @@ TEST(StateWords, ALimitIsTheDevicesAndNeverTissueGivingWay) {
   EXPECT_NE(words_for(engine::HapticState::lost, false).banner, words_for(engine::HapticState::lost, true).banner);
 }
 
+TEST(StateWords, AFaultHidesNoLimit) {
+  engine::Snapshot snapshot;
+  snapshot.state = engine::HapticState::tracking;
+  EXPECT_EQ(banner_for(snapshot, "").toStdString(), "");
+  EXPECT_EQ(banner_for(snapshot, "one").toStdString(),
+            "A fault: one. Reset to begin anew; what led to it is kept.");
+  snapshot.state = engine::HapticState::limited;
+  EXPECT_TRUE(banner_for(snapshot, "").startsWith("Device limit reached"));
+  EXPECT_TRUE(banner_for(snapshot, "one").startsWith("Device limit reached"));
+  EXPECT_TRUE(banner_for(snapshot, "one").contains(" A fault: one."));
+  snapshot.state = engine::HapticState::lost;
+  snapshot.faults = engine::kFaultDeviceInvalid;
+  EXPECT_TRUE(banner_for(snapshot, "").startsWith("The device stopped answering."));
+}
+
 }  // namespace
 }  // namespace vallecula::gui::window_test
