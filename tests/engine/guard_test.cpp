@@ -1,7 +1,10 @@
-// What every tick must keep, whatever the scene has: no allocation, and the same bits from the same inputs.
+// What every tick must keep, whatever the scene has: no allocation, the same bits from the same inputs, and a tissue
+// that went wrong is named, felt by nobody, and whole again.
 #include <gtest/gtest.h>
 
 #include <cstring>
+#include <functional>
+#include <limits>
 
 #include "engine/haptics/runner.h"
 #include "tests/engine/allocations.h"
@@ -119,6 +122,81 @@ TEST(Scene, ReplayIsBitIdentical) {
     gum = std::max(gum, r.loads[static_cast<int>(Structure::gum)].force_n.norm());
   });
   EXPECT_GT(gum, 0.5);
+}
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
+struct Poison {
+  const char* what;
+  Vec3 top;
+  double depth;
+  std::function<void(TissueState&)> add;
+};
+
+/// Brings the hand down and holds it; the last record.
+TickRecord press(LateLoop& loop, std::int64_t& n, const Poison& where) {
+  TickRecord last;
+  for (int i = 0; i < 400; ++i, ++n) last = loop.tick(n, hand_at(testing::press_on(where.top, where.depth, i * 0.001)));
+  return last;
+}
+
+// Tissue that became non-finite under load, with the limit near and the volume held: the step says so, nothing of it is
+// felt, and the scene goes on as if new.
+TEST(Scene, TissueThatIsNotFiniteIsNamedNotFeltAndWholeAgain) {
+  const auto displacement = [](TissueState& t) { t.displacement[t.displacement.size() / 2].z() = kNan; };
+  const Poison poisons[] = {
+      {"a displacement, tongue", testing::kTongueTop, 0.006, displacement},
+      {"all displacements, tongue", testing::kTongueTop, 0.006,
+       [](TissueState& t) { std::fill(t.displacement.begin(), t.displacement.end(), Vec3::Constant(kNan)); }},
+      {"the jaw's angle, gum", testing::kGumTop, 0.003,
+       [](TissueState& t) { t.body_displacement[testing::kMouthJaw].x() = kNan; }},
+      {"a displacement, lip", testing::kLipTop, 0.003, displacement},
+  };
+  for (const Poison& poison : poisons) {
+    SCOPED_TRACE(poison.what);
+    SceneDescription d = testing::mouth_scene();
+    if (poison.top == testing::kTongueTop) d.haptics.device_limit_n = 1.5;
+    const auto scene = build_scene(d);
+    LateLoop loop(*scene);
+    std::int64_t n = 0;
+    const TickRecord pressed = press(loop, n, poison);
+    std::printf("%s: %.3f N, held by %.0f Pa\n", poison.what, pressed.model_force_n.norm(),
+                loop.state.tissue.held_pressure);
+    ASSERT_EQ(pressed.faults, kFaultNone);
+    ASSERT_EQ(pressed.state, HapticState::tracking);
+    ASSERT_GT(pressed.displayed_force_n.norm(), 0.3);
+    if (poison.top == testing::kTongueTop) {
+      ASSERT_GT(pressed.model_force_n.norm(), 0.6 * d.haptics.device_limit_n);
+      ASSERT_GT(std::abs(loop.state.tissue.held_pressure), 10.0);
+    }
+    poison.add(loop.state.tissue);
+    const TickRecord faulty = loop.tick(n++, hand_at(testing::press_on(poison.top, poison.depth, 0.4)));
+    EXPECT_NE(faulty.faults & kFaultTissue, 0u);
+    EXPECT_EQ(faulty.displayed_force_n.norm(), 0.0);
+    EXPECT_EQ(faulty.model_force_n.norm(), 0.0);
+    for (int i = 0; i < 1500; ++i) {  // still pressed for 0.1 s, then drawn out and kept away
+      const TickRecord r = loop.tick(n++, hand_at(testing::press_on(poison.top, poison.depth, 0.3 + i * 0.001)));
+      ASSERT_EQ(r.faults, kFaultNone) << "step " << i << " after the fault";
+      ASSERT_TRUE(r.model_force_n.allFinite() && r.displayed_force_n.allFinite());
+      ASSERT_LE(r.displayed_force_n.norm(), d.haptics.device_limit_n * (1 + 1e-9));
+    }
+    double farthest = 0.0, fastest = 0.0;
+    for (const Vec3& u : loop.state.tissue.displacement) farthest = std::max(farthest, u.norm());
+    for (const Vec3& v : loop.state.tissue.velocity) fastest = std::max(fastest, v.norm());
+    std::printf("  after: %.2g m, %.2g m/s\n", farthest, fastest);
+    EXPECT_LT(farthest, 1e-5);
+    EXPECT_LT(fastest, 1e-4);
+    double drawn = 0.0;
+    for (const Vec3& u : loop.state.lips.displacement) drawn = std::max(drawn, u.norm());
+    EXPECT_LT(drawn, 1e-4);
+    LateLoop fresh(*scene);
+    std::int64_t first = 0;
+    const TickRecord anew = press(loop, n, poison), never = press(fresh, first, poison);
+    std::printf("  pressed anew %.4f N, never faulty %.4f N\n", anew.model_force_n.norm(), never.model_force_n.norm());
+    EXPECT_EQ(anew.faults, kFaultNone);
+    EXPECT_NEAR(anew.model_force_n.norm(), never.model_force_n.norm(), 0.01 * never.model_force_n.norm());
+    EXPECT_NEAR(anew.displayed_force_n.norm(), never.displayed_force_n.norm(), 0.01 * never.displayed_force_n.norm());
+  }
 }
 
 }  // namespace
