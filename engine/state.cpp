@@ -21,7 +21,7 @@ std::uint32_t take_device(const Scene& scene, SceneState& state, const Pose& pos
   if (way.norm() > kFarthest) device.position = scene.centre + way * (kFarthest / way.norm());
   if (!state.placed) {
     state.placed = true;
-    state.proxy.pose = device;
+    state.proxy.pose = state.free_pose = device;
     state.hand.device = device;
   }
   follow_device(device, scene.model.step_s, state.hand);
@@ -177,8 +177,9 @@ StepResult step(const Scene& scene, SceneState& state, const StepInput& input) n
     state.tissue_wrench = Wrench{};
     state.tissue_stiffness.setZero();
     state.proxy = ProxyState{};
-    state.proxy.pose = state.hand.device;
-    state.rigid_scan.begin_anew(state.hand.device);
+    // Not at the hand: tissue put to rest about a tool that stands in it would grip it for good.
+    state.proxy.pose = state.free_pose;
+    state.rigid_scan.begin_anew(state.free_pose);
     state.parts = PartPoses{};
     state.lips.set_rest();
     result.loads = {};
@@ -190,6 +191,7 @@ StepResult step(const Scene& scene, SceneState& state, const StepInput& input) n
   const Wrench soft = soft_wrench(state);
   result.model_force_n = soft.force + rigid.wrench.force;
   result.model_torque_nm = soft.torque + rigid.wrench.torque;
+  if (state.contacts.count == 0 && result.model_force_n.isZero(0)) state.free_pose = state.proxy.pose;
 
   const Wrench spring = coupling_wrench(scene.proxy, state.proxy.pose, state.hand.device, 1.0);
   judge_limit(settings, scene.model.step_s, trial_force(spring.force, result.model_force_n), valid, state.limit);

@@ -46,6 +46,7 @@ struct SceneState {
   ContactStiffness felt;       ///< how stiff the tissue was in the last steps
   HandState hand;              ///< last good device pose and its velocity
   bool placed = false;         ///< the first good pose has placed the proxy
+  Pose free_pose;              ///< of the proxy when it last touched nothing: where it begins anew after a fault
   LineOfSight::Scratch sight;
   double glottis_visible = 0.0;
   std::int64_t step = 0;       ///< steps taken
