@@ -1,4 +1,5 @@
-// Where a tick's time goes. Reading the clock costs some 0.2 us; the figures are measurements, never part of a state.
+// Where a tick's time goes. Reading this clock costs some 20 ns (a thread's own some 2 us); the figures are measurements, never
+// part of a state.
 #pragma once
 
 #include <ctime>
@@ -29,9 +30,9 @@ inline double thread_seconds() noexcept {
 /// Adds the time since the last call to one stage after another.
 class StageClock {
  public:
-  StageClock() noexcept : last_(thread_seconds()) {}
+  StageClock() noexcept : last_(monotonic_seconds()) {}
   void add_to(double& stage) noexcept {
-    const double now = thread_seconds();
+    const double now = monotonic_seconds();
     stage += now - last_;
     last_ = now;
   }

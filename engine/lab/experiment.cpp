@@ -207,7 +207,7 @@ ExperimentResult run_experiment(const Scene& scene, const std::function<Pose(dou
     s.time_s = static_cast<double>(n) * h;
     const double due = began + s.time_s;
     if (settings.realtime) sleep_until(due);
-    const double start = thread_seconds();
+    const double start = thread_seconds(), began_s = monotonic_seconds();
     const Pose before = state.proxy.pose;
     state.proxy.pose = tool.next(pose(s.time_s));
     loads = {};
@@ -216,6 +216,7 @@ ExperimentResult run_experiment(const Scene& scene, const std::function<Pose(dou
     s.force_n = tool.judge(s.model_force_n);
     s.torque_nm = state.tissue_wrench.torque;
     s.state = tool.state();
+    s.elapsed_s = monotonic_seconds() - began_s;
     s.step_s = thread_seconds() - start;
     if (settings.realtime) {
       const double end = monotonic_seconds();

@@ -25,6 +25,7 @@ struct ExperimentSettings {
 struct ExperimentStep {
   double time_s = 0.0;
   double step_s = 0.0;         ///< work of the whole tick, pose in, force out: processor time of its thread
+  double elapsed_s = 0.0;      ///< the same by the clock, as the stages' times are
   double late_s = 0.0;         ///< real time: force out after it was due, beyond one period
   StageTimes stages;
   int contacts = 0;            ///< that carry force

@@ -69,7 +69,7 @@ QJsonObject lab_json(const engine::Scene& scene, const engine::ExperimentSetting
       {"elasticity", share([](const ExperimentStep& s) { return s.stages.elasticity_s; })},
       {"solve", share([](const ExperimentStep& s) { return s.stages.solve_s; })},
       {"other", share([](const ExperimentStep& s) {
-         return s.step_s - s.stages.collision_s - s.stages.response_s - s.stages.elasticity_s - s.stages.solve_s;
+         return s.elapsed_s - s.stages.collision_s - s.stages.response_s - s.stages.elasticity_s - s.stages.solve_s;
        })}};
 
   QJsonArray per_level;
