@@ -18,7 +18,7 @@ constexpr int kClusterSize = 32;
 constexpr double kMostProtrusion = 0.00005;  // a surface sphere may stick out by 0.05 mm at a bend of the surface
 // Of face_sag: the roundest tool a face need follow; the least is about what a blade may be inside tissue, the most bounds coarse
 // meshes.
-constexpr double kRoundestTool = 0.005, kLeastSag = 0.00008, kMostSag = 0.00025;  // m
+constexpr double kRoundestTool = 0.005, kLeastSag = 0.00008, kMostSag = 0.00024;  // m
 // A sphere inside resists once the tool is nearer to its centre than this share of its radius: tissue pressed flat by a
 // blade's face never is, tissue that an edge cuts into always.
 constexpr double kCoreShare = 0.35;
