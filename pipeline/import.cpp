@@ -7,12 +7,10 @@
 #include <chrono>
 #include <sstream>
 
-#include "pipeline/dicom/read_series.h"
 #include "pipeline/mesh/anatomy_surfaces.h"
 #include "pipeline/mesh/tetrahedralize.h"
 #include "pipeline/package/label_map.h"
 #include "pipeline/quality.h"
-#include "pipeline/segment/segment.h"
 
 namespace vallecula::pipeline {
 namespace {
@@ -57,8 +55,7 @@ class Stages {
 /// Where the label map waits for its package; gone on every way out.
 class TemporaryLabels {
  public:
-  TemporaryLabels()
-      : path_(fs::temp_directory_path() / ("vallecula-labels-" + std::to_string(::getpid()) + ".nrrd")) {}
+  TemporaryLabels() : path_(fs::temp_directory_path() / ("vallecula-labels-" + std::to_string(::getpid()) + ".nrrd")) {}
   ~TemporaryLabels() {
     std::error_code ignored;
     fs::remove(path_, ignored);
@@ -116,56 +113,130 @@ void check_out(const fs::path& out) {
 
 }  // namespace
 
-ImportReport import_series(const ImportOptions& options, const ImportProgress& progress) {
+struct Import::Work {
+  ImportOptions options;
+  ImportProgress progress;
   ImportReport report;
-  report.package = options.out;
-  try {
-    check_out(options.out);
-    for (const auto& [name, point] : options.seeds) {
+  Stages stages{report, progress};
+  CtSeries series;
+  Segmentation segmentation;
+  PatientPackage package;
+  std::vector<QualityItem> played;
+
+  /// Runs a stage; whatever goes wrong in it becomes one message for a person.
+  template <class Stage>
+  void guarded(const Stage& stage) {
+    const auto& name = options.series.string();
+    try {
+      stage();
+    } catch (const ImportError&) {
+      throw;
+    } catch (const std::bad_alloc&) {
+      throw ImportError("series " + name + ": not enough memory for a series of this size");
+    } catch (const SeriesError& e) {
+      throw ImportError(e.what());
+    } catch (const PackageError& e) {
+      throw ImportError(e.what());
+    } catch (const std::runtime_error& e) {
+      throw ImportError("series " + name + ": " + e.what());
+    }
+  }
+};
+
+Import::Import(ImportOptions options, ImportProgress progress) : work_(std::make_unique<Work>()) {
+  work_->options = std::move(options);
+  work_->progress = std::move(progress);
+}
+Import::~Import() = default;
+
+ImportOptions& Import::options() { return work_->options; }
+const CtSeries& Import::series() const { return work_->series; }
+const Segmentation& Import::segmentation() const { return work_->segmentation; }
+Labels Import::labels_on_scan() const { return on_series_grid(work_->segmentation, work_->series.hu.grid); }
+const PatientPackage& Import::package() const { return work_->package; }
+
+void Import::read() {
+  auto& w = *work_;
+  w.guarded([&] {
+    w.stages.begin("read", 0.0, 0.1);
+    w.series = read_ct_series(w.options.series, [&](double f) { w.stages.say(f); });
+    w.stages.end();
+  });
+}
+
+void Import::segment() {
+  auto& w = *work_;
+  w.guarded([&] {
+    for (const auto& [name, point] : w.options.edits.seeds) {
       (void)point;
       if (name != "tongue")
         throw ImportError("seed " + name + ": only the tongue takes a seed; write --seed tongue=x,y,z");
     }
-    Stages stages(report, progress);
-    stages.begin("read", 0.0, 0.1);
-    auto series = read_ct_series(options.series, [&](double f) { stages.say(f); });
+    w.stages.begin("segment", 0.1, 0.5);
+    w.segmentation =
+        pipeline::segment(w.series.hu, w.options.edits, [&](const std::string&, double f) { w.stages.say(f); });
+    w.stages.end();
+  });
+}
 
-    stages.begin("segment", 0.1, 0.5);
-    const auto segmentation = segment(series.hu, options.seeds, [&](const std::string&, double f) { stages.say(f); });
+void Import::mesh() {
+  auto& w = *work_;
+  w.guarded([&] {
+    w.package = PatientPackage();
+    w.stages.begin("surfaces", 0.5, 0.75);
+    const auto fields = fields_of(w.segmentation);
+    w.package.surfaces = surfaces_of(w.segmentation, fields, [&](double f) { w.stages.say(f); });
+    w.stages.begin("tetrahedra", 0.75, 0.85);
+    w.package.tongue = soft_mesh(w.segmentation, fields);
+    w.stages.end();
+    w.package.provenance = provenance_of(w.series);
+    w.package.landmarks = w.segmentation.landmarks;
+    w.package.findings = w.segmentation.findings;
+    w.package.pose = w.segmentation.pose;
+    w.package.materials = default_materials();
+    w.package.quality = quality_report(w.segmentation, w.package, w.series.notes);
+  });
+}
 
-    stages.begin("surfaces", 0.5, 0.8);
-    const auto fields = fields_of(segmentation);
-    PatientPackage package;
-    package.surfaces = surfaces_of(segmentation, fields, [&](double f) { stages.say(f); });
+void Import::check() {
+  auto& w = *work_;
+  w.played.clear();
+  if (!w.options.check) return;
+  w.guarded([&] {
+    w.stages.begin("check by playing", 0.85, 0.95);
+    w.played = w.options.check(w.package);
+    w.stages.end();
+  });
+}
 
-    stages.begin("tetrahedra", 0.8, 0.93);
-    package.tongue = soft_mesh(segmentation, fields);
-
-    stages.begin("write", 0.93, 1.0);
-    package.name = package_name(options.out);
-    package.provenance = provenance_of(series);
-    package.landmarks = segmentation.landmarks;
-    package.materials = default_materials();
-    package.quality = quality_report(segmentation, package, series.notes);
+ImportReport Import::write() {
+  auto& w = *work_;
+  w.guarded([&] {
+    check_out(w.options.out);
+    w.stages.begin("write", 0.95, 1.0);
+    auto package = w.package;
+    package.name = package_name(w.options.out);
+    package.quality.insert(package.quality.end(), w.played.begin(), w.played.end());
     const TemporaryLabels labels;
-    write_label_map(on_series_grid(segmentation, series.hu.grid), labels.path());
-    stages.say(0.5);
-    write_package(package, labels.path(), options.out);
-    stages.say(1.0);
-    stages.end();
-    report.quality = package.quality;
-    return report;
-  } catch (const ImportError&) {
-    throw;
-  } catch (const std::bad_alloc&) {
-    throw ImportError("series " + options.series.string() + ": not enough memory for a series of this size");
-  } catch (const SeriesError& e) {
-    throw ImportError(e.what());
-  } catch (const PackageError& e) {
-    throw ImportError(e.what());
-  } catch (const std::exception& e) {
-    throw ImportError("series " + options.series.string() + ": " + e.what());
-  }
+    write_label_map(labels_on_scan(), labels.path());
+    w.stages.say(0.5);
+    write_package(package, labels.path(), w.options.out);
+    w.stages.say(1.0);
+    w.stages.end();
+    w.report.package = w.options.out;
+    w.report.quality = package.quality;
+  });
+  return w.report;
+}
+
+ImportReport import_series(const ImportOptions& options, const ImportProgress& progress) {
+  check_out(options.out);
+  Import import(options, progress);
+  import.read();
+  import.segment();
+  import.mesh();
+  import.check();
+  return import.write();
 }
 
 }  // namespace vallecula::pipeline

@@ -3,20 +3,25 @@
 
 #include <filesystem>
 #include <functional>
-#include <map>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "pipeline/dicom/read_series.h"
 #include "pipeline/package/patient_package.h"
+#include "pipeline/segment/segment.h"
 
 namespace vallecula::pipeline {
+
+/// Looks at a package that is ready to be written, as a player would: what it finds goes into the quality report.
+using PackageCheck = std::function<std::vector<QualityItem>(const PatientPackage&)>;
 
 struct ImportOptions {
   std::filesystem::path series;  ///< folder with one CT series; other files in it are ignored
   std::filesystem::path out;     ///< NAME.patient; a package already there is replaced when the new one is whole
-  std::map<std::string, Point>
-      seeds;  ///< mm LPS; known: "tongue". Needed only where the structure cannot be found by itself
+  Edits edits;
+  PackageCheck check;  ///< the last stage before writing; empty: left out
 };
 
 struct ImportStage {
@@ -31,6 +36,7 @@ struct ImportReport {
 };
 
 /// Called from the importing thread with the stage's name and the share of the whole work done, 0..1, never falling.
+/// What it throws ends the work as an ImportError and leaves nothing behind: so a person cancels.
 using ImportProgress = std::function<void(const std::string& stage, double fraction)>;
 
 /// What is wrong, where, and how to mend it; ready to be shown to a person. Holds nothing that identifies a patient.
@@ -39,7 +45,35 @@ class ImportError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Reads, segments, meshes and writes the package. Throws ImportError, and then leaves nothing behind.
+/// The stages one by one, for a person who looks at each before the next: in this order, any of them again (what comes
+/// after it is then to be done again too). Each throws ImportError.
+class Import {
+ public:
+  explicit Import(ImportOptions options, ImportProgress progress = {});
+  ~Import();
+  Import(const Import&) = delete;
+  Import& operator=(const Import&) = delete;
+
+  ImportOptions& options();  ///< may be changed between stages, but for `series`
+
+  void read();
+  void segment();  ///< with options().edits
+  void mesh();     ///< surfaces and tetrahedra
+  void check();    ///< options().check
+  /// Writes the package and returns the report. Until then nothing lies on the disk.
+  ImportReport write();
+
+  const CtSeries& series() const;            ///< after read()
+  const Segmentation& segmentation() const;  ///< after segment()
+  Labels labels_on_scan() const;             ///< after segment(): on the grid of series().hu
+  const PatientPackage& package() const;     ///< after mesh()
+
+ private:
+  struct Work;
+  std::unique_ptr<Work> work_;
+};
+
+/// All stages. Throws ImportError, and then leaves nothing behind.
 ImportReport import_series(const ImportOptions& options, const ImportProgress& progress = {});
 
 }  // namespace vallecula::pipeline

@@ -74,7 +74,11 @@ std::vector<QualityItem> quality_report(const Segmentation& s, const PatientPack
   items.push_back(
       plain("epiglottis stiffness", package.materials.at("epiglottis").young_pa, "Pa",
             "stands for cartilage of 1 MPa: one layer of linear tetrahedra bends too stiffly by that much"));
-  for (const auto& text : s.inferred) items.push_back({"inferred", 0.0, "", false, text});
+  for (const auto& [name, finding] : package.findings) {
+    // What a person gave needs no second look; what was not seen does.
+    if (finding.origin == Origin::measured || finding.origin == Origin::given) continue;
+    items.push_back({name_of(finding.origin), 0.0, "", false, name + ": " + finding.how});
+  }
   for (const auto& text : notes) items.push_back(plain("note", 0.0, "", text));
   return items;
 }

@@ -55,7 +55,7 @@ void add_import_command(CLI::App& app, int& exit_code) {
     pipeline::ImportOptions import;
     import.series = options->series;
     import.out = options->out;
-    for (const std::string& seed : options->seeds) import.seeds.insert(parse_seed(seed));
+    for (const std::string& seed : options->seeds) import.edits.seeds.insert(parse_seed(seed));
     watch_for_interruption();
     StageLines lines;
     const pipeline::ImportReport report =

@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "pipeline/package/origin.h"
+
 namespace vallecula::pipeline {
 
 using Point = std::array<double, 3>;
@@ -52,6 +54,8 @@ struct PatientPackage {
   std::string name;                               ///< of the folder; never from the source's identity
   std::map<std::string, std::string> provenance;  ///< modality, voxel size, software version; no identity
   std::map<std::string, Point> landmarks;         ///< mm, LPS; see kLandmarks. "glottis_normal" is a unit vector
+  std::map<std::string, Finding> findings;        ///< of every structure (kLabelNames) and landmark
+  PoseChange pose;                                ///< labels.nrrd lies in the scan's frame, all else in the package's
   std::map<std::string, Material> materials;      ///< "tongue", "epiglottis"
   std::map<std::string, Surface> surfaces;        ///< "face", "airway", "mandible", "palate", "glottis" ...
   TetMesh tongue;

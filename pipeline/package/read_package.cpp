@@ -48,6 +48,31 @@ double number(const YAML::Node& node, const std::string& what) {
   return value;
 }
 
+/// Packages of before these two fields were written are in the scan's own position.
+void read_findings_and_pose(const YAML::Node& root, PatientPackage& package) {
+  for (const auto& item : root["findings"]) {
+    const auto name = item.first.as<std::string>();
+    Finding finding;
+    const auto origin = required(item.second, "origin").as<std::string>();
+    if (!origin_from(origin, finding.origin))
+      fail("patient.yaml", "origin \"" + origin + "\" of " + name + "; expected measured, inferred, given or template");
+    finding.how = required(item.second, "how").as<std::string>();
+    package.findings[name] = finding;
+  }
+  const auto node = root["pose"];
+  if (!node) return;
+  auto& pose = package.pose;
+  const auto matrix = required(node, "scan_to_package");
+  if (matrix.size() != pose.scan_to_package.size()) fail("patient.yaml", "scan_to_package needs sixteen numbers");
+  for (std::size_t i = 0; i < pose.scan_to_package.size(); ++i)
+    pose.scan_to_package[i] = number(matrix[i], "scan_to_package");
+  for (const auto& [key, value] :
+       {std::pair{"tilt_deg", &pose.tilt_deg}, std::pair{"turn_deg", &pose.turn_deg},
+        std::pair{"nod_deg", &pose.nod_deg}, std::pair{"extension_deg", &pose.extension_deg},
+        std::pair{"mouth_opened_deg", &pose.mouth_opened_deg}, std::pair{"scale", &pose.scale}})
+    *value = number(required(node, key), key);
+}
+
 void read_description(const YAML::Node& root, PatientPackage& package) {
   package.schema = required(root, "schema").as<int>();
   if (package.schema != kSchema) {
@@ -68,6 +93,7 @@ void read_description(const YAML::Node& root, PatientPackage& package) {
   for (const auto* name : kLandmarks) {
     if (package.landmarks.count(name) == 0) fail("patient.yaml", std::string("landmark ") + name + " is missing");
   }
+  read_findings_and_pose(root, package);
   for (const auto& item : required(root, "materials")) {
     const auto name = item.first.as<std::string>();
     Material m;

@@ -33,6 +33,29 @@ void check_complete(const PatientPackage& package) {
   }
 }
 
+void describe_findings(const PatientPackage& package, YAML::Emitter& y) {
+  y << YAML::Key << "findings" << YAML::Value << YAML::BeginMap;
+  for (const auto& [name, finding] : package.findings) {
+    y << YAML::Key << name << YAML::Value << YAML::BeginMap << YAML::Key << "origin" << YAML::Value
+      << name_of(finding.origin) << YAML::Key << "how" << YAML::Value << YAML::DoubleQuoted << finding.how
+      << YAML::EndMap;
+  }
+  y << YAML::EndMap;
+}
+
+void describe_pose(const PoseChange& pose, YAML::Emitter& y) {
+  y << YAML::Key << "pose" << YAML::Value << YAML::BeginMap;
+  y << YAML::Key << "scan_to_package" << YAML::Value << YAML::Flow << YAML::BeginSeq;
+  for (const double v : pose.scan_to_package) y << v;
+  y << YAML::EndSeq;
+  for (const auto& [key, value] :
+       {std::pair{"tilt_deg", pose.tilt_deg}, std::pair{"turn_deg", pose.turn_deg}, std::pair{"nod_deg", pose.nod_deg},
+        std::pair{"extension_deg", pose.extension_deg}, std::pair{"mouth_opened_deg", pose.mouth_opened_deg},
+        std::pair{"scale", pose.scale}})
+    y << YAML::Key << key << YAML::Value << value;
+  y << YAML::EndMap;
+}
+
 std::string described(const PatientPackage& package, const std::map<std::string, std::string>& hashes) {
   YAML::Emitter y;
   y.SetDoublePrecision(17);
@@ -49,6 +72,8 @@ std::string described(const PatientPackage& package, const std::map<std::string,
     y << YAML::Key << key << YAML::Value << YAML::Flow << YAML::BeginSeq << p[0] << p[1] << p[2] << YAML::EndSeq;
   }
   y << YAML::EndMap;
+  describe_findings(package, y);
+  describe_pose(package.pose, y);
   y << YAML::Key << "materials" << YAML::Value << YAML::BeginMap;
   for (const auto& [key, m] : package.materials) {
     y << YAML::Key << key << YAML::Value << YAML::BeginMap << YAML::Key << "young_pa" << YAML::Value << m.young_pa

@@ -56,8 +56,8 @@ Vector3 upper_gum(Segmentation& s) {
   }
   Vector3 front{};
   if (!front_of_maxilla(s, low, high, back, front)) {
-    s.inferred.push_back(
-        "upper_gum_midline: no upper jaw seen; placed over the glottis by the term infant's proportions");
+    s.findings["upper_gum_midline"] = {Origin::from_model,
+                                       "no upper jaw seen; placed over the glottis by the term infant's proportions"};
     return s.airway.glottis.centre + k * Vector3{0.0, -33.0, 48.0};
   }
   double best = 1e30;
@@ -74,7 +74,8 @@ Vector3 upper_gum(Segmentation& s) {
     gum = p;
   });
   if (best > 1e29) {
-    s.inferred.push_back("upper_gum_midline: the mouth is closed; the lower edge of the upper jaw's bone was taken");
+    s.findings["upper_gum_midline"] = {Origin::inferred,
+                                       "the mouth is closed; the lower edge of the upper jaw's bone was taken"};
     near_middle(s, 2.0 * k, [&](int x, int y, int z, const Vector3& p) {
       if (s.labels.at(x, y, z) == kSkull && p[1] < front[1] + 4.0 * k && p[2] > front[2] - 10.0 * k && p[2] < gum[2])
         gum = p;
@@ -95,7 +96,7 @@ Vector3 lower_gum(Segmentation& s, const Vector3& upper) {
     bone = p;
   });
   if (bone_top < -1e29) {
-    s.inferred.push_back("lower_gum_midline: no lower jaw seen; placed below the upper gum");
+    s.findings["lower_gum_midline"] = {Origin::inferred, "no lower jaw seen; placed below the upper gum"};
     return upper + k * Vector3{0.0, 3.2, -20.8};
   }
   Vector3 gum = bone;
@@ -122,8 +123,8 @@ Vector3 condyles(Segmentation& s, const Vector3& upper) {
       if ((p[0] - s.frame.mid_x) * side > 10.0 * k) back = std::max(back, p[1]);
     }
     if (back < -1e29) {
-      s.inferred.push_back(
-          "condyle_axis: no lower jaw seen; placed behind the upper gum by the term infant's proportions");
+      s.findings["condyle_axis"] = {Origin::from_model,
+                                    "no lower jaw seen; placed behind the upper gum by the term infant's proportions"};
       return upper + k * Vector3{0.0, 46.7, -6.3};
     }
     double top = -1e30;
@@ -179,16 +180,18 @@ void find_landmarks(Segmentation& s) {
   m["glottis_normal"] = s.airway.glottis.normal;
   m["carina"] = s.airway.carina;
   if (!s.airway.carina_seen) {
-    s.inferred.push_back(
-        "carina: below the scan; continued along the trachea, 50.4 mm (term) below the cords scaled with the head");
+    s.findings["carina"] = {
+        Origin::inferred,
+        "below the scan; continued along the trachea, 50.4 mm (term) below the cords scaled with the head"};
   }
   if (s.epiglottis.seen) {
     m["vallecula"] = s.epiglottis.vallecula;
     m["epiglottis_tip"] = s.epiglottis.tip;
   } else {
-    s.inferred.push_back(
-        "vallecula, epiglottis_tip: no free leaf seen; placed above the front commissure by the term infant's "
-        "proportions");
+    s.findings["vallecula"] = {Origin::from_model,
+                               "no free leaf seen; placed above the front commissure by the term infant's proportions"};
+    s.findings["epiglottis_tip"] = {
+        Origin::from_model, "no free leaf seen; placed above the front commissure by the term infant's proportions"};
     m["vallecula"] = s.airway.front_commissure + k * Vector3{0.0, -1.1, 7.4};
     m["epiglottis_tip"] = s.airway.front_commissure + k * Vector3{0.0, 6.9, 14.1};
   }
@@ -209,7 +212,8 @@ void find_landmarks(Segmentation& s) {
     }
   }
   if (m.count("hyoid") == 0) {
-    s.inferred.push_back("hyoid: no bone seen; placed in front of the vallecula by the term infant's proportions");
+    s.findings["hyoid"] = {Origin::from_model,
+                           "no bone seen; placed in front of the vallecula by the term infant's proportions"};
     m["hyoid"] = Vector3(m["vallecula"]) + k * Vector3{0.0, -6.0, 0.0};
   }
   m["condyle_axis"] = condyles(s, upper);

@@ -6,7 +6,7 @@
 
 namespace vallecula::pipeline {
 
-/// Fills `landmarks` (all of kLandmarks) and `inferred` from labels, airway, bones and epiglottis.
+/// Fills `landmarks` (all of kLandmarks) and their `findings` from labels, airway, bones and epiglottis.
 void find_landmarks(Segmentation& s);
 
 }  // namespace vallecula::pipeline

@@ -1,5 +1,6 @@
 #include "pipeline/segment/segment.h"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "pipeline/segment/landmarks.h"
@@ -69,9 +70,18 @@ void label_throat(Segmentation& s, const std::optional<Vector3>& tongue_seed,
   progress(1.0);
 }
 
+/// What nothing else was said of was read off the scan.
+void name_measured(Segmentation& s) {
+  for (const auto& label : kLabelNames) {
+    if (std::find(s.labels.voxels.begin(), s.labels.voxels.end(), label.value) != s.labels.voxels.end())
+      s.findings.emplace(label.name, Finding{});
+  }
+  for (const auto& [name, point] : s.landmarks) s.findings.emplace(name, Finding{});
+}
+
 }  // namespace
 
-Segmentation segment(const Hounsfield& series, const std::map<std::string, Point>& seeds,
+Segmentation segment(const Hounsfield& series, const Edits& edits,
                      const std::function<void(const std::string&, double)>& progress) {
   const auto say = [&](const char* what, double fraction) {
     if (progress) progress(what, fraction);
@@ -107,7 +117,7 @@ Segmentation segment(const Hounsfield& series, const std::map<std::string, Point
   put(s.airway.lumen, kAirway, s.labels);
   say("tongue and throat", 0.65);
   std::optional<Vector3> tongue_seed;
-  if (const auto given = seeds.find("tongue"); given != seeds.end()) {
+  if (const auto given = edits.seeds.find("tongue"); given != edits.seeds.end()) {
     tongue_seed = given->second;
     const auto c = s.hu.grid.nearest(*tongue_seed);
     if (!s.hu.grid.contains(c[0], c[1], c[2]) || s.head.inside.at(c[0], c[1], c[2]) == 0) {
@@ -118,9 +128,10 @@ Segmentation segment(const Hounsfield& series, const std::map<std::string, Point
   }
   label_throat(s, tongue_seed, [&](double f) { say("tongue and throat", 0.65 + 0.3 * f); });
   if (!s.bones.mandible_free)
-    s.inferred.push_back("mandible: could not be parted from the skull; it is labelled bone_skull");
+    s.findings["bone_mandible"] = {Origin::inferred, "could not be parted from the skull; it is labelled bone_skull"};
   say("landmarks", 0.95);
   find_landmarks(s);
+  name_measured(s);
   say("landmarks", 1.0);
   return s;
 }

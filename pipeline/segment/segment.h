@@ -11,6 +11,7 @@
 #include "pipeline/package/patient_package.h"
 #include "pipeline/segment/airway.h"
 #include "pipeline/segment/bone.h"
+#include "pipeline/segment/edits.h"
 #include "pipeline/segment/epiglottis.h"
 
 namespace vallecula::pipeline {
@@ -27,13 +28,13 @@ struct Segmentation {
   Epiglottis epiglottis;                   ///< its mask lies on the grid of `throat`
   Box throat;                              ///< of mouth, pharynx and larynx in the cropped grid
   std::map<std::string, Point> landmarks;  ///< all of kLandmarks, mm LPS
-  std::vector<std::string>
-      inferred;  ///< landmarks and structures that were not seen but continued from what was, with the rule
+  std::map<std::string, Finding> findings;  ///< how each structure and landmark came about
+  PoseChange pose;                          ///< from the scan's frame to the one all of this lies in
 };
 
-/// `seeds` may hold "tongue" (mm LPS), for a closed mouth. `progress` gets the structure's name and 0..1. Throws
+/// `edits.seeds` may hold "tongue", for a closed mouth. `progress` gets the structure's name and 0..1. Throws
 /// std::runtime_error saying what could not be found.
-Segmentation segment(const Hounsfield& hu, const std::map<std::string, Point>& seeds,
+Segmentation segment(const Hounsfield& hu, const Edits& edits,
                      const std::function<void(const std::string&, double)>& progress = {});
 
 /// The labels put back onto the series' grid.

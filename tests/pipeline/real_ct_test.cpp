@@ -120,7 +120,7 @@ void check_without_a_seed_the_closed_mouth_is_said(const Adult& in) {
     EXPECT_NE(std::string(e.what()).find("--seed tongue=x,y,z"), std::string::npos) << e.what();
   }
   EXPECT_FALSE(fs::exists(options.out));
-  options.seeds["tongue"] = {0, 0, 0};
+  options.edits.seeds["tongue"] = {0, 0, 0};
   EXPECT_THROW(import_series(options), ImportError);
 }
 
@@ -132,7 +132,7 @@ TEST(RealCt, GivesAPackageWithAHumanSeed) {
   ImportOptions options;
   options.series = series();
   options.out = in.out;
-  options.seeds["tongue"] = kTongueCentre;
+  options.edits.seeds["tongue"] = kTongueCentre;
   import_series(options);
   in.package = read_package(in.out);
   in.labels = read_label_map(in.out / "labels.nrrd");
