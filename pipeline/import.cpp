@@ -204,7 +204,7 @@ void Import::check() {
   if (!w.options.check) return;
   w.guarded([&] {
     w.stages.begin("check by playing", 0.85, 0.95);
-    w.played = w.options.check(w.package);
+    w.played = w.options.check(w.package, [&](double f) { w.stages.say(f); });
     w.stages.end();
   });
 }

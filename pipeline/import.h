@@ -15,7 +15,9 @@
 namespace vallecula::pipeline {
 
 /// Looks at a package that is ready to be written, as a player would: what it finds goes into the quality report.
-using PackageCheck = std::function<std::vector<QualityItem>(const PatientPackage&)>;
+/// The second argument gets its share done, 0..1.
+using PackageCheck =
+    std::function<std::vector<QualityItem>(const PatientPackage&, const std::function<void(double)>& progress)>;
 
 struct ImportOptions {
   std::filesystem::path series;  ///< folder with one CT series; other files in it are ignored

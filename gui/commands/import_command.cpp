@@ -7,6 +7,7 @@
 #include "gui/commands/commands.h"
 #include "gui/commands/interruption.h"
 #include "gui/commands/stage_lines.h"
+#include "gui/session/play_check.h"
 #include "pipeline/import.h"
 
 namespace vallecula::gui {
@@ -56,6 +57,7 @@ void add_import_command(CLI::App& app, int& exit_code) {
     import.series = options->series;
     import.out = options->out;
     for (const std::string& seed : options->seeds) import.edits.seeds.insert(parse_seed(seed));
+    import.check = check_by_playing;
     watch_for_interruption();
     StageLines lines;
     const pipeline::ImportReport report =
