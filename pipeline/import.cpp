@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "pipeline/mesh/anatomy_surfaces.h"
+#include "pipeline/mesh/generic_face.h"
 #include "pipeline/mesh/tetrahedralize.h"
 #include "pipeline/package/label_map.h"
 #include "pipeline/quality.h"
@@ -18,6 +19,9 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kVersion = "0.1.0";
+constexpr const char* kFaceNotice =
+    "the face is the patient's own and can be recognised: treat the package as patient data, or import with the generic "
+    "face";
 
 /// Names the stage at hand, measures it, and maps its own 0..1 into the whole's.
 class Stages {
@@ -184,17 +188,21 @@ void Import::mesh() {
   w.guarded([&] {
     w.package = PatientPackage();
     w.stages.begin("surfaces", 0.5, 0.75);
+    if (w.options.generic_face) give_generic_face(w.segmentation);
     const auto fields = fields_of(w.segmentation);
     w.package.surfaces = surfaces_of(w.segmentation, fields, [&](double f) { w.stages.say(f); });
     w.stages.begin("tetrahedra", 0.75, 0.85);
     w.package.tongue = soft_mesh(w.segmentation, fields);
     w.stages.end();
     w.package.provenance = provenance_of(w.series);
+    w.package.provenance["face"] = w.options.generic_face ? "the shipped generic one" : "the patient's own";
     w.package.landmarks = w.segmentation.landmarks;
     w.package.findings = w.segmentation.findings;
     w.package.pose = w.segmentation.pose;
     w.package.materials = default_materials();
-    w.package.quality = quality_report(w.segmentation, w.package, w.series.notes);
+    auto notes = w.series.notes;
+    if (!w.options.generic_face) notes.emplace_back(kFaceNotice);
+    w.package.quality = quality_report(w.segmentation, w.package, notes);
   });
 }
 
@@ -218,7 +226,9 @@ ImportReport Import::write() {
     package.name = package_name(w.options.out);
     package.quality.insert(package.quality.end(), w.played.begin(), w.played.end());
     const TemporaryLabels labels;
-    write_label_map(labels_on_scan(), labels.path());
+    auto map = labels_on_scan();
+    if (w.options.generic_face) map = without_face(map, w.segmentation.frame.scale);
+    write_label_map(map, labels.path());
     w.stages.say(0.5);
     write_package(package, labels.path(), w.options.out);
     w.stages.say(1.0);

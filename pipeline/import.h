@@ -23,6 +23,7 @@ struct ImportOptions {
   std::filesystem::path series;  ///< folder with one CT series; other files in it are ignored
   std::filesystem::path out;     ///< NAME.patient; a package already there is replaced when the new one is whole
   Edits edits;
+  bool generic_face = false;  ///< the shipped face for the patient's; taken at mesh(), taken back by segment() again
   PackageCheck check;  ///< the last stage before writing; empty: left out
 };
 

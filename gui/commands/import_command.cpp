@@ -46,17 +46,21 @@ void add_import_command(CLI::App& app, int& exit_code) {
   struct Options {
     std::string series, out;
     std::vector<std::string> seeds;
+    bool generic_face = false;
   };
   auto options = std::make_shared<Options>();
   command->add_option("SERIES", options->series, "Folder with one CT series (DICOM)")->required();
   command->add_option("--out", options->out, "The package to write: NAME.patient")->required();
   command->add_option("--seed", options->seeds,
                       "A point inside a structure that is not found by itself: NAME=x,y,z (mm, LPS)");
+  command->add_flag("--generic-face", options->generic_face,
+                    "The shipped infant's face instead of the patient's, which can be recognised");
   command->callback([options, &exit_code] {
     pipeline::ImportOptions import;
     import.series = options->series;
     import.out = options->out;
     for (const std::string& seed : options->seeds) import.edits.seeds.insert(parse_seed(seed));
+    import.generic_face = options->generic_face;
     import.check = check_by_playing;
     watch_for_interruption();
     StageLines lines;
