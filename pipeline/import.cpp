@@ -128,7 +128,7 @@ ImportReport import_series(const ImportOptions& options, const ImportProgress& p
     }
     Stages stages(report, progress);
     stages.begin("read", 0.0, 0.1);
-    auto series = read_ct_series(options.series, [&](double f) { stages.say(f); });
+    auto series = read_ct_series(options.series, [&](double f) { stages.say(f); }, options.choose);
 
     stages.begin("segment", 0.1, 0.5);
     const auto segmentation = segment(series.hu, options.seeds, [&](const std::string&, double f) { stages.say(f); });

@@ -13,7 +13,8 @@
 namespace vallecula::pipeline {
 
 struct ImportOptions {
-  std::filesystem::path series;  ///< folder with one CT series; other files in it are ignored
+  std::filesystem::path series;  ///< folder with a CT series, or a volume file; other files in it are ignored
+  std::string choose;            ///< which of several series: its number in list_series, or its UID
   std::filesystem::path out;     ///< NAME.patient; a package already there is replaced when the new one is whole
   std::map<std::string, Point>
       seeds;  ///< mm LPS; known: "tongue". Needed only where the structure cannot be found by itself
