@@ -163,7 +163,7 @@ void Import::read() {
   auto& w = *work_;
   w.guarded([&] {
     w.stages.begin("read", 0.0, 0.1);
-    w.series = read_ct_series(w.options.series, [&](double f) { w.stages.say(f); });
+    w.series = read_ct_series(w.options.series, [&](double f) { w.stages.say(f); }, w.options.choose);
     w.stages.end();
   });
 }

@@ -20,7 +20,8 @@ using PackageCheck =
     std::function<std::vector<QualityItem>(const PatientPackage&, const std::function<void(double)>& progress)>;
 
 struct ImportOptions {
-  std::filesystem::path series;  ///< folder with one CT series; other files in it are ignored
+  std::filesystem::path series;  ///< folder with a CT series, or a volume file; other files in it are ignored
+  std::string choose;            ///< which of several series: its number in list_series, or its UID
   std::filesystem::path out;     ///< NAME.patient; a package already there is replaced when the new one is whole
   Edits edits;
   bool generic_face = false;  ///< the shipped face for the patient's; taken at mesh(), taken back by segment() again

@@ -44,12 +44,13 @@ void print_report(const pipeline::ImportReport& report) {
 void add_import_command(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("import", "Make a patient package from a CT series");
   struct Options {
-    std::string series, out;
+    std::string series, out, choose;
     std::vector<std::string> seeds;
     bool generic_face = false;
   };
   auto options = std::make_shared<Options>();
-  command->add_option("SERIES", options->series, "Folder with one CT series (DICOM)")->required();
+  command->add_option("SERIES", options->series, "Folder with a CT series (DICOM), or a NIfTI, NRRD or MetaImage file")->required();
+  command->add_option("--series", options->choose, "Which of several: its number in `vallecula series`, or its UID");
   command->add_option("--out", options->out, "The package to write: NAME.patient")->required();
   command->add_option("--seed", options->seeds,
                       "A point inside a structure that is not found by itself: NAME=x,y,z (mm, LPS)");
@@ -58,6 +59,7 @@ void add_import_command(CLI::App& app, int& exit_code) {
   command->callback([options, &exit_code] {
     pipeline::ImportOptions import;
     import.series = options->series;
+    import.choose = options->choose;
     import.out = options->out;
     for (const std::string& seed : options->seeds) import.edits.seeds.insert(parse_seed(seed));
     import.generic_face = options->generic_face;
