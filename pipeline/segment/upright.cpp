@@ -199,6 +199,22 @@ float linear_at(const Hounsfield& hu, const std::array<double, 3>& index) {
   return low + f[2] * (high - low);
 }
 
+/// The air of the lowest slice that tissue surrounds there: trachea or bronchi, cut.
+Mask cut_airways(const Mask& body) {
+  Box lowest = whole(body.grid);
+  lowest.high[2] = 0;
+  const auto slice = cropped(body, lowest);
+  Grid between = slice.grid;
+  between.size[2] = 3;
+  Mask stack(between, 1);
+  std::copy(slice.voxels.begin(), slice.voxels.end(), stack.voxels.begin() + static_cast<std::ptrdiff_t>(slice.grid.count()));
+  const auto filled = with_holes_filled(stack);
+  Mask out(slice.grid);
+  for (std::size_t i = 0; i < out.voxels.size(); ++i)
+    out.voxels[i] = filled.voxels[slice.grid.count() + i] & (1 - slice.voxels[i]);
+  return out;
+}
+
 }  // namespace
 
 Point moved(const Transform& m, const Point& p) {
@@ -233,6 +249,8 @@ PoseChange find_pose(const Hounsfield& hu, const Mask& body, const Frame& frame)
   const Symmetry symmetry(grey, frame);
   if (symmetry.empty()) return pose;
   const auto plane = plane_of(symmetry, 83.6 * frame.scale);
+  if(getenv("NOD")) printf("[plane turn %.2f tilt %.2f off %.2f cost %.4f] ",plane.turn,plane.tilt,plane.offset,symmetry.cost(plane,20000));
+  if(getenv("ASK")){ Plane q; sscanf(getenv("ASK"),"%lf,%lf",&q.turn,&q.tilt); q=symmetry.refined(q,0.3,0.1,3,20000); printf("[ask %.2f %.2f cost %.4f] ",q.turn,q.tilt,symmetry.cost(q,20000));}
   const bool askew = std::hypot(plane.turn, plane.tilt) >= kLeastAskew;
   const double tilt = askew ? plane.tilt : 0.0;
   const double turn = askew ? plane.turn : 0.0;
@@ -241,7 +259,7 @@ PoseChange find_pose(const Hounsfield& hu, const Mask& body, const Frame& frame)
   const double nod = nod_of(hu, body, inverse_of(straight), on_plane, frame);
   pose.tilt_deg = tilt;
   pose.turn_deg = turn;
-  pose.nod_deg = std::abs(nod) >= kLeastNod ? nod : 0.0;
+  pose.nod_deg = std::abs(nod) >= (getenv("NODMIN")?atof(getenv("NODMIN")):kLeastNod) ? nod : 0.0;
   if (tilt != 0.0 || turn != 0.0 || pose.nod_deg != 0.0)
     pose.scan_to_package = upright_about(on_plane, tilt, turn, pose.nod_deg);
   return pose;
@@ -271,11 +289,11 @@ Hounsfield put_upright(const Hounsfield& hu, const Mask& body, const Thresholds&
     }
   }
   Grid g;
-  // As fine along as across: the scan's slices lie askew now. Beyond this many voxels memory and time matter more.
-  constexpr double kMostVoxels = 45e6;
+  // As fine along as across, for the scan's slices lie askew now; in a large patient memory and time matter more.
+  const double most = std::max(20e6, 1.2 * static_cast<double>(from.count()));
   g.spacing = from.spacing;
   const double volume = (high[0] - low[0]) * (high[1] - low[1]) * (high[2] - low[2]);
-  g.spacing[2] = std::clamp(volume / (kMostVoxels * g.spacing[0] * g.spacing[1]),
+  g.spacing[2] = std::clamp(volume / (most * g.spacing[0] * g.spacing[1]),
                             std::min(g.spacing[0], g.spacing[2]), g.spacing[2]);
   constexpr double kMargin = 6.0;
   for (int a = 0; a < 3; ++a) {
@@ -287,6 +305,7 @@ Hounsfield put_upright(const Hounsfield& hu, const Mask& body, const Thresholds&
   const auto back = inverse_of(pose.scan_to_package);
   std::array<double, 3> up{};  // the package's upwards, in voxels of the scan
   for (int a = 0; a < 3; ++a) up[a] = back[4 * a + 2] / from.spacing[a];
+  const auto cut = cut_airways(body);
   Hounsfield out(g, kAir);
   parallel_for(g.size[2], [&](int z) {
     for (int y = 0; y < g.size[1]; ++y) {
@@ -297,6 +316,12 @@ Hounsfield put_upright(const Hounsfield& hu, const Mask& body, const Thresholds&
         if (index[2] < 0.0 && up[2] > 0.0) {
           const double way = -index[2] / up[2];
           for (int a = 0; a < 3; ++a) index[a] += way * up[a];
+          const auto i = static_cast<int>(std::lround(index[0]));
+          const auto j = static_cast<int>(std::lround(index[1]));
+          if (cut.grid.contains(i, j, 0) && cut.at(i, j, 0) != 0) {
+            out.at(x, y, z) = static_cast<std::int16_t>(t.soft);
+            continue;
+          }
         }
         bool inside = true;
         for (int a = 0; a < 3; ++a) inside = inside && index[a] > -0.5 && index[a] < from.size[a] - 0.5;

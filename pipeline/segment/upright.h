@@ -18,7 +18,7 @@ Transform inverse_of(const Transform& m);
 PoseChange find_pose(const Hounsfield& hu, const Mask& body, const Frame& frame);
 
 /// The body's grey values in the package's frame, on a grid around the body; all else is air. Where the patient goes on
-/// below the scan, the lowest values seen go on: a neck cut askew stays closed.
+/// below the scan, the lowest values seen go on, but for the airways, which end there: a neck cut askew stays closed.
 Hounsfield put_upright(const Hounsfield& hu, const Mask& body, const Thresholds& t, const PoseChange& pose);
 
 /// What a person said in the scan's frame, in the package's. Replaced labels are read onto `grid` of the package.
