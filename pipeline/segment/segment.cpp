@@ -6,6 +6,7 @@
 #include "pipeline/segment/landmarks.h"
 #include "pipeline/segment/throat.h"
 #include "pipeline/segment/tongue.h"
+#include "pipeline/segment/upright.h"
 
 namespace vallecula::pipeline {
 namespace {
@@ -81,7 +82,7 @@ void name_measured(Segmentation& s) {
 
 }  // namespace
 
-Segmentation segment(const Hounsfield& series, const Edits& edits,
+Segmentation segment(const Hounsfield& series, const Edits& edits_on_scan,
                      const std::function<void(const std::string&, double)>& progress) {
   const auto say = [&](const char* what, double fraction) {
     if (progress) progress(what, fraction);
@@ -90,14 +91,25 @@ Segmentation segment(const Hounsfield& series, const Edits& edits,
   say("head", 0.0);
   s.thresholds = thresholds_of(series);
   {
-    const auto body = find_body(series, s.thresholds);
+    auto body = find_body(series, s.thresholds);
     s.box = bounds_of(body, 6.0);
     s.hu = cropped(series, s.box);
-    const auto here = cropped(body, s.box);
+    auto here = cropped(body, s.box);
+    body = Mask();
     s.frame = frame_of(s.hu, here, s.thresholds);
+    say("head", 0.15);
+    s.pose = find_pose(s.hu, here, s.frame);
+    if (s.pose.moved()) {
+      // From here on all lies in the package's frame.
+      s.hu = put_upright(s.hu, here, s.thresholds, s.pose);
+      s.box = whole(s.hu.grid);
+      here = find_body(s.hu, s.thresholds);
+      s.frame = frame_of(s.hu, here, s.thresholds);
+    }
     say("head", 0.25);
     s.head = find_head(s.hu, here, s.thresholds, s.frame);
   }
+  const auto edits = put_upright(edits_on_scan, s.pose, s.hu.grid);
   say("airway", 0.45);
   s.airway = find_airway(s.hu, air_field(s.hu, s.thresholds), s.head, s.frame);
   say("bone", 0.55);
@@ -137,6 +149,7 @@ Segmentation segment(const Hounsfield& series, const Edits& edits,
 }
 
 Labels on_series_grid(const Segmentation& s, const Grid& series) {
+  if (s.pose.moved()) return read_onto(series, s.pose.scan_to_package, s.labels);
   Labels out(series);
   paste(s.labels, s.box, out);
   return out;
