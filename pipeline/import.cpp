@@ -7,6 +7,7 @@
 #include <chrono>
 #include <sstream>
 
+#include "pipeline/exchange/landmark_file.h"
 #include "pipeline/mesh/anatomy_surfaces.h"
 #include "pipeline/mesh/generic_face.h"
 #include "pipeline/mesh/tetrahedralize.h"
@@ -126,6 +127,7 @@ struct Import::Work {
   Segmentation segmentation;
   PatientPackage package;
   std::vector<QualityItem> played;
+  std::vector<std::string> edit_remarks;
 
   /// Runs a stage; whatever goes wrong in it becomes one message for a person.
   template <class Stage>
@@ -140,6 +142,12 @@ struct Import::Work {
     } catch (const SeriesError& e) {
       throw ImportError(e.what());
     } catch (const PackageError& e) {
+      throw ImportError(e.what());
+    } catch (const LabelMapError& e) {
+      throw ImportError(e.what());
+    } catch (const LandmarkFileError& e) {
+      throw ImportError(e.what());
+    } catch (const EditError& e) {
       throw ImportError(e.what());
     } catch (const std::runtime_error& e) {
       throw ImportError("series " + name + ": " + e.what());
@@ -171,14 +179,10 @@ void Import::read() {
 void Import::segment() {
   auto& w = *work_;
   w.guarded([&] {
-    for (const auto& [name, point] : w.options.edits.seeds) {
-      (void)point;
-      if (name != "tongue")
-        throw ImportError("seed " + name + ": only the tongue takes a seed; write --seed tongue=x,y,z");
-    }
     w.stages.begin("segment", 0.1, 0.5);
-    w.segmentation =
-        pipeline::segment(w.series.hu, w.options.edits, [&](const std::string&, double f) { w.stages.say(f); });
+    auto edits = w.options.edits;
+    w.edit_remarks = add_edit_files(w.options.edit_files, w.series.hu.grid, edits);
+    w.segmentation = pipeline::segment(w.series.hu, edits, [&](const std::string&, double f) { w.stages.say(f); });
     w.stages.end();
   });
 }
@@ -202,6 +206,7 @@ void Import::mesh() {
     w.package.materials = default_materials();
     auto notes = w.series.notes;
     if (!w.options.generic_face) notes.emplace_back(kFaceNotice);
+    notes.insert(notes.end(), w.edit_remarks.begin(), w.edit_remarks.end());
     w.package.quality = quality_report(w.segmentation, w.package, notes);
   });
 }

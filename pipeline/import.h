@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "pipeline/dicom/read_series.h"
+#include "pipeline/exchange/edit_files.h"
 #include "pipeline/package/patient_package.h"
 #include "pipeline/segment/segment.h"
 
@@ -25,6 +26,7 @@ struct ImportOptions {
   std::filesystem::path out;     ///< NAME.patient; a package already there is replaced when the new one is whole
   Edits edits;
   bool generic_face = false;  ///< the shipped face for the patient's; taken at mesh(), taken back by segment() again
+  EditFiles edit_files;  ///< read anew by each segment(); `edits` go before them
   PackageCheck check;  ///< the last stage before writing; empty: left out
 };
 
@@ -61,7 +63,7 @@ class Import {
   ImportOptions& options();  ///< may be changed between stages, but for `series`
 
   void read();
-  void segment();  ///< with options().edits
+  void segment();  ///< with options().edits and edit_files
   void mesh();     ///< surfaces and tetrahedra
   void check();    ///< options().check
   /// Writes the package and returns the report. Until then nothing lies on the disk.

@@ -231,6 +231,34 @@ Mask Components::mask(int which) const {
   return where(id, [which](int v) { return v == which; });
 }
 
+int piece_at(const Components& parts, const std::array<double, 3>& point, double reach_mm) {
+  const auto& g = parts.id.grid;
+  const auto reach = std::array<double, 3>{reach_mm, reach_mm, reach_mm};
+  std::array<double, 3> low{};
+  std::array<double, 3> high{};
+  for (int a = 0; a < 3; ++a) {
+    low[a] = point[a] - reach[a];
+    high[a] = point[a] + reach[a];
+  }
+  const auto box = box_between(g, low, high);
+  double best = reach_mm * reach_mm;
+  int id = 0;
+  for (int z = box.low[2]; z <= box.high[2]; ++z) {
+    for (int y = box.low[1]; y <= box.high[1]; ++y) {
+      for (int x = box.low[0]; x <= box.high[0]; ++x) {
+        if (parts.id.at(x, y, z) == 0) continue;
+        const auto p = g.position(x, y, z);
+        double d2 = 0.0;
+        for (int a = 0; a < 3; ++a) d2 += (p[a] - point[a]) * (p[a] - point[a]);
+        if (d2 > best) continue;
+        best = d2;
+        id = parts.id.at(x, y, z);
+      }
+    }
+  }
+  return id;
+}
+
 Components components(const Mask& mask) {
   Components c;
   c.id = Volume<int>(mask.grid, 0);

@@ -83,6 +83,8 @@ struct Components {
   Mask mask(int which) const;
 };
 Components components(const Mask& mask);
+/// The id of the piece with the voxel nearest to a point, within `reach_mm` of it; 0 where there is none.
+int piece_at(const Components& parts, const std::array<double, 3>& point, double reach_mm);
 Mask largest_component(const Mask& mask);
 /// The 6-connected parts of `allowed` that hold a one of `seed`.
 Mask grown(const Mask& seed, const Mask& allowed);
