@@ -285,7 +285,11 @@ class Segmentation {
 
 LabelImage read_dicom_segmentation(const std::filesystem::path& file) {
   // GDCM ends the process on some cut files.
-  if (const auto fault = fault_of_dicom_file(file); !fault.empty()) fail_label_file(file, fault);
+  {
+    std::ifstream in(file, std::ios::binary);
+    const std::string bytes{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+    if (const auto check = check_dicom(bytes); !check.fault.empty()) fail_label_file(file, check.fault);
+  }
   gdcm::Trace::WarningOff();
   gdcm::Trace::ErrorOff();
   gdcm::Reader reader;
