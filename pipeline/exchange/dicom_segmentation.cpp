@@ -8,6 +8,8 @@
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
+#include <fstream>
+#include <iterator>
 
 #include "pipeline/dicom/whole_file.h"
 #include "pipeline/exchange/label_readers.h"
