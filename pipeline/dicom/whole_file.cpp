@@ -80,7 +80,6 @@ class Walker {
   }
 
   void walk(std::size_t at, bool is_explicit) {
-    check_.data_bytes = bytes_.size() - at;
     if (!elements(at, bytes_.size(), is_explicit, false, 0)) check_.fault = kCut;
   }
 
@@ -159,6 +158,7 @@ class Walker {
       if (value > end || length > end - value) return false;
       if (depth == 0 && group == 0x0008 && element == 0x0060) check_.modality = trimmed(bytes_.substr(value, length));
       if (depth == 0 && group == 0x0020 && element == 0x000e) check_.series = trimmed(bytes_.substr(value, length));
+      if (depth == 0 && group == 0x7fe0 && element == 0x0010) check_.pixel_bytes = length;
       at = value + length;
     }
     return !delimited && at == end;
