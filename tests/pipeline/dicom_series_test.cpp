@@ -286,31 +286,15 @@ TEST_F(CtSeriesOfAFolder, MetalBeyondTheUsualScaleStaysAndBeyondInt16IsClampedAn
 
 /// An Enhanced CT: all frames in one file, out of order, each with its own place and rescale.
 std::string enhanced(const Stack& s) {
-  using test::Elements;
-  std::vector<Elements> frames;
-  std::string pixels;
+  std::vector<test::DicomSlice> slices;
   for (int n = 0; n < s.slices; ++n) {
     const int k = (n * 7 + 4) % s.slices;
-    const auto d = slice_at(s, k);
-    const int intercept = -1024 - (k % 3);
-    frames.push_back(
-        {{0x00209113, {"SQ", test::items({{{0x00200032, {"DS", d.position}}}})}},
-         {0x00289145,
-          {"SQ", test::items({{{0x00281052, {"DS", std::to_string(intercept)}}, {0x00281053, {"DS", "0.5"}}}})}}});
-    for (const auto v : d.stored) pixels += test::bytes_of(v + 2u * static_cast<unsigned>(k % 3), 2);
+    auto d = slice_at(s, k);
+    d.intercept = std::to_string(-1024 - k % 3);
+    for (auto& v : d.stored) v = static_cast<std::uint16_t>(v + 2 * (k % 3));
+    slices.push_back(d);
   }
-  auto d = slice_at(s, 0);
-  d.extra[0x00280008] = {"IS", std::to_string(s.slices)};
-  d.extra[0x52009229] = {"SQ", test::items({{{0x00209116, {"SQ", test::items({{{0x00200037, {"DS", d.orientation}}}})}},
-                                             {0x00289110, {"SQ", test::items({{{0x00280030, {"DS", d.spacing}}}})}}}})};
-  d.extra[0x52009230] = {"SQ", test::items(frames)};
-  d.extra[0x7fe00010] = {"OW", pixels};
-  d.position.clear();
-  d.orientation.clear();
-  d.spacing.clear();
-  d.slope.clear();
-  d.intercept.clear();
-  return test::with_meta(test::written(test::elements_of(d)), "1.2.840.10008.5.1.4.1.1.2.1");
+  return test::enhanced_bytes(slices);
 }
 
 TEST_F(CtSeriesOfAFolder, EnhancedCtIsReadFrameByFrame) {
