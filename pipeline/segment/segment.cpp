@@ -149,7 +149,7 @@ Segmentation segment(const Hounsfield& series, const Edits& edits_on_scan,
 }
 
 Labels on_series_grid(const Segmentation& s, const Grid& series) {
-  if (s.pose.moved()) return read_onto(series, s.pose.scan_to_package, s.labels);
+  if (s.pose.moved()) return read_onto(series, s.pose.scan_to_package, s.labels, s.hu, s.thresholds);
   Labels out(series);
   paste(s.labels, s.box, out);
   return out;
