@@ -45,7 +45,7 @@ float between_voxels(const Hounsfield& hu, const std::array<double, 3>& index) {
   return std::clamp(sum, static_cast<float>(low), static_cast<float>(high));
 }
 
-/// The air of the lowest slice that tissue surrounds there: trachea or bronchi, cut.
+/// The air of the lowest slice that tissue surrounds there (trachea or bronchi, cut) and its rim, which is half air.
 Mask cut_airways(const Mask& body) {
   Box lowest = whole(body.grid);
   lowest.high[2] = 0;
@@ -58,7 +58,7 @@ Mask cut_airways(const Mask& body) {
   Mask out(slice.grid);
   for (std::size_t i = 0; i < out.voxels.size(); ++i)
     out.voxels[i] = filled.voxels[slice.grid.count() + i] & (1 - slice.voxels[i]);
-  return out;
+  return dilated(out, 2.0 * std::max(out.grid.spacing[0], out.grid.spacing[1]));
 }
 
 enum class Matter { air, soft, bone };
