@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "pipeline/segment/landmarks.h"
+#include "pipeline/segment/noise.h"
 #include "pipeline/segment/throat.h"
 #include "pipeline/segment/tongue.h"
 #include "pipeline/segment/upright.h"
@@ -106,6 +107,7 @@ Segmentation segment(const Hounsfield& series, const Edits& edits_on_scan,
       here = find_body(s.hu, s.thresholds);
       s.frame = frame_of(s.hu, here, s.thresholds);
     }
+    s.thresholds.noise = noise_of(s.hu, here, s.thresholds);
     say("head", 0.25);
     s.head = find_head(s.hu, here, s.thresholds, s.frame);
   }

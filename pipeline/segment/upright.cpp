@@ -13,7 +13,11 @@ namespace {
 
 constexpr double kDegree = 3.14159265358979323846 / 180.0;
 constexpr double kLeastAskew = 2.0;  ///< degrees of tilt and turn: below, the search's own error and a head's asymmetry
-constexpr double kLeastNod = 10.0;   ///< degrees: how far a head looks up or down is its position, not an error
+// A nod is told by the likeness to the shipped infant. An adult's profile is another: there the likeness is believed only
+// when it is far off, for a head that looks straight up is already 14 degrees from the infant's sniffing position.
+constexpr double kLeastNod = 6.0;  ///< degrees
+constexpr double kLeastNodOfOther = 25.0;
+constexpr double kLike = 0.04;
 
 /// The plane about which the head is symmetric: through `offset` mm along its normal from the head's middle.
 struct Plane {
@@ -189,17 +193,15 @@ PoseChange find_pose(const Hounsfield& hu, const Mask& body, const Frame& frame)
   const Symmetry symmetry(grey, frame);
   if (symmetry.empty()) return pose;
   const auto plane = plane_of(symmetry, 83.6 * frame.scale);
-  if(getenv("NOD")) printf("[plane turn %.2f tilt %.2f off %.2f cost %.4f] ",plane.turn,plane.tilt,plane.offset,symmetry.cost(plane,20000));
-  if(getenv("ASK")){ Plane q; sscanf(getenv("ASK"),"%lf,%lf",&q.turn,&q.tilt); q=symmetry.refined(q,0.3,0.1,3,20000); printf("[ask %.2f %.2f cost %.4f] ",q.turn,q.tilt,symmetry.cost(q,20000));}
   const bool askew = std::hypot(plane.turn, plane.tilt) >= kLeastAskew;
   const double tilt = askew ? plane.tilt : 0.0;
   const double turn = askew ? plane.turn : 0.0;
   const auto on_plane = symmetry.middle() + plane.offset * plane.normal();
   const auto straight = upright_about(on_plane, tilt, turn, 0.0);
-  const double nod = nod_of(hu, body, inverse_of(straight), on_plane, frame);
+  const auto nod = nod_of(hu, body, inverse_of(straight), on_plane, frame);
   pose.tilt_deg = tilt;
   pose.turn_deg = turn;
-  pose.nod_deg = std::abs(nod) >= (getenv("NODMIN")?atof(getenv("NODMIN")):kLeastNod) ? nod : 0.0;
+  if (std::abs(nod.degrees) >= (nod.misfit < kLike ? kLeastNod : kLeastNodOfOther)) pose.nod_deg = nod.degrees;
   if (tilt != 0.0 || turn != 0.0 || pose.nod_deg != 0.0)
     pose.scan_to_package = upright_about(on_plane, tilt, turn, pose.nod_deg);
   return pose;
