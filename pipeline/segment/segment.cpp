@@ -6,6 +6,7 @@
 #include "pipeline/segment/border_field.h"
 #include "pipeline/segment/given.h"
 #include "pipeline/segment/landmarks.h"
+#include "pipeline/segment/noise.h"
 #include "pipeline/segment/throat.h"
 #include "pipeline/segment/tongue.h"
 #include "pipeline/segment/upright.h"
@@ -179,6 +180,7 @@ Segmentation segment(const Hounsfield& series, const Edits& edits_on_scan,
       here = find_body(s.hu, s.thresholds);
       s.frame = frame_of(s.hu, here, s.thresholds);
     }
+    s.thresholds.noise = noise_of(s.hu, here, s.thresholds);
     say("head", 0.25);
     s.head = find_head(s.hu, here, s.thresholds, s.frame);
   }
@@ -225,7 +227,7 @@ Segmentation segment(const Hounsfield& series, const Edits& edits_on_scan,
 }
 
 Labels on_series_grid(const Segmentation& s, const Grid& series) {
-  if (s.pose.moved()) return read_onto(series, s.pose.scan_to_package, s.labels);
+  if (s.pose.moved()) return read_onto(series, s.pose.scan_to_package, s.labels, s.hu, s.thresholds);
   Labels out(series);
   paste(s.labels, s.box, out);
   return out;

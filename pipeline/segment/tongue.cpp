@@ -113,7 +113,10 @@ Mask seed_under_dorsum(const TongueSearch& in, const Volume<float>& tissue, cons
 Mask find_tongue(const TongueSearch& in) {
   const auto& g = in.body.grid;
   const double s = in.frame.scale;
-  const auto tissue = smoothed_tissue(in.hu, in.body, in.t, std::max(0.45, 0.5 * s));
+  // A dose as low as for an infant makes grain in which the fat plane drowns unless it is smoothed more.
+  constexpr double kGrainy = 25.0;
+  const double grain = std::clamp(in.t.noise / kGrainy, 1.0, 2.0);
+  const auto tissue = smoothed_tissue(in.hu, in.body, in.t, grain * std::max(0.45, 0.5 * s));
   const auto bone = any_of(in.skull, in.mandible);
   const auto to_bone = distance_to(bone);
   const auto to_air = distance_to(in.lumen);
