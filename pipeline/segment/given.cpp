@@ -120,9 +120,9 @@ void Given::put_into(Head& head, const Hounsfield& hu, double air) const {
 void Given::put_into(Bones& bones, const Hounsfield& hu, const Thresholds& usual) const {
   if (!any() && edits_.thresholds.empty()) return;
   const auto claims = any() ? claimed() : Mask(hu.grid);
-  for (const auto& [label, name, bone] : {std::tuple{kSkull, "bone_skull", &bones.skull},
-                                          std::tuple{kMandible, "bone_mandible", &bones.mandible},
-                                          std::tuple{kSpine, "spine", &bones.spine}}) {
+  for (const auto& [label, name, bone] :
+       {std::tuple{kSkull, "bone_skull", &bones.skull}, std::tuple{kMandible, "bone_mandible", &bones.mandible},
+        std::tuple{kSpine, "spine", &bones.spine}}) {
     if (replaces(label)) {
       *bone = mask(label);
       continue;

@@ -122,8 +122,8 @@ class EditedManikin : public ::testing::Test {
   /// The voxel of the mask furthest from its border: surely inside.
   static Vector3 heart(const Mask& mask) {
     const auto depth = distance_to(inverted(mask));
-    return mask.grid.position(static_cast<std::size_t>(
-        std::max_element(depth.voxels.begin(), depth.voxels.end()) - depth.voxels.begin()));
+    return mask.grid.position(
+        static_cast<std::size_t>(std::max_element(depth.voxels.begin(), depth.voxels.end()) - depth.voxels.begin()));
   }
   static double dice(const Mask& a, const Mask& b) {
     return 2.0 * static_cast<double>(count(all_of(a, b))) / static_cast<double>(count(a) + count(b));
@@ -190,7 +190,8 @@ TEST_F(EditedManikin, AGivenAirwayIsTheSurfaceAndTheGlottis) {
   for (std::size_t i = 0; i < grid().count(); ++i) {
     const auto p = grid().position(i);
     const Vector3 ball{tongue[0] + 14.0, tongue[1], tongue[2] + 9.0};
-    const bool channel = std::abs(p[1] - ball[1]) < 2.0 && std::abs(p[2] - ball[2]) < 2.0 && p[0] > tongue[0] && p[0] < ball[0];
+    const bool channel =
+        std::abs(p[1] - ball[1]) < 2.0 && std::abs(p[2] - ball[2]) < 2.0 && p[0] > tongue[0] && p[0] < ball[0];
     if (distance(p, ball) < 6.0 || channel) lumen.voxels[i] = 1;
   }
   const double mm3 = static_cast<double>(count(lumen)) * grid().voxel_mm3();
@@ -232,7 +233,8 @@ TEST_F(EditedManikin, AGivenLeafIsMeasured) {
   double top = -1e9;
   for (std::size_t i = 0; i < grid().count(); ++i) {
     const auto p = grid().position(i);
-    if (std::abs(p[0] - tip[0]) > 3.0 || std::abs(p[1] - tip[1]) > 0.8 || p[2] > tip[2] || p[2] < tip[2] - 8.0) continue;
+    if (std::abs(p[0] - tip[0]) > 3.0 || std::abs(p[1] - tip[1]) > 0.8 || p[2] > tip[2] || p[2] < tip[2] - 8.0)
+      continue;
     slab.voxels[i] = 1;
     top = std::max(top, p[2]);
   }
@@ -248,7 +250,7 @@ TEST_F(EditedManikin, MovedLandmarksStandAndTheirDependentsFollow) {
   const auto gum = Vector3(plain_->landmarks.at("upper_gum_midline")) + Vector3{0.5, -1.0, 1.5};
   edits.landmarks["upper_gum_midline"] = gum;
   edits.landmarks["glottis_centre"] = Vector3(plain_->landmarks.at("glottis_centre")) + Vector3{0.2, 0.1, 0.4};
-  edits.landmarks["hyoid"] = {1, 2, 3};
+  edits.landmarks["hyoid"] = Vector3(plain_->landmarks.at("hyoid")) + Vector3{1, 2, 3};
   const auto s = with(edits);
   for (const auto& [name, point] : edits.landmarks) {
     EXPECT_EQ(s.landmarks.at(name), point) << name;
@@ -294,6 +296,9 @@ TEST_F(EditedManikin, SeedsWhereItIsNotAreRefused) {
   Edits outside;
   outside.seeds["tongue"] = {0, 0, 900};
   expect_refused(outside, "tongue");
+  outside.seeds.clear();
+  outside.landmarks["upper_gum_midline"] = {0, 0, 900};
+  expect_refused(outside, "upper_gum_midline");
 }
 
 TEST_F(EditedManikin, ThresholdsBoundTheStructure) {

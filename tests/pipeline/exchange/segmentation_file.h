@@ -39,8 +39,8 @@ inline std::string element(int group, int id, const std::string& vr, std::string
   if (value.size() % 2 != 0) value += vr == "UI" || vr == "OB" ? '\0' : ' ';
   const bool long_form = vr == "OB" || vr == "SQ";
   const auto size = static_cast<std::uint32_t>(value.size());
-  return bytes_of(group, 2) + bytes_of(id, 2) + vr + (long_form ? std::string(2, '\0') + bytes_of(size, 4) : bytes_of(size, 2)) +
-         value;
+  return bytes_of(group, 2) + bytes_of(id, 2) + vr +
+         (long_form ? std::string(2, '\0') + bytes_of(size, 4) : bytes_of(size, 2)) + value;
 }
 
 inline std::string item(const std::string& value) {
