@@ -63,7 +63,8 @@ Volume<float> bone_field(const Segmentation& s, std::uint8_t label, const Mask& 
   Volume<float> grey(hu.grid);
   for (std::size_t i = 0; i < grey.voxels.size(); ++i)
     grey.voxels[i] = std::clamp((hu.voxels[i] - border) / kHuPerMm, -1.0F, 1.0F);
-  if (s.replaced.count(label) != 0) grey = with_border_of(grey, here);
+  if (s.replaced.count(label) != 0)
+    grey = with_border_of(grey, where(cropped(s.labels, box), [label](std::uint8_t v) { return v == label; }));
   for (std::size_t i = 0; i < field.voxels.size(); ++i)
     field.voxels[i] = near.voxels[i] > reach ? -1.0F : std::min(grey.voxels[i], field.voxels[i]);
   return smoothed(field, 0.35 * s.frame.scale);
