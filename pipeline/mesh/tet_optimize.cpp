@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
-#include "pipeline/mesh/projector.h"
 #include "pipeline/mesh/tet_quality.h"
+#include "pipeline/mesh/triangle_tree.h"
 #include "pipeline/mesh/vector3.h"
 
 namespace vallecula::pipeline {
@@ -65,7 +65,7 @@ class Optimizer {
     Point best = start;
     double best_quality = before;
     const auto attempt = [&](Point p) {
-      if (static_cast<std::size_t>(v) < surface_points_) p = reference_.nearest(p);
+      if (static_cast<std::size_t>(v) < surface_points_) p = reference_.nearest(p).point;
       mesh_.points[v] = p;
       const double q = worst_at(v);
       if (q > best_quality + 1e-4) {
@@ -102,7 +102,7 @@ class Optimizer {
   TetMesh& mesh_;
   std::size_t surface_points_;
   std::vector<std::vector<int>> around_;
-  Projector reference_;
+  TriangleTree reference_;
 };
 
 }  // namespace
