@@ -19,7 +19,9 @@ using PackageCheck = std::function<std::vector<QualityItem>(const PatientPackage
 
 struct ImportOptions {
   std::filesystem::path series;  ///< folder with one CT series; other files in it are ignored
-  std::filesystem::path out;     ///< NAME.patient; a package already there is replaced when the new one is whole
+  std::filesystem::path out;     ///< NAME.patient
+  bool replace = false;          ///< a package already there is replaced when the new one is whole; else that is an error
+  int tetrahedra = 5000;         ///< of the tongue, about (within 10 %): 1,000 to 100,000
   Edits edits;
   PackageCheck check;  ///< the last stage before writing; empty: left out
 };
@@ -58,6 +60,8 @@ class Import {
 
   void read();
   void segment();  ///< with options().edits
+  /// Gives back the memory of series().hu's voxels, when nobody looks at them any more.
+  void forget_scan();
   void mesh();     ///< surfaces and tetrahedra
   void check();    ///< options().check
   /// Writes the package and returns the report. Until then nothing lies on the disk.

@@ -1,4 +1,6 @@
 // `vallecula import`: a CT series to a patient package, with progress by stage and a quality report.
+#include <sys/resource.h>
+
 #include <iomanip>
 #include <iostream>
 #include <memory>
@@ -29,6 +31,15 @@ std::pair<std::string, pipeline::Point> parse_seed(const std::string& text) {
 
 void print_report(const pipeline::ImportReport& report) {
   std::cout << "package: " << report.package.string() << "\n";
+  double seconds = 0.0;
+  std::cout << std::fixed << std::setprecision(1) << "stages:";
+  for (const pipeline::ImportStage& stage : report.stages) {
+    std::cout << " " << stage.name << " " << stage.seconds << " s,";
+    seconds += stage.seconds;
+  }
+  rusage used{};
+  getrusage(RUSAGE_SELF, &used);
+  std::cout << " together " << seconds << " s; most memory " << used.ru_maxrss / 1024 << " MB\n" << std::defaultfloat;
   for (const pipeline::QualityItem& item : report.quality) {
     std::ostringstream value;
     value << std::setprecision(5) << item.value << " " << item.unit;
@@ -44,6 +55,8 @@ void add_import_command(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("import", "Make a patient package from a CT series");
   struct Options {
     std::string series, out;
+    bool replace = false;
+    int tetrahedra = pipeline::ImportOptions().tetrahedra;
     std::vector<std::string> seeds;
   };
   auto options = std::make_shared<Options>();
@@ -51,10 +64,17 @@ void add_import_command(CLI::App& app, int& exit_code) {
   command->add_option("--out", options->out, "The package to write: NAME.patient")->required();
   command->add_option("--seed", options->seeds,
                       "A point inside a structure that is not found by itself: NAME=x,y,z (mm, LPS)");
+  command->add_flag("--replace", options->replace, "Replace a package already there, when the new one is whole");
+  command
+      ->add_option("--tets", options->tetrahedra, "Tetrahedra of the tongue, about (within 10 %)")
+      ->check(CLI::Range(1000, 100000))
+      ->capture_default_str();
   command->callback([options, &exit_code] {
     pipeline::ImportOptions import;
     import.series = options->series;
     import.out = options->out;
+    import.replace = options->replace;
+    import.tetrahedra = options->tetrahedra;
     for (const std::string& seed : options->seeds) import.edits.seeds.insert(parse_seed(seed));
     watch_for_interruption();
     StageLines lines;

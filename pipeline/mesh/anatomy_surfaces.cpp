@@ -12,6 +12,7 @@
 #include "pipeline/mesh/isosurface.h"
 #include "pipeline/mesh/mend.h"
 #include "pipeline/mesh/remesh.h"
+#include "pipeline/mesh/self_intersection.h"
 #include "pipeline/mesh/surface_check.h"
 #include "pipeline/mesh/vector3.h"
 #include "pipeline/parallel.h"
@@ -62,9 +63,23 @@ double outside_of(const Grid& box, const Point& p) {
 }
 
 Surface finished(const Surface& rough, const RemeshOptions& options, const char* name) {
-  auto out = mended(largest_part(remeshed(largest_part(rough), options)));
-  require_solid(out, name);
-  return out;
+  const auto whole = largest_part(rough);
+  Surface best;
+  std::size_t fewest = 0;
+  // Where a sheet is thinner than the triangles are long, two sides may cross: smaller triangles part them.
+  for (const double factor : {1.0, 0.8, 0.64}) {
+    auto finer = options;
+    finer.edge_mm = [&options, factor](const Point& p) { return factor * options.edge_mm(p); };
+    auto out = mended(largest_part(remeshed(whole, finer)));
+    const auto left = self_intersections(out).size();
+    if (best.triangles.empty() || left < fewest) {
+      best = std::move(out);
+      fewest = left;
+    }
+    if (fewest == 0) break;
+  }
+  require_solid(best, name);
+  return best;
 }
 
 Surface face_surface(const Segmentation& s, const AnatomyFields& f) {

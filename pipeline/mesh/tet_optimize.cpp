@@ -107,7 +107,7 @@ class Optimizer {
 
 }  // namespace
 
-void optimize_points(TetMesh& mesh, std::size_t surface_points, const Surface& surface, int rounds) {
+void optimize_points(TetMesh& mesh, std::size_t surface_points, const Surface& surface, int rounds, bool slide) {
   Optimizer optimizer(mesh, surface_points, surface);
   std::vector<int> order(mesh.points.size());
   std::iota(order.begin(), order.end(), 0);
@@ -117,6 +117,7 @@ void optimize_points(TetMesh& mesh, std::size_t surface_points, const Surface& s
     std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return worst[a] < worst[b]; });
     bool any = false;
     for (const int v : order) {
+      if (!slide && static_cast<std::size_t>(v) < surface_points) continue;
       if (worst[v] > 0.5) break;  // 30 degrees: nothing to gain for the stiffness
       any = optimizer.improve(v) || any;
     }
