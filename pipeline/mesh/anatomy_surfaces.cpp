@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "pipeline/mesh/face_tissue.h"
+#include "pipeline/mesh/inflate.h"
 #include "pipeline/mesh/isosurface.h"
 #include "pipeline/mesh/mend.h"
 #include "pipeline/mesh/remesh.h"
@@ -64,13 +65,15 @@ double outside_of(const Grid& box, const Point& p) {
 
 Surface finished(const Surface& rough, const RemeshOptions& options, const char* name) {
   const auto whole = largest_part(rough);
+  const double volume = facts_of(whole).volume_mm3;
   Surface best;
   std::size_t fewest = 0;
   // Where a sheet is thinner than the triangles are long, two sides may cross: smaller triangles part them.
   for (const double factor : {1.0, 0.8, 0.64}) {
     auto finer = options;
     finer.edge_mm = [&options, factor](const Point& p) { return factor * options.edge_mm(p); };
-    auto out = mended(largest_part(remeshed(whole, finer)));
+    const auto even = largest_part(remeshed(whole, finer));
+    auto out = mended(inflated(even, inflation_to(even, volume)));
     const auto left = self_intersections(out).size();
     if (best.triangles.empty() || left < fewest) {
       best = std::move(out);
@@ -226,7 +229,10 @@ SoftSurface soft_surface(const Segmentation& s, const AnatomyFields& f, double e
   RemeshOptions options;
   options.rounds = 8;
   options.edge_mm = out.edge_mm;
-  out.mesh = mended(largest_part(remeshed(out.fine, options)));
+  const auto even = largest_part(remeshed(out.fine, options));
+  const double by = inflation_to(even, facts_of(out.fine).volume_mm3);
+  out.mesh = mended(inflated(even, by));
+  out.track = inflated(out.fine, by);
   return out;
 }
 

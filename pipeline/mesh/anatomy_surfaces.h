@@ -18,7 +18,8 @@ std::map<std::string, Surface> surfaces_of(const Segmentation& s, const AnatomyF
 /// The border of tongue and epiglottis together: evenly meshed, smaller triangles on the thin leaf.
 struct SoftSurface {
   Surface fine;  ///< as cut from the fields
-  Surface mesh;  ///< remeshed: what is filled
+  Surface mesh;  ///< remeshed, of the same volume: what is filled
+  Surface track;  ///< where the points of `mesh` lie: `fine`, further out by what flat triangles cut off
   std::function<double(const Point&)> edge_mm;
 };
 /// `edge_factor` 1 gives about 4,000 tetrahedra, whatever the infant's size.

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "pipeline/mesh/anatomy_surfaces.h"
+#include "pipeline/mesh/inflate.h"
 #include "pipeline/mesh/self_intersection.h"
 #include "pipeline/mesh/tet_optimize.h"
 #include "pipeline/mesh/tet_quality.h"
@@ -30,17 +31,6 @@ void name_tissue(const Segmentation& s, TetMesh& mesh) {
   }
 }
 
-/// Unit normals of the points, area weighted.
-std::vector<Vector3> normals_of(const Surface& surface, const std::vector<Point>& points) {
-  std::vector<Vector3> normals(surface.points.size(), Vector3{});
-  for (const auto& t : surface.triangles) {
-    const auto n = cross(points[t[1]] - points[t[0]], points[t[2]] - points[t[0]]);
-    for (const int v : t) normals[v] = normals[v] + n;
-  }
-  for (auto& n : normals) n = unit(n);
-  return normals;
-}
-
 /// Against tissue the border comes from the partition (soft is zero there), against air from the grey values.
 void name_contacts(const Segmentation& s, const AnatomyFields& f, std::size_t surface_points, TetMesh& mesh) {
   mesh.contact.assign(mesh.points.size(), static_cast<std::uint8_t>(Contact::inside));
@@ -54,7 +44,7 @@ void name_contacts(const Segmentation& s, const AnatomyFields& f, std::size_t su
 /// Nodes of the underside that lie against tissue are held: by the hyoid near it, by the larynx at the leaf's foot,
 /// else by the jaw. Nodes that border air are free, and so is the back of a tongue that only lies against the palate of
 /// a closed mouth.
-void name_anchors(const Segmentation& s, const Surface& surface, TetMesh& mesh) {
+void name_anchors(const Segmentation& s, const Surface& border, TetMesh& mesh) {
   const double k = s.frame.scale;
   const Point hyoid = s.landmarks.at("hyoid");
   std::vector<std::uint8_t> in_leaf(mesh.points.size(), 0);
@@ -66,9 +56,9 @@ void name_anchors(const Segmentation& s, const Surface& surface, TetMesh& mesh) 
   for (std::size_t v = 0; v < mesh.points.size(); ++v) {
     if (in_leaf[v] != 0) foot = std::min(foot, mesh.points[v][2]);
   }
-  const auto normals = normals_of(surface, mesh.points);
+  const auto normals = point_normals(border);
   std::vector<std::pair<double, std::size_t>> held;  // by distance from the hyoid
-  for (std::size_t v = 0; v < surface.points.size(); ++v) {
+  for (std::size_t v = 0; v < border.points.size(); ++v) {
     const auto& p = mesh.points[v];
     if (in_leaf[v] != 0 && p[2] < foot + 2.0 * k) {
       mesh.anchor[v] = static_cast<std::uint8_t>(Anchor::larynx);
@@ -142,22 +132,42 @@ Surface border_of(const TetMesh& mesh, const Surface& surface) {
   return border;
 }
 
-}  // namespace
-
-TetMesh soft_mesh(const Segmentation& s, const AnatomyFields& f, int tetrahedra) {
-  auto [soft, mesh] = filled_to_count(s, f, tetrahedra);
+/// Filled and improved; tissue, anchors and contacts not yet named.
+Filled well_shaped(const Segmentation& s, const AnatomyFields& f, int tetrahedra) {
+  auto filled = filled_to_count(s, f, tetrahedra);
+  auto& [soft, mesh] = filled;
   constexpr int kRounds = 20;
   const auto surface_points = soft.mesh.points.size();
   const auto as_filled = mesh;
-  optimize_points(mesh, surface_points, soft.fine, kRounds);
+  optimize_points(mesh, surface_points, soft.track, kRounds);
   if (!self_intersections(border_of(mesh, soft.mesh)).empty()) {
     mesh = as_filled;  // whose border the mesh generator has accepted
-    optimize_points(mesh, surface_points, soft.fine, kRounds, false);
+    optimize_points(mesh, surface_points, soft.track, kRounds, false);
   }
+  return filled;
+}
+
+}  // namespace
+
+TetMesh soft_mesh(const Segmentation& s, const AnatomyFields& f, int tetrahedra) {
+  // A thin tetrahedron that could not be helped is not there with other sizes.
+  constexpr double kGoodAngle = 10.0;
+  Filled best;
+  double best_angle = -1.0;
+  for (const double share : {1.0, 0.97, 1.03, 0.95}) {
+    auto now = well_shaped(s, f, static_cast<int>(std::lround(share * tetrahedra)));
+    const double angle = quality_of(now.mesh).smallest_dihedral_deg;
+    if (angle > best_angle) {
+      best = std::move(now);
+      best_angle = angle;
+    }
+    if (best_angle > kGoodAngle) break;
+  }
+  auto& mesh = best.mesh;
   name_tissue(s, mesh);
-  name_contacts(s, f, surface_points, mesh);
-  name_anchors(s, soft.mesh, mesh);
-  return mesh;
+  name_contacts(s, f, best.soft.mesh.points.size(), mesh);
+  name_anchors(s, border_of(mesh, best.soft.mesh), mesh);
+  return std::move(mesh);
 }
 
 }  // namespace vallecula::pipeline
