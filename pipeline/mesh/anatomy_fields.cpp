@@ -40,12 +40,10 @@ AnatomyFields fields_of(const Segmentation& s) {
       labels, [](std::uint8_t v) { return v != kTongue && v != kEpiglottis && v != kAirway && v != kBackground; });
   f.soft = between(soft, rest, 0.6 * s.frame.scale);
 
-  f.airway_side = Volume<float>(g, -1.0F);
   const auto box = bounds_of(s.airway.lumen, 6.0 * s.frame.scale);
   const auto lumen = cropped(s.airway.lumen, box);
   const auto outer = inverted(cropped(s.head.inside, box));
-  paste(count(outer) > 0 ? between(lumen, outer, 0.5 * s.frame.scale) : Volume<float>(lumen.grid, 1.0F), box,
-        f.airway_side);
+  f.airway_side = count(outer) > 0 ? between(lumen, outer, 0.5 * s.frame.scale) : Volume<float>(lumen.grid, 1.0F);
   return f;
 }
 
