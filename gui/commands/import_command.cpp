@@ -45,13 +45,22 @@ void add_import_command(CLI::App& app, int& exit_code) {
   struct Options {
     std::string series, out;
     std::vector<std::string> seeds;
+    bool window = false;
   };
   auto options = std::make_shared<Options>();
   command->add_option("SERIES", options->series, "Folder with one CT series (DICOM)")->required();
-  command->add_option("--out", options->out, "The package to write: NAME.patient")->required();
+  command->add_option("--out", options->out, "The package to write: NAME.patient; without --window required");
+  command->add_flag("--window", options->window, "Open the trainer's window on this import, to look at it step by step");
   command->add_option("--seed", options->seeds,
                       "A point inside a structure that is not found by itself: NAME=x,y,z (mm, LPS)");
   command->callback([options, &exit_code] {
+    if (options->window) {
+      if (!options->out.empty() || !options->seeds.empty())
+        throw CLI::ValidationError("--window", "takes only SERIES: name and seeds are given in the window");
+      exit_code = run_window_import(options->series);
+      return;
+    }
+    if (options->out.empty()) throw CLI::RequiredError("--out");
     pipeline::ImportOptions import;
     import.series = options->series;
     import.out = options->out;
