@@ -6,6 +6,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QSlider>
 #include <QStyle>
 #include <QTabWidget>
@@ -33,6 +34,12 @@ CheckPage::CheckPage(ImportWork& work, QWidget* parent) : QWidget(parent), work_
     auto* slice = new SliceView(scene_, planes[i], this);
     slices_[static_cast<std::size_t>(planes[i])] = slice;
     views->addWidget(slice, i / 2, i % 2);
+    connect(slice, &SliceView::alone_wanted, this, [this, slice] {
+      const bool alone = view_3d_->isVisible();
+      for (QWidget* view : {static_cast<QWidget*>(slices_[0]), static_cast<QWidget*>(slices_[1]),
+                            static_cast<QWidget*>(slices_[2]), static_cast<QWidget*>(view_3d_)})
+        view->setVisible(!alone || view == slice);
+    });
   }
   view_3d_ = new LabelView(scene_, this);
   views->addWidget(view_3d_, 1, 1);
@@ -178,15 +185,14 @@ QWidget* CheckPage::make_foot() {
   back_ = new QPushButton("Leave", foot);
   again_ = new QPushButton("Run a&gain with the edits", foot);
   build_ = new QPushButton("&Build the patient", foot);
-  auto* row = new QHBoxLayout;
+  auto* row = new QHBoxLayout(foot);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(8);
   row->addWidget(back_);
   row->addWidget(message_, 1);
+  row->addWidget(strip_, 1);
   row->addWidget(again_);
   row->addWidget(build_);
-  auto* all = new QVBoxLayout(foot);
-  all->setContentsMargins(0, 0, 0, 0);
-  all->addWidget(strip_);
-  all->addLayout(row);
   connect(back_, &QPushButton::clicked, this, &CheckPage::left);
   connect(again_, &QPushButton::clicked, this, &CheckPage::segment_wanted);
   connect(build_, &QPushButton::clicked, this, &CheckPage::build_wanted);
@@ -213,6 +219,7 @@ void CheckPage::show_segmentation(const SegmentedScan& scan) {
   const bool first = !found_.labels;
   found_ = scan;
   scene_.set_labels(scan.labels);
+  scene_.set_focus(scan.bounds[0], scan.bounds[1]);
   structures_->show_findings(scan.findings);
   landmarks_->show_found(scan.landmarks, scan.findings);
   auto quality = scan.quality;
@@ -240,6 +247,9 @@ void CheckPage::show_message(const QString& message) {
 void CheckPage::show_failure(const QString& message) {
   QString text = message;
   if (text.startsWith("series ")) text = text.mid(text.indexOf(": ") + 2);  // which series, a person knows
+  text.remove(QRegularExpression(": --seed [^)]*\\)"));                     // here a person clicks it
+  for (const auto& label : pipeline::kLabelNames)
+    if (text.contains(words_of(label.name))) structures_->select(label.name);
   show_message(text.left(1).toUpper() + text.mid(1) +
                "\nChoose a structure on the right and give it a seed, a threshold or a label map, then run again.");
 }
@@ -258,6 +268,7 @@ void CheckPage::show_state() {
   const bool busy = work_.busy(), waiting = edits_waiting(), found = found_.labels != nullptr;
   const bool again_first = !found || !history_.state().same_segmentation(found_.from);
   strip_->setVisible(busy);
+  message_->setVisible(!busy);
   side_->setEnabled(!busy);
   again_->setEnabled(!busy && waiting);
   build_->setEnabled(!busy && found);

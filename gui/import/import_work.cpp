@@ -7,6 +7,7 @@
 
 #include "gui/pages/background.h"
 #include "pipeline/quality.h"
+#include "pipeline/segment/volume_ops.h"
 
 namespace vallecula::gui {
 namespace {
@@ -19,10 +20,16 @@ struct Left : std::runtime_error {
 /// The shares of the whole that pipeline::Import's stages report.
 constexpr double kReadFrom = 0.0, kSegmentFrom = 0.1, kMeshFrom = 0.5, kWriteFrom = 0.95, kEnd = 1.0;
 
+constexpr double kMargin = 5.0;  // mm about the patient in a fitted view
+
 SegmentedScan result_of(const pipeline::Import& import, const EditState& edits) {
   const auto& s = import.segmentation();
   SegmentedScan scan;
   scan.labels = std::make_shared<const pipeline::Labels>(import.labels_on_scan());
+  const auto box = pipeline::bounds_of(*scan.labels, kMargin);
+  const auto& grid = scan.labels->grid;
+  scan.bounds = {grid.position(box.low[0] - 0.5, box.low[1] - 0.5, box.low[2] - 0.5),
+                 grid.position(box.high[0] + 0.5, box.high[1] + 0.5, box.high[2] + 0.5)};
   for (const auto& [name, at] : s.landmarks)
     if (is_place(name)) scan.landmarks[name] = to_scan(s.pose, at);
   scan.findings = s.findings;

@@ -21,6 +21,7 @@ namespace vallecula::gui {
 /// What a segmentation came to, in the scan's frame.
 struct SegmentedScan {
   std::shared_ptr<const pipeline::Labels> labels;
+  std::array<pipeline::Point, 2> bounds{};  ///< of everything labelled, with a margin: two corners, mm
   std::map<std::string, pipeline::Point> landmarks;
   std::map<std::string, pipeline::Finding> findings;
   std::vector<pipeline::QualityItem> quality;  ///< of the segmentation alone

@@ -43,7 +43,6 @@ SourcePage::SourcePage(ImportWork& work, QWidget* parent) : QWidget(parent), wor
   table_->setColumnWidth(0, 46);
   table_->setColumnWidth(1, kThumbnailHeight + 50);
   table_->setColumnWidth(2, 330);
-  table_->setIconSize({kThumbnailHeight + 30, kThumbnailHeight});
   table_->setSelectionBehavior(QAbstractItemView::SelectRows);
   table_->setSelectionMode(QAbstractItemView::SingleSelection);
   table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
@@ -66,21 +65,29 @@ SourcePage::SourcePage(ImportWork& work, QWidget* parent) : QWidget(parent), wor
   strip_ = new WorkStrip(work_, this);
 
   auto* where = new QHBoxLayout;
+  where->setSpacing(8);
   where->addWidget(source_, 1);
   where->addWidget(folder_);
   where->addWidget(file_);
+  auto* name_name = new QLabel("&Name of the new patient", this);
+  name_name->setBuddy(name_);
   auto* naming = new QHBoxLayout;
+  naming->setSpacing(10);
+  naming->addWidget(name_name);
   naming->addWidget(name_);
   naming->addWidget(name_problem_, 1);
   auto* form = new QFormLayout;
   form->setVerticalSpacing(10);
-  form->addRow("&CT scan", where);
+  auto* where_name = new QLabel("&CT scan", this);
+  where_name->setBuddy(source_);
+  form->addRow(where_name, where);
   auto* panel = new QFrame(this);
   panel->setObjectName("panel");
-  auto* panel_form = new QFormLayout(panel);
-  panel_form->setContentsMargins(16, 12, 16, 12);
-  panel_form->addRow("&Name", naming);
-  panel_form->addRow("", about);
+  auto* panel_column = new QVBoxLayout(panel);
+  panel_column->setContentsMargins(16, 12, 16, 12);
+  panel_column->setSpacing(8);
+  panel_column->addLayout(naming);
+  panel_column->addWidget(about);
   auto* foot = new QHBoxLayout;
   foot->addWidget(cancel);
   foot->addStretch(1);
@@ -139,11 +146,15 @@ void SourcePage::show_rows(const std::vector<SeriesRow>& rows) {
   table_->setRowCount(static_cast<int>(rows.size()));
   for (int r = 0; r < table_->rowCount(); ++r) {
     const SeriesRow& row = rows_[static_cast<std::size_t>(r)];
-    auto* picture = new QTableWidgetItem;
-    if (row.thumbnail.isNull())
-      picture->setText("no picture");
-    else
-      picture->setIcon(QIcon(QPixmap::fromImage(row.thumbnail)));
+    auto* picture = new QTableWidgetItem(row.thumbnail.isNull() ? "no picture" : "");
+    if (!row.thumbnail.isNull()) {
+      auto* shown = new QLabel(table_);
+      shown->setAlignment(Qt::AlignCenter);
+      shown->setPixmap(
+          QPixmap::fromImage(row.thumbnail)
+              .scaled(kThumbnailHeight + 40, kThumbnailHeight, Qt::KeepAspectRatio, Qt::SmoothTransformation));
+      table_->setCellWidget(r, 1, shown);
+    }
     const std::array<QTableWidgetItem*, 4> items = {new QTableWidgetItem(QString::number(row.number)), picture,
                                                     new QTableWidgetItem(row.description),
                                                     new QTableWidgetItem(row.why)};

@@ -24,7 +24,9 @@ enum Column { kShown, kFound, kAccepted };
 QIcon swatch(const std::array<double, 3>& rgb) {
   QPixmap pixmap(14, 14);
   pixmap.fill(QColor::fromRgbF(rgb[0], rgb[1], rgb[2]));
-  return QIcon(pixmap);
+  QIcon icon(pixmap);
+  for (const auto mode : {QIcon::Selected, QIcon::Disabled}) icon.addPixmap(pixmap, mode);  // the colour is the meaning
+  return icon;
 }
 
 }  // namespace
@@ -96,6 +98,7 @@ StructurePanel::StructurePanel(SliceScene& scene, EditHistory& history, QWidget*
   grid->addWidget(seed_, 2, 0);
   grid->addWidget(seed_at_, 2, 1);
   auto* between = new QHBoxLayout;
+  between->setSpacing(8);
   between->addWidget(new QLabel("From", box));
   between->addWidget(low_, 1);
   between->addWidget(new QLabel("to", box));
@@ -154,6 +157,7 @@ void StructurePanel::show_findings(const std::map<std::string, pipeline::Finding
 
 QString StructurePanel::how(const std::string& structure) const {
   const auto found = findings_.find(structure);
+  if (findings_.empty()) return "not looked for yet";
   return found == findings_.end() ? "not found" : pipeline::name_of(found->second.origin);
 }
 
@@ -178,6 +182,7 @@ void StructurePanel::show_state() {
     row->setForeground(kAccepted, theme::kWithin);
   }
   filling_ = false;
+  scene_.set_seeds(state.seeds);
   show_selected();
 }
 
@@ -186,8 +191,9 @@ void StructurePanel::show_selected() {
   const EditState& state = history_.state();
   const auto found = findings_.find(name);
   name_->setText(words_of(name));
-  how_->setText(found == findings_.end() ? "not found: give a seed, a threshold or a label map"
-                                         : finding_text(found->second));
+  how_->setText(findings_.empty()          ? "not looked for yet"
+                : found == findings_.end() ? "not found: give a seed, a threshold or a label map"
+                                           : finding_text(found->second));
   accept_->setEnabled(found != findings_.end());
   accept_->setChecked(state.accepted.count(name) != 0);
   const auto seed = state.seeds.find(name);

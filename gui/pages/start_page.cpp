@@ -53,6 +53,7 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
   left->addWidget(curriculum_title_);
   left->addWidget(list_, 1);
   auto* patient_row = new QHBoxLayout;
+  patient_row->setSpacing(8);
   patient_row->addWidget(patient_, 1);
   patient_row->addWidget(browse);
   patient_row->addWidget(from_ct);

@@ -16,8 +16,8 @@ namespace {
 
 using pipeline::Box;
 
-// Voxels of about this edge are enough for a look; a thin leaf needs finer ones.
-constexpr double kCoarseMm = 1.6, kFineMm = 0.7, kSmallMm = 70.0;
+// So many voxels along a structure are enough for a look.
+constexpr double kVoxels = 110.0, kFinestMm = 0.5, kCoarsestMm = 1.6;
 
 std::array<Box, 256> boxes_of(const pipeline::Labels& labels) {
   std::array<Box, 256> boxes;
@@ -36,10 +36,10 @@ std::array<Box, 256> boxes_of(const pipeline::Labels& labels) {
   return boxes;
 }
 
-/// 1 inside, 0 outside, every few voxels, with an empty rim so that the surface is closed.
+/// The share of a block of voxels that is inside, with an empty rim so that the surface is closed: a thin wall thins
+/// out instead of getting holes.
 template <class Inside>
-pipeline::Volume<float> sampled(const pipeline::Labels& labels, const Box& box, double wanted_mm,
-                                const Inside& inside) {
+pipeline::Volume<float> shares(const pipeline::Labels& labels, const Box& box, double wanted_mm, const Inside& inside) {
   const auto& g = labels.grid;
   pipeline::Grid coarse;
   std::array<int, 3> stride{};
@@ -47,25 +47,29 @@ pipeline::Volume<float> sampled(const pipeline::Labels& labels, const Box& box, 
     stride[a] = std::max(1, static_cast<int>(wanted_mm / g.spacing[a] + 0.25));
     coarse.spacing[a] = stride[a] * g.spacing[a];
     coarse.size[a] = (box.high[a] - box.low[a]) / stride[a] + 5;
-    coarse.origin[a] = g.origin[a] + (box.low[a] - 2 * stride[a]) * g.spacing[a];
+    coarse.origin[a] = g.origin[a] + (box.low[a] - 2 * stride[a] + 0.5 * (stride[a] - 1)) * g.spacing[a];
   }
   pipeline::Volume<float> out(coarse, 0.0f);
-  for (int z = 0; z < coarse.size[2]; ++z)
-    for (int y = 0; y < coarse.size[1]; ++y)
-      for (int x = 0; x < coarse.size[0]; ++x) {
-        const int i = box.low[0] + (x - 2) * stride[0], j = box.low[1] + (y - 2) * stride[1],
-                  k = box.low[2] + (z - 2) * stride[2];
-        const bool within =
-            x > 0 && y > 0 && z > 0 && x + 1 < coarse.size[0] && y + 1 < coarse.size[1] && z + 1 < coarse.size[2];
-        if (within && g.contains(i, j, k) && inside(labels.at(i, j, k))) out.at(x, y, z) = 1.0f;
-      }
+  const float share = 1.0f / static_cast<float>(stride[0] * stride[1] * stride[2]);
+  for (int z = box.low[2]; z <= box.high[2]; ++z)
+    for (int y = box.low[1]; y <= box.high[1]; ++y)
+      for (int x = box.low[0]; x <= box.high[0]; ++x)
+        if (inside(labels.at(x, y, z)))
+          out.at(2 + (x - box.low[0]) / stride[0], 2 + (y - box.low[1]) / stride[1],
+                 2 + (z - box.low[2]) / stride[2]) += share;
   return out;
+}
+
+double voxel_for(const pipeline::Grid& grid, const Box& box) {
+  double extent = 0.0;
+  for (int a = 0; a < 3; ++a) extent = std::max(extent, (box.high[a] - box.low[a]) * grid.spacing[a]);
+  return std::clamp(extent / kVoxels, kFinestMm, kCoarsestMm);
 }
 
 vtkSmartPointer<vtkPolyData> surface_of(pipeline::Volume<float> field) {
   const auto& d = field.grid.spacing;
-  field = pipeline::smoothed(field, 0.7 * std::max({d[0], d[1], d[2]}));
-  for (float& v : field.voxels) v -= 0.45f;
+  field = pipeline::smoothed(field, 0.6 * std::max({d[0], d[1], d[2]}));
+  for (float& v : field.voxels) v -= 0.4f;  // a little below half: thin walls stay whole
   const auto surface = pipeline::isosurface(field);
   vtkNew<vtkPolyDataNormals> normals;
   normals->SetInputData(poly_data(surface.points, surface.triangles));
@@ -91,13 +95,12 @@ std::map<std::uint8_t, vtkSmartPointer<vtkPolyData>> label_surfaces(const pipeli
     }
     if (label.value == pipeline::kSkin) continue;
     if (go_on && !go_on()) return surfaces;
-    double extent = 0.0;
-    for (int a = 0; a < 3; ++a) extent = std::max(extent, (box.high[a] - box.low[a]) * labels.grid.spacing[a]);
-    surfaces[label.value] = surface_of(sampled(labels, box, extent < kSmallMm ? kFineMm : kCoarseMm,
-                                               [&](std::uint8_t v) { return v == label.value; }));
+    surfaces[label.value] =
+        surface_of(shares(labels, box, voxel_for(labels.grid, box), [&](std::uint8_t v) { return v == label.value; }));
   }
   if (!all.empty() && !boxes[pipeline::kSkin].empty() && (!go_on || go_on()))
-    surfaces[pipeline::kSkin] = surface_of(sampled(labels, all, kCoarseMm, [](std::uint8_t v) { return v != 0; }));
+    surfaces[pipeline::kSkin] =
+        surface_of(shares(labels, all, voxel_for(labels.grid, all), [](std::uint8_t v) { return v != 0; }));
   return surfaces;
 }
 

@@ -94,8 +94,11 @@ void LabelView::make_surfaces() {
             auto actor = vtkSmartPointer<vtkActor>::New();
             actor->SetMapper(mapper);
             actor->GetProperty()->SetColor(label.rgb[0], label.rgb[1], label.rgb[2]);
-            if (label.value == pipeline::kSkin || label.value == pipeline::kSkull)
+            // One sees through skin and skull, but not through their far side as well: that would need sorting.
+            if (label.value == pipeline::kSkin || label.value == pipeline::kSkull) {
               actor->GetProperty()->SetOpacity(0.35);
+              actor->GetProperty()->BackfaceCullingOn();
+            }
             renderer()->AddActor(actor);
             actors_[label.value] = actor;
           }
@@ -141,7 +144,7 @@ void LabelView::look_from_front() {
   camera->SetPosition(0.6, -1.0, 0.15);
   camera->SetViewUp(0, 0, 1);
   renderer()->ResetCamera();
-  camera->Zoom(1.35);
+  camera->Zoom(1.2);
   renderer()->ResetCameraClippingRange();
   draw_soon();
 }

@@ -19,11 +19,13 @@ void SliceScene::set_scan(std::shared_ptr<const pipeline::Hounsfield> hu) {
   overlay_.labels = nullptr;
   overlay_.threshold.reset();
   landmarks_.clear();
+  seeds_.clear();
   measures_.clear();
   measuring_ = false;
   if (hu_) {
     const auto& size = hu_->grid.size;
     crosshair_ = hu_->grid.position(size[0] / 2, size[1] / 2, size[2] / 2);
+    focus_ = {hu_->grid.position(-0.5, -0.5, -0.5), hu_->grid.position(size[0] - 0.5, size[1] - 0.5, size[2] - 0.5)};
   }
   pictures_changed();
   emit labels_changed();
@@ -44,6 +46,16 @@ void SliceScene::set_landmarks(std::map<std::string, SceneLandmark> landmarks) {
   landmarks_ = std::move(landmarks);
   emit landmarks_changed();
   emit changed();
+}
+
+void SliceScene::set_seeds(std::map<std::string, Point> seeds) {
+  seeds_ = std::move(seeds);
+  emit changed();
+}
+
+void SliceScene::set_focus(const Point& low, const Point& high) {
+  focus_ = {low, high};
+  emit focus_changed();
 }
 
 void SliceScene::set_crosshair(const Point& at) {

@@ -39,6 +39,11 @@ class SliceScene : public QObject {
   std::shared_ptr<const pipeline::Labels> shared_labels() const { return labels_; }
   void set_landmarks(std::map<std::string, SceneLandmark> landmarks);
   const std::map<std::string, SceneLandmark>& landmarks() const { return landmarks_; }
+  void set_seeds(std::map<std::string, Point> seeds);
+  const std::map<std::string, Point>& seeds() const { return seeds_; }
+  /// What fitted views show: the whole scan, unless told. Corners, mm.
+  void set_focus(const Point& low, const Point& high);
+  const std::array<Point, 2>& focus() const { return focus_; }
 
   /// Kept inside the scan.
   void set_crosshair(const Point& at);
@@ -79,6 +84,7 @@ class SliceScene : public QObject {
  signals:
   void changed();
   void labels_changed();
+  void focus_changed();
   void landmarks_changed();
   void crosshair_moved();
   void hovered(const vallecula::pipeline::Point& at);
@@ -91,6 +97,8 @@ class SliceScene : public QObject {
   std::shared_ptr<const pipeline::Hounsfield> hu_;
   std::shared_ptr<const pipeline::Labels> labels_;
   std::map<std::string, SceneLandmark> landmarks_;
+  std::map<std::string, Point> seeds_;
+  std::array<Point, 2> focus_{};
   std::vector<Measure> measures_;
   bool measuring_ = false;
   Point crosshair_{};

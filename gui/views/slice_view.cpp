@@ -35,6 +35,9 @@ SliceView::SliceView(SliceScene& scene, SlicePlane plane, QWidget* parent)
       "of "
       "the tool at the crosshair, Delete removes the last measure");
   connect(&scene_, &SliceScene::changed, this, &SliceView::scan_changed);
+  connect(&scene_, &SliceScene::focus_changed, this, [this] {
+    if (fitted_) fit();
+  });
   connect(&scene_, &SliceScene::tool_changed, this,
           [this] { setCursor(scene_.tool() == SliceTool::crosshair ? Qt::ArrowCursor : Qt::CrossCursor); });
   scan_changed();
@@ -67,9 +70,9 @@ pipeline::Point SliceView::point_at(const QPointF& pixel) const {
 void SliceView::fit() {
   fitted_ = true;
   if (shown_ == nullptr) return;
-  const auto& g = shown_->grid;
-  const auto extent = [&](int a) { return g.size[a] * g.spacing[a]; };
-  const auto centre = [&](int a) { return g.origin[a] + 0.5 * (g.size[a] - 1) * g.spacing[a]; };
+  const auto& [low, high] = scene_.focus();
+  const auto extent = [&, low = low, high = high](int a) { return high[a] - low[a]; };
+  const auto centre = [&, low = low, high = high](int a) { return 0.5 * (low[a] + high[a]); };
   scale_ = 0.98 * std::min(width() / extent(axes_.across), height() / extent(axes_.down));
   middle_ = {centre(axes_.across), centre(axes_.down)};
   update();
@@ -110,6 +113,7 @@ void SliceView::paintEvent(QPaintEvent*) {
     draw_crosshair(painter);
     draw_measures(painter);
     draw_landmarks(painter);
+    draw_seeds(painter);
     draw_edges(painter);
   }
   painter.setRenderHint(QPainter::Antialiasing, false);
@@ -145,8 +149,11 @@ void SliceView::draw_measures(QPainter& painter) const {
 }
 
 void SliceView::draw_landmarks(QPainter& painter) const {
+  std::vector<QRectF> taken;  // by rings and names, which must not cover each other
+  for (const auto& [name, mark] : scene_.landmarks())
+    if (in_slice(mark.at)) taken.emplace_back(pixel_of(mark.at) - QPointF(6, 6), QSizeF(12, 12));
   for (const auto& [name, mark] : scene_.landmarks()) {
-    if (!landmark_in_slice(mark.at)) continue;
+    if (!in_slice(mark.at)) continue;
     const QPointF at = pixel_of(mark.at);
     const QColor colour = mark.given ? kMoved : kFound;
     painter.setPen(QPen(QColor(0, 0, 0, 180), 3.5));
@@ -154,7 +161,30 @@ void SliceView::draw_landmarks(QPainter& painter) const {
     painter.drawEllipse(at, 5.0, 5.0);
     painter.setPen(QPen(colour, 1.6));
     painter.drawEllipse(at, 5.0, 5.0);
-    rimmed_text(painter, at + QPointF(9, 4), QString::fromStdString(name).replace('_', ' '), colour);
+    const QString text = QString::fromStdString(name).replace('_', ' ');
+    const double wide = painter.fontMetrics().horizontalAdvance(text), high = painter.fontMetrics().height();
+    for (const QPointF& place :
+         {QPointF(9, 4), QPointF(-9 - wide, 4), QPointF(-0.5 * wide, -9), QPointF(-0.5 * wide, 8 + 0.8 * high)}) {
+      const QRectF box(at.x() + place.x(), at.y() + place.y() - 0.8 * high, wide, high);
+      if (std::any_of(taken.begin(), taken.end(), [&](const QRectF& other) { return other.intersects(box); })) continue;
+      rimmed_text(painter, at + place, text, colour);
+      taken.push_back(box);
+      break;  // where all four are taken, the ring alone is shown; its tip tells the name
+    }
+  }
+}
+
+void SliceView::draw_seeds(QPainter& painter) const {
+  for (const auto& [name, at] : scene_.seeds()) {
+    if (!in_slice(at)) continue;
+    const QPointF p = pixel_of(at);
+    for (const QPen& pen : {QPen(QColor(0, 0, 0, 180), 4.0), QPen(theme::kTarget, 2.0)}) {
+      painter.setPen(pen);
+      painter.drawLine(p - QPointF(6, 6), p + QPointF(6, 6));
+      painter.drawLine(p - QPointF(6, -6), p + QPointF(6, -6));
+    }
+    rimmed_text(painter, p + QPointF(10, -4), "seed of " + QString::fromStdString(name).replace('_', ' '),
+                theme::kTarget);
   }
 }
 
@@ -178,13 +208,14 @@ void SliceView::draw_edges(QPainter& painter) const {
   double mm = 1.0;
   for (const double next : {2.0, 5.0, 10.0, 20.0, 50.0})
     if (next * scale_ < 0.22 * width()) mm = next;
-  const QPointF from(width() - 14.0 - mm * scale_, height() - 14.0);
+  const QString length = QString("%1 mm").arg(mm);
+  const QPointF to(width() - 14.0, height() - 14.0);
   painter.setPen(QPen(theme::kText, 2.0));
-  painter.drawLine(from, from + QPointF(mm * scale_, 0));
-  rimmed_text(painter, from + QPointF(0, -5), QString("%1 mm").arg(mm), theme::kText);
+  painter.drawLine(to - QPointF(mm * scale_, 0), to);
+  rimmed_text(painter, to - QPointF(painter.fontMetrics().horizontalAdvance(length), 5), length, theme::kText);
 }
 
-bool SliceView::landmark_in_slice(const pipeline::Point& at) const {
+bool SliceView::in_slice(const pipeline::Point& at) const {
   return shown_ != nullptr && std::abs(at[axes_.through] - point_at({0, 0})[axes_.through]) <=
                                   std::max(kLandmarkReach, 0.5 * shown_->grid.spacing[axes_.through]);
 }
@@ -193,7 +224,7 @@ std::string SliceView::landmark_near(const QPointF& pixel) const {
   std::string nearest;
   double reach = 9.0;  // pixels
   for (const auto& [name, mark] : scene_.landmarks()) {
-    if (!landmark_in_slice(mark.at)) continue;
+    if (!in_slice(mark.at)) continue;
     const QPointF d = pixel_of(mark.at) - pixel;
     if (std::hypot(d.x(), d.y()) > reach) continue;
     reach = std::hypot(d.x(), d.y());

@@ -11,7 +11,8 @@ namespace vallecula::gui {
 
 /// Mouse: left as the scene's tool says (on a landmark it drags that), right drag window and level, middle or
 /// Shift-left drag pan, wheel slices, Ctrl-wheel zoom. Keys: arrows move the crosshair by a voxel, PgUp PgDn slices, +
-/// - 0 zoom, Enter puts the tool's point at the crosshair, Delete takes the last measure away.
+/// - 0 zoom, Enter puts the tool's point at the crosshair, Delete takes the last measure away,
+/// F (or a double click) shows this view alone.
 class SliceView : public QWidget {
   Q_OBJECT
  public:
@@ -26,12 +27,17 @@ class SliceView : public QWidget {
   void fit();
   QSize sizeHint() const override { return {420, 340}; }
 
+ signals:
+  /// A double click, or F: this view alone, or all of them again.
+  void alone_wanted();
+
  protected:
   void paintEvent(QPaintEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
 
@@ -40,9 +46,10 @@ class SliceView : public QWidget {
   void zoom(double factor, const QPointF& about);
   void scan_changed();
   std::string landmark_near(const QPointF& pixel) const;
-  bool landmark_in_slice(const pipeline::Point& at) const;
+  bool in_slice(const pipeline::Point& at) const;
   void draw_measures(QPainter& painter) const;
   void draw_landmarks(QPainter& painter) const;
+  void draw_seeds(QPainter& painter) const;
   void draw_crosshair(QPainter& painter) const;
   void draw_edges(QPainter& painter) const;
 

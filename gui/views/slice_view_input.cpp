@@ -48,8 +48,11 @@ void SliceView::mouseMoveEvent(QMouseEvent* event) {
   const QPointF at = event->localPos(), moved = at - last_;
   last_ = at;
   scene_.hover(point_at(at));
-  if (drag_ == Drag::none && scene_.tool() == SliceTool::crosshair)
-    setCursor(landmark_near(at).empty() ? Qt::ArrowCursor : Qt::OpenHandCursor);
+  if (drag_ == Drag::none && scene_.tool() == SliceTool::crosshair) {
+    const QString name = QString::fromStdString(landmark_near(at)).replace('_', ' ');
+    setCursor(name.isEmpty() ? Qt::ArrowCursor : Qt::OpenHandCursor);
+    setToolTip(name);
+  }
   switch (drag_) {
     case Drag::crosshair:
       scene_.set_crosshair(point_at(at));
@@ -86,6 +89,14 @@ void SliceView::mouseReleaseEvent(QMouseEvent* event) {
   if (was == Drag::landmark && !moved.isNull()) scene_.drop_landmark(dragged_);
   if (was == Drag::measure && scene_.measuring() && std::hypot(moved.x(), moved.y()) > kDragBegins)
     scene_.put_point(plane_, point_at(event->localPos()));
+}
+
+void SliceView::mouseDoubleClickEvent(QMouseEvent* event) {
+  if (event->button() == Qt::LeftButton && scene_.tool() == SliceTool::crosshair &&
+      landmark_near(event->localPos()).empty())
+    emit alone_wanted();
+  else
+    mousePressEvent(event);  // two quick clicks of a ruler are two points
 }
 
 void SliceView::wheelEvent(QWheelEvent* event) {
@@ -126,6 +137,8 @@ void SliceView::keyPressEvent(QKeyEvent* event) {
       return zoom(1.0 / kZoomANotch, pixel_of(scene_.crosshair()));
     case Qt::Key_0:
       return fit();
+    case Qt::Key_F:
+      return alone_wanted();
     case Qt::Key_Return:
     case Qt::Key_Enter:
       return scene_.put_point(plane_, scene_.crosshair());

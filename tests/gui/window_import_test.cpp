@@ -1,10 +1,12 @@
 // The import wizard as a clinician uses it: from a folder to a patient to practise with. With VALLECULA_PICTURES=DIR
 // every step is kept there as a picture.
+#include <QCheckBox>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMouseEvent>
 #include <QPushButton>
 #include <QSpinBox>
+#include <QTabWidget>
 #include <QTableWidget>
 #include <algorithm>
 #include <cstdlib>
@@ -134,7 +136,9 @@ TEST_F(WindowImport, FromAFolderToAPatientThatIsChosenOnTheFirstPage) {
   ASSERT_FALSE(HasFatalFailure());
   const auto* table = wizard().source_page().findChild<QTableWidget*>();
   ASSERT_EQ(table->rowCount(), 1);
-  EXPECT_FALSE(table->item(0, 1)->icon().isNull());
+  const auto* thumbnail = qobject_cast<QLabel*>(table->cellWidget(0, 1));
+  ASSERT_NE(thumbnail, nullptr);
+  EXPECT_GT(colours_in(thumbnail->pixmap(Qt::ReturnByValue).toImage()), 6) << "a picture of the head";
   EXPECT_NE(table->item(0, 2)->text().indexOf("slices"), -1);
   EXPECT_EQ(left_behind(), std::vector<std::string>{}) << "nothing is written before it is saved";
   picture("3-check");
@@ -171,6 +175,11 @@ TEST_F(WindowImport, FromAFolderToAPatientThatIsChosenOnTheFirstPage) {
   button(check(), "&Accept")->click();
   EXPECT_EQ(check().history().state().accepted, std::set<std::string>{"airway"});
   picture("3-check-moved");
+  auto* tabs = check().findChild<QTabWidget*>();
+  for (const int tab : {1, 2, 0}) {
+    tabs->setCurrentIndex(tab);
+    picture("3-tab-" + std::to_string(tab));
+  }
 
   button(check(), "&Build the patient")->click();
   ASSERT_EQ(wizard().step(), "build");
@@ -345,6 +354,18 @@ TEST_F(WindowImport, ARealClosedMouthGetsItsTongueFromASeed) {
   ASSERT_TRUE(wait_for([&] { return check().view_3d().up_to_date(); }));
   check().scene().set_crosshair(tongue);
   picture("3-after");
+  check().scene().set_tool(SliceTool::ruler);
+  drag(sagittal, sagittal.pixel_of({244, -372, -141}), sagittal.pixel_of({244, -305, -141}));
+  check().structures().findChild<QCheckBox*>()->setChecked(true);
+  check().scene().set_tool(SliceTool::angle);
+  for (const Point& p : {Point{244, -372, -141}, Point{244, -341, -138}, Point{239, -312, -219}})
+    drag(sagittal, sagittal.pixel_of(p), sagittal.pixel_of(p));
+  EXPECT_EQ(check().scene().measures().size(), 2u);
+  picture("3-measured");
+  check().structures().findChild<QCheckBox*>()->setChecked(false);
+  emit sagittal.alone_wanted();
+  picture("3-alone");
+  emit sagittal.alone_wanted();
   button(check(), "&Build the patient")->click();
   ASSERT_TRUE(wait_for([&] { return !wizard().work().busy(); }, 300000));
   picture("4-built");
