@@ -76,6 +76,9 @@ int main(int argc, char** argv) {
   add_demo_command(app, exit_code);
   add_manikin_command(app, exit_code);
   add_import_command(app, exit_code);
+  add_series_command(app, exit_code);
+  add_compare_command(app, exit_code);
+  add_export_command(app, exit_code);
   add_trial_command(app, exit_code);
   add_replay_command(app, exit_code);
   add_score_command(app, exit_code);

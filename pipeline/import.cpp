@@ -7,7 +7,9 @@
 #include <chrono>
 #include <sstream>
 
+#include "pipeline/exchange/landmark_file.h"
 #include "pipeline/mesh/anatomy_surfaces.h"
+#include "pipeline/mesh/generic_face.h"
 #include "pipeline/mesh/tetrahedralize.h"
 #include "pipeline/package/label_map.h"
 #include "pipeline/quality.h"
@@ -18,6 +20,9 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kVersion = "0.1.0";
+constexpr const char* kFaceNotice =
+    "the face is the patient's own and can be recognised: treat the package as patient data, or import with the generic "
+    "face";
 
 /// Names the stage at hand, measures it, and maps its own 0..1 into the whole's.
 class Stages {
@@ -123,6 +128,7 @@ struct Import::Work {
   Segmentation segmentation;
   PatientPackage package;
   std::vector<QualityItem> played;
+  std::vector<std::string> edit_remarks;
 
   /// Runs a stage; whatever goes wrong in it becomes one message for a person.
   template <class Stage>
@@ -137,6 +143,12 @@ struct Import::Work {
     } catch (const SeriesError& e) {
       throw ImportError(e.what());
     } catch (const PackageError& e) {
+      throw ImportError(e.what());
+    } catch (const LabelMapError& e) {
+      throw ImportError(e.what());
+    } catch (const LandmarkFileError& e) {
+      throw ImportError(e.what());
+    } catch (const EditError& e) {
       throw ImportError(e.what());
     } catch (const std::runtime_error& e) {
       throw ImportError("series " + name + ": " + e.what());
@@ -167,7 +179,7 @@ void Import::read() {
   auto& w = *work_;
   w.guarded([&] {
     w.stages.begin("read", 0.0, 0.1);
-    w.series = read_ct_series(w.options.series, [&](double f) { w.stages.say(f); });
+    w.series = read_ct_series(w.options.series, [&](double f) { w.stages.say(f); }, w.options.choose);
     w.stages.end();
   });
 }
@@ -175,14 +187,10 @@ void Import::read() {
 void Import::segment() {
   auto& w = *work_;
   w.guarded([&] {
-    for (const auto& [name, point] : w.options.edits.seeds) {
-      (void)point;
-      if (name != "tongue")
-        throw ImportError("seed " + name + ": only the tongue takes a seed; write --seed tongue=x,y,z");
-    }
     w.stages.begin("segment", 0.1, 0.5);
-    w.segmentation =
-        pipeline::segment(w.series.hu, w.options.edits, [&](const std::string&, double f) { w.stages.say(f); });
+    auto edits = w.options.edits;
+    w.edit_remarks = add_edit_files(w.options.edit_files, w.series.hu.grid, edits);
+    w.segmentation = pipeline::segment(w.series.hu, edits, [&](const std::string&, double f) { w.stages.say(f); });
     w.stages.end();
   });
 }
@@ -192,17 +200,22 @@ void Import::mesh() {
   w.guarded([&] {
     w.package = PatientPackage();
     w.stages.begin("surfaces", 0.5, 0.75);
+    if (w.options.generic_face) give_generic_face(w.segmentation);
     const auto fields = fields_of(w.segmentation);
     w.package.surfaces = surfaces_of(w.segmentation, fields, [&](double f) { w.stages.say(f); });
     w.stages.begin("tetrahedra", 0.75, 0.85);
     w.package.tongue = soft_mesh(w.segmentation, fields);
     w.stages.end();
     w.package.provenance = provenance_of(w.series);
+    w.package.provenance["face"] = w.options.generic_face ? "the shipped generic one" : "the patient's own";
     w.package.landmarks = w.segmentation.landmarks;
     w.package.findings = w.segmentation.findings;
     w.package.pose = w.segmentation.pose;
     w.package.materials = default_materials();
-    w.package.quality = quality_report(w.segmentation, w.package, w.series.notes);
+    auto notes = w.series.notes;
+    if (!w.options.generic_face) notes.emplace_back(kFaceNotice);
+    notes.insert(notes.end(), w.edit_remarks.begin(), w.edit_remarks.end());
+    w.package.quality = quality_report(w.segmentation, w.package, notes);
   });
 }
 
@@ -212,7 +225,7 @@ void Import::check() {
   if (!w.options.check) return;
   w.guarded([&] {
     w.stages.begin("check by playing", 0.85, 0.95);
-    w.played = w.options.check(w.package);
+    w.played = w.options.check(w.package, [&](double f) { w.stages.say(f); });
     w.stages.end();
   });
 }
@@ -226,7 +239,9 @@ ImportReport Import::write() {
     package.name = package_name(w.options.out);
     package.quality = quality();
     const TemporaryLabels labels;
-    write_label_map(labels_on_scan(), labels.path());
+    auto map = labels_on_scan();
+    if (w.options.generic_face) map = without_face(map, w.segmentation.frame.scale);
+    write_label_map(map, labels.path());
     w.stages.say(0.5);
     write_package(package, labels.path(), w.options.out);
     w.stages.say(1.0);

@@ -9,18 +9,24 @@
 #include <vector>
 
 #include "pipeline/dicom/read_series.h"
+#include "pipeline/exchange/edit_files.h"
 #include "pipeline/package/patient_package.h"
 #include "pipeline/segment/segment.h"
 
 namespace vallecula::pipeline {
 
 /// Looks at a package that is ready to be written, as a player would: what it finds goes into the quality report.
-using PackageCheck = std::function<std::vector<QualityItem>(const PatientPackage&)>;
+/// The second argument gets its share done, 0..1.
+using PackageCheck =
+    std::function<std::vector<QualityItem>(const PatientPackage&, const std::function<void(double)>& progress)>;
 
 struct ImportOptions {
-  std::filesystem::path series;  ///< folder with one CT series; other files in it are ignored
+  std::filesystem::path series;  ///< folder with a CT series, or a volume file; other files in it are ignored
+  std::string choose;            ///< which of several series: its number in list_series, or its UID
   std::filesystem::path out;     ///< NAME.patient; a package already there is replaced when the new one is whole
   Edits edits;
+  bool generic_face = false;  ///< the shipped face for the patient's; taken at mesh(), taken back by segment() again
+  EditFiles edit_files;  ///< read anew by each segment(); `edits` go before them
   PackageCheck check;  ///< the last stage before writing; empty: left out
 };
 
@@ -58,7 +64,7 @@ class Import {
   const ImportOptions& options() const;
 
   void read();
-  void segment();  ///< with options().edits
+  void segment();  ///< with options().edits and edit_files
   void mesh();     ///< surfaces and tetrahedra
   void check();    ///< options().check
   /// Writes the package and returns the report. Until then nothing lies on the disk.

@@ -12,6 +12,9 @@ namespace vallecula::gui {
 void add_demo_command(CLI::App& app, int& exit_code);
 void add_manikin_command(CLI::App& app, int& exit_code);
 void add_import_command(CLI::App& app, int& exit_code);
+void add_series_command(CLI::App& app, int& exit_code);
+void add_compare_command(CLI::App& app, int& exit_code);
+void add_export_command(CLI::App& app, int& exit_code);
 void add_trial_command(CLI::App& app, int& exit_code);
 void add_replay_command(CLI::App& app, int& exit_code);
 void add_score_command(CLI::App& app, int& exit_code);

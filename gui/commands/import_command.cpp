@@ -5,27 +5,15 @@
 #include <sstream>
 
 #include "gui/commands/commands.h"
+#include "gui/commands/edit_options.h"
 #include "gui/commands/interruption.h"
 #include "gui/commands/stage_lines.h"
+#include "gui/session/play_check.h"
 #include "pipeline/import.h"
 
 namespace vallecula::gui {
 
 namespace {
-
-/// NAME=x,y,z
-std::pair<std::string, pipeline::Point> parse_seed(const std::string& text) {
-  const std::size_t equals = text.find('=');
-  pipeline::Point point{};
-  std::istringstream numbers(equals == std::string::npos ? "" : text.substr(equals + 1));
-  char comma1 = 0, comma2 = 0;
-  numbers >> point[0] >> comma1 >> point[1] >> comma2 >> point[2];
-  if (equals == std::string::npos || equals == 0 || !numbers || comma1 != ',' || comma2 != ',' ||
-      numbers.peek() != EOF) {
-    throw CLI::ValidationError("--seed", "'" + text + "' is not NAME=x,y,z (mm, LPS), for instance tongue=0,-40.5,12");
-  }
-  return {text.substr(0, equals), point};
-}
 
 void print_report(const pipeline::ImportReport& report) {
   std::cout << "package: " << report.package.string() << "\n";
@@ -43,28 +31,33 @@ void print_report(const pipeline::ImportReport& report) {
 void add_import_command(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("import", "Make a patient package from a CT series");
   struct Options {
-    std::string series, out;
-    std::vector<std::string> seeds;
-    bool window = false;
+    std::string series, out, choose;
+    bool generic_face = false, window = false;
   };
   auto options = std::make_shared<Options>();
-  command->add_option("SERIES", options->series, "Folder with one CT series (DICOM)")->required();
-  command->add_option("--out", options->out, "The package to write: NAME.patient; without --window required");
-  command->add_flag("--window", options->window, "Open the trainer's window on this import, to look at it step by step");
-  command->add_option("--seed", options->seeds,
-                      "A point inside a structure that is not found by itself: NAME=x,y,z (mm, LPS)");
-  command->callback([options, &exit_code] {
+  command->add_option("SERIES", options->series, "Folder with a CT series (DICOM), or a NIfTI, NRRD or MetaImage file")->required();
+  command->add_option("--series", options->choose, "Which of several: its number in `vallecula series`, or its UID");
+  command->add_option("--out", options->out, "The package to write: NAME.patient (needed without --window)");
+  command->add_flag("--generic-face", options->generic_face,
+                    "The shipped infant's face instead of the patient's, which can be recognised");
+  command->add_flag("--window", options->window, "Open the trainer's window on this import instead, to do it step by step");
+  const EditOptions edits(*command);
+  command->callback([options, edits, command, &exit_code] {
     if (options->window) {
-      if (!options->out.empty() || !options->seeds.empty())
-        throw CLI::ValidationError("--window", "takes only SERIES: name and seeds are given in the window");
+      for (const CLI::Option* option : command->get_options())
+        if (option->count() > 0 && option->get_name() != "SERIES" && option->get_name() != "--window")
+          throw CLI::ValidationError("--window", "leaves no room for " + option->get_name() + ": it is asked for in the window");
       exit_code = run_window_import(options->series);
       return;
     }
     if (options->out.empty()) throw CLI::RequiredError("--out");
     pipeline::ImportOptions import;
     import.series = options->series;
+    import.choose = options->choose;
     import.out = options->out;
-    for (const std::string& seed : options->seeds) import.edits.seeds.insert(parse_seed(seed));
+    import.generic_face = options->generic_face;
+    import.check = check_by_playing;
+    edits.put_into(import);
     watch_for_interruption();
     StageLines lines;
     const pipeline::ImportReport report =

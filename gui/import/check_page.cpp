@@ -9,11 +9,11 @@
 #include <QRegularExpression>
 #include <QSlider>
 #include <QStyle>
+#include <QTabBar>
 #include <QTabWidget>
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "gui/import/given_labels.h"
 #include "gui/import/landmark_panel.h"
 #include "gui/import/quality_list.h"
 #include "gui/import/structure_panel.h"
@@ -67,6 +67,12 @@ CheckPage::CheckPage(ImportWork& work, QWidget* parent) : QWidget(parent), work_
           [this](const pipeline::Point& at) { at_->setText(scene_.describe(at)); });
   connect(&scene_, &SliceScene::crosshair_moved, this, [this] { at_->setText(scene_.describe(scene_.crosshair())); });
   connect(&history_, &EditHistory::changed, this, &CheckPage::show_state);
+  connect(&work_, &ImportWork::loaded, this, [this](const QString& what, const EditState& edits) {
+    history_.change(what, edits);
+    show_message("");
+  });
+  connect(&work_, &ImportWork::file_failed, this, &CheckPage::show_message);
+  connect(&work_, &ImportWork::saved, this, [this](const QString& files) { show_message("Saved: " + files); });
   show_state();
 }
 
@@ -144,15 +150,17 @@ QWidget* CheckPage::make_side() {
   side->setFixedWidth(400);
   tabs_ = new QTabWidget(side);
   tabs_->setDocumentMode(true);
+  tabs_->tabBar()->setDrawBase(false);
   structures_ = new StructurePanel(scene_, history_, side);
   landmarks_ = new LandmarkPanel(scene_, history_, side);
   quality_ = new QualityList(side);
   tabs_->addTab(structures_, "S&tructures");
   tabs_->addTab(landmarks_, "Land&marks");
   tabs_->addTab(quality_, "&Quality");
-  save_ = new QPushButton("Save labels for 3D Slicer ...", side);
-  load_ = new QPushButton("Load labels ...", side);
-  save_->setToolTip("Paint in 3D Slicer's Segment Editor, save, and load the file here");
+  save_ = new QPushButton("Save for 3D Slicer ...", side);
+  load_ = new QPushButton("Load ...", side);
+  save_->setToolTip("Labels (.nrrd) and landmarks (.mrk.json beside them), to be painted and moved there");
+  load_->setToolTip("A label map (all structures in it) or landmarks (.mrk.json), as 3D Slicer saves them");
   auto* slicer = new QHBoxLayout;
   slicer->addWidget(save_);
   slicer->addWidget(load_);
@@ -161,16 +169,17 @@ QWidget* CheckPage::make_side() {
   all->addWidget(tabs_, 1);
   all->addLayout(slicer);
   const auto choose = [this](const std::string& structure) {
-    const QString file =
-        QFileDialog::getOpenFileName(this, "Choose a label map", {}, "Label maps (*.nrrd);;All files (*)");
-    if (!file.isEmpty()) load_labels(file.toStdString(), structure);
+    const QString file = QFileDialog::getOpenFileName(
+        this, "Choose a label map", {},
+        "Label maps and landmarks (*.nrrd *.nii *.nii.gz *.dcm *.mrk.json);;All files (*)");
+    if (!file.isEmpty()) load(file.toStdString(), structure);
   };
   connect(structures_, &StructurePanel::load_wanted, this,
           [choose](const QString& structure) { choose(structure.toStdString()); });
   connect(load_, &QPushButton::clicked, this, [choose] { choose({}); });
   connect(save_, &QPushButton::clicked, this, [this] {
     const QString file = QFileDialog::getSaveFileName(this, "Save the labels", "labels.nrrd", "Label maps (*.nrrd)");
-    if (!file.isEmpty()) save_labels(file.toStdString());
+    if (!file.isEmpty()) save(file.toStdString());
   });
   return side;
 }
@@ -282,27 +291,12 @@ void CheckPage::show_state() {
   }
 }
 
-void CheckPage::load_labels(const std::filesystem::path& file, const std::string& structure) {
-  if (scene_.scan() == nullptr) return;
-  std::set<std::uint8_t> wanted;
-  for (const auto& label : pipeline::kLabelNames)
-    if (label.name == structure) wanted.insert(label.value);
-  try {
-    const auto map = on_grid(pipeline::read_label_map(file), scene_.scan()->grid);
-    history_.change(structure.empty() ? QString("loading labels") : "loading " + words_of(structure),
-                    with_given_labels(history_.state(), map, wanted));
-    message_->clear();
-  } catch (const std::runtime_error& error) {
-    show_message(QString::fromUtf8(error.what()));
-  }
+void CheckPage::load(const std::filesystem::path& file, const std::string& structure) {
+  if (work_.load(file, structure, history_.state())) show_busy("Reading what was made elsewhere");
 }
 
-void CheckPage::save_labels(const std::filesystem::path& file) {
-  try {
-    pipeline::write_label_map(*found_.labels, file);
-  } catch (const std::runtime_error& error) {
-    show_message(QString::fromUtf8(error.what()));
-  }
+void CheckPage::save(const std::filesystem::path& file) {
+  if (work_.save(file, history_.state())) show_busy("Saving for 3D Slicer");
 }
 
 }  // namespace vallecula::gui

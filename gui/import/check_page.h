@@ -46,9 +46,9 @@ class CheckPage : public QWidget {
   StructurePanel& structures() { return *structures_; }
   /// Is there something said that the labels shown do not know of yet?
   bool edits_waiting() const;
-  /// Takes structures from a file: one by name, or (empty) all that are in it. Shows what is wrong with it.
-  void load_labels(const std::filesystem::path& file, const std::string& structure);
-  void save_labels(const std::filesystem::path& file);
+  /// See ImportWork::load and save.
+  void load(const std::filesystem::path& file, const std::string& structure);
+  void save(const std::filesystem::path& file);
 
  signals:
   void segment_wanted();

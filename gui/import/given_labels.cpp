@@ -7,19 +7,8 @@
 
 namespace vallecula::gui {
 
-pipeline::Labels on_grid(const pipeline::Labels& labels, const pipeline::Grid& grid) {
-  pipeline::Labels out(grid);
-  std::size_t i = 0;
-  for (int z = 0; z < grid.size[2]; ++z)
-    for (int y = 0; y < grid.size[1]; ++y)
-      for (int x = 0; x < grid.size[0]; ++x, ++i) {
-        const auto c = labels.grid.nearest(grid.position(x, y, z));
-        if (labels.grid.contains(c[0], c[1], c[2])) out.voxels[i] = labels.at(c[0], c[1], c[2]);
-      }
-  return out;
-}
-
-EditState with_given_labels(const EditState& before, const pipeline::Labels& map, std::set<std::uint8_t> wanted) {
+EditState with_given_labels(const EditState& before, const pipeline::Labels& map,
+                            const std::set<std::uint8_t>& wanted) {
   std::array<bool, 256> present{};
   for (const std::uint8_t v : map.voxels) present[v] = true;
   std::set<std::uint8_t> taken;

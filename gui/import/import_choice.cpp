@@ -2,6 +2,7 @@
 
 #include <QRegularExpression>
 
+#include "gui/session/play_check.h"
 #include "gui/session/user_paths.h"
 
 namespace vallecula::gui {
@@ -31,6 +32,9 @@ std::filesystem::path package_of(const ImportChoice& choice) {
 pipeline::ImportOptions options_of(const ImportChoice& choice) {
   pipeline::ImportOptions options;
   options.series = choice.source;
+  options.choose = choice.series.toStdString();
+  options.generic_face = choice.generic_face;
+  options.check = check_by_playing;
   options.out = package_of(choice);
   return options;
 }

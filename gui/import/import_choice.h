@@ -12,6 +12,7 @@ struct ImportChoice {
   std::filesystem::path source;  ///< a folder of DICOM files, or a file
   QString series;                ///< which of several, as SeriesRow::id has it; empty: the only one
   QString name;                  ///< of the package, without ".patient"
+  bool generic_face = false;     ///< the shipped face for the patient's
 };
 
 /// $user_data_folder()/patients; not created here.

@@ -5,7 +5,10 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "gui/import/given_labels.h"
 #include "gui/pages/background.h"
+#include "pipeline/exchange/label_image.h"
+#include "pipeline/exchange/landmark_file.h"
 #include "pipeline/quality.h"
 #include "pipeline/segment/volume_ops.h"
 
@@ -62,7 +65,7 @@ void ImportWork::cancel() {
 
 template <class Result>
 bool ImportWork::run(double from, double to, std::function<Result()> work, std::function<void(Result)> done,
-                     bool lasting) {
+                     bool lasting, bool of_file) {
   if (busy()) return false;
   cancelled_ = false;
   from_ = from;
@@ -77,10 +80,12 @@ bool ImportWork::run(double from, double to, std::function<Result()> work, std::
         else
           done(std::move(result));
       },
-      [this](const QString& message) {
+      [this, of_file](const QString& message) {
         worker_.clear();
         if (cancelled_)
           emit cancelled();
+        else if (of_file)
+          emit file_failed(message);
         else
           emit failed(message);
       });
@@ -102,7 +107,7 @@ void ImportWork::report(const std::string& stage, double fraction) {
 
 bool ImportWork::list_series(const std::filesystem::path& source) {
   return run<std::vector<SeriesRow>>(
-      0.0, 1.0, [this, source] { return series_at(source, [this](double f) { report("list", f); }); },
+      0.0, 1.0, [source] { return series_at(source); },
       [this](const std::vector<SeriesRow>& rows) { emit listed(rows); });
 }
 
@@ -110,6 +115,7 @@ bool ImportWork::open(const ImportChoice& choice) {
   if (busy()) return false;
   import_.reset();
   last_ = {};
+  face_given_ = false;
   auto import = std::make_shared<pipeline::Import>(options_of(choice),
                                                    [this](const std::string& stage, double f) { report(stage, f); });
   return run<SegmentedScan>(
@@ -151,7 +157,9 @@ bool ImportWork::segment(const EditState& edits) {
 
 bool ImportWork::build(const EditState& edits) {
   if (busy() || !import_) return false;
-  const bool anew = !last_.labels || !edits.same_segmentation(last_.from) || !edits.same_landmarks(last_.from);
+  const bool anew = !last_.labels || !edits.same_segmentation(last_.from) || !edits.same_landmarks(last_.from) ||
+                    face_given_;  // a face is put on once: the next build begins with the patient's own again
+  face_given_ = import_->options().generic_face;
   import_->options().edits = edits.edits();
   return run<SegmentedScan>(
       anew ? kSegmentFrom : kMeshFrom, kWriteFrom,
@@ -178,6 +186,50 @@ bool ImportWork::write() {
       [this](const QString& package) { emit written(package); }, true);
 }
 
+bool ImportWork::load(const std::filesystem::path& file, const std::string& structure, const EditState& before) {
+  if (busy() || !import_) return false;
+  const bool landmarks = file.extension() == ".json";
+  const QString what = landmarks           ? QString("loading landmarks")
+                       : structure.empty() ? QString("loading labels")
+                                           : QString("loading %1").arg(structure.c_str());
+  return run<EditState>(
+      0.0, 1.0,
+      [import = import_, file, structure, before, landmarks] {
+        if (landmarks) {
+          EditState next = before;
+          for (const auto& [name, at] : pipeline::read_landmark_file(file).moved) next.landmarks[name] = at;
+          return next;
+        }
+        std::set<std::uint8_t> wanted;
+        for (const auto& label : pipeline::kLabelNames)
+          if (label.name == structure) wanted.insert(label.value);
+        const auto image = pipeline::read_label_image(file);
+        return with_given_labels(before, pipeline::on_grid(image, import->series().hu.grid, file), wanted);
+      },
+      [this, what](const EditState& next) { emit loaded(what, next); }, false, true);
+}
+
+bool ImportWork::save(const std::filesystem::path& file, const EditState& edits) {
+  if (busy() || !import_ || !last_.labels) return false;
+  return run<QString>(
+      0.0, 1.0,
+      [import = import_, labels = last_.labels, file, edits] {
+        pipeline::write_label_map(*labels, file);
+        auto beside = file;
+        beside.replace_extension(".mrk.json");
+        const auto& s = import->segmentation();
+        pipeline::PatientPackage marks;
+        marks.landmarks = s.landmarks;
+        marks.findings = s.findings;
+        marks.pose = s.pose;
+        for (const auto& [name, at] : edits.landmarks)
+          if (is_place(name)) marks.landmarks[name] = to_package(s.pose, at);
+        pipeline::write_landmark_file(marks, beside);
+        return QString::fromStdString(file.filename().string() + " and " + beside.filename().string());
+      },
+      [this](const QString& files) { emit saved(files); }, true, true);
+}
+
 QString stage_text(const std::string& stage) {
   static const std::map<std::string, QString> texts = {{"list", "Looking at what is there"},
                                                        {"read", "Reading the series"},
@@ -199,6 +251,13 @@ QString time_left_text(double seconds) {
   if (seconds < 0.0) return {};
   if (seconds < 90.0) return QString("about %1 s left").arg(std::max(1.0, std::ceil(seconds)), 0, 'f', 0);
   return QString("about %1 min left").arg(std::ceil(seconds / 60.0), 0, 'f', 0);
+}
+
+pipeline::Point to_package(const pipeline::PoseChange& pose, const pipeline::Point& at) {
+  pipeline::Point there{};
+  const auto& m = pose.scan_to_package;
+  for (int r = 0; r < 3; ++r) there[r] = m[4 * r] * at[0] + m[4 * r + 1] * at[1] + m[4 * r + 2] * at[2] + m[4 * r + 3];
+  return there;
 }
 
 pipeline::Point to_scan(const pipeline::PoseChange& pose, const pipeline::Point& at) {

@@ -42,6 +42,12 @@ class ImportWork : public QObject {
   bool segment(const EditState& edits);                   ///< segmented()
   bool build(const EditState& edits);                     ///< built(); segments again when the edits are new
   bool write();                                           ///< written()
+  /// Takes from a label map one structure by name, or (empty) all that are in it; from a .mrk.json the landmarks that
+  /// were moved: loaded() with `before` and that.
+  bool load(const std::filesystem::path& file, const std::string& structure, const EditState& before);
+  /// Labels as FILE.nrrd and landmarks (those moved in `edits` too) as FILE.mrk.json beside it, in the scan's frame:
+  /// saved().
+  bool save(const std::filesystem::path& file, const EditState& edits);
   /// Leaves the job at its next report of progress. Nothing is on the disk before write(), and that is whole or not.
   void cancel();
 
@@ -61,16 +67,20 @@ class ImportWork : public QObject {
   void built();
   void written(const QString& package);
   void failed(const QString& message);
+  void file_failed(const QString& message);  ///< load() and save()
   void cancelled();
+  void loaded(const QString& what, const vallecula::gui::EditState& edits);
+  void saved(const QString& files);
 
  private:
   /// `lasting`: what is done is done, even if it was cancelled after its last report of progress.
   template <class Result>
-  bool run(double from, double to, std::function<Result()> work, std::function<void(Result)> done,
-           bool lasting = false);
+  bool run(double from, double to, std::function<Result()> work, std::function<void(Result)> done, bool lasting = false,
+           bool of_file = false);
   void report(const std::string& stage, double fraction);
   std::shared_ptr<pipeline::Import> import_;
   SegmentedScan last_;
+  bool face_given_ = false;  ///< a build has put the generic face into the segmentation
   QPointer<QThread> worker_;
   std::atomic<bool> cancelled_{false};
   std::atomic<double> from_{0.0}, to_{1.0};  ///< the job's part of the whole import
@@ -84,8 +94,9 @@ QString time_left_text(double seconds);
 /// What is left of a job, from the share done and the time it took; below 0 while too little is done to tell.
 double seconds_left(double share, double elapsed_s);
 
-/// A point of the package's frame in the scan's: the inverse of `pose.scan_to_package`.
+/// A point of the package's frame in the scan's: the inverse of `pose.scan_to_package`; and the way there.
 pipeline::Point to_scan(const pipeline::PoseChange& pose, const pipeline::Point& at);
+pipeline::Point to_package(const pipeline::PoseChange& pose, const pipeline::Point& at);
 /// Landmarks that are places a person can look at (glottis_normal is a direction, the operator's eye stands outside).
 bool is_place(const std::string& landmark);
 

@@ -13,7 +13,7 @@ int rank(const pipeline::QualityItem& item) { return !item.judged ? 2 : item.ok 
 
 QString value_of(const pipeline::QualityItem& item) {
   // Notes and origins carry their message in the note; their zero says nothing.
-  if (item.unit.empty() && item.value == 0.0) return {};
+  if (item.unit.empty() && item.value == 0.0 && !item.note.empty()) return {};
   const bool whole = std::abs(item.value) >= 1000.0;  // never 1.6e+04 triangles
   return QString("%1 %2")
       .arg(item.value, 0, whole ? 'f' : 'g', whole ? 0 : 4)

@@ -1,47 +1,33 @@
 #include "gui/import/series_rows.h"
 
-#include <algorithm>
-#include <cmath>
+#include <cstring>
 
-#include "gui/views/slice_picture.h"
 #include "pipeline/dicom/read_series.h"
 
 namespace vallecula::gui {
 namespace {
 
-constexpr int kThumbnail = 160;  // pixels
-
-QString millimetres(double mm) { return QString::number(mm, 'g', 3); }
-
-QImage thumbnail_of(const pipeline::Hounsfield& hu) {
-  const auto& g = hu.grid;
-  const QImage cut = slice_picture(hu, SlicePlane::sagittal, g.size[0] / 2, GreyTable({200.0, 1400.0}), {});
-  const double wide = g.size[1] * g.spacing[1], high = g.size[2] * g.spacing[2], most = std::max(wide, high);
-  return cut.scaled(std::max(1, static_cast<int>(std::lround(kThumbnail * wide / most))),
-                    std::max(1, static_cast<int>(std::lround(kThumbnail * high / most))), Qt::IgnoreAspectRatio,
-                    Qt::SmoothTransformation);
+QImage picture_of(const pipeline::Thumbnail& thumbnail) {
+  if (thumbnail.grey.empty()) return {};
+  QImage picture(thumbnail.width, thumbnail.height, QImage::Format_Grayscale8);
+  for (int y = 0; y < thumbnail.height; ++y)
+    std::memcpy(picture.scanLine(y), &thumbnail.grey[static_cast<std::size_t>(y) * thumbnail.width],
+                static_cast<std::size_t>(thumbnail.width));
+  return picture;
 }
 
 }  // namespace
 
-std::vector<SeriesRow> series_at(const std::filesystem::path& source, const std::function<void(double)>& progress) {
-  SeriesRow row;
+std::vector<SeriesRow> series_at(const std::filesystem::path& source) {
+  std::vector<SeriesRow> rows;
   try {
-    const auto series = pipeline::read_ct_series(source, progress);
-    row.usable = true;
-    row.description = QString("CT, %1 slices of %2 x %3, voxels %4 x %5 x %6 mm")
-                          .arg(series.slices)
-                          .arg(series.matrix[0])
-                          .arg(series.matrix[1])
-                          .arg(millimetres(series.source_spacing[0]), millimetres(series.source_spacing[1]),
-                               millimetres(series.source_spacing[2]));
-    for (const auto& note : series.notes) row.why += (row.why.isEmpty() ? "" : "\n") + QString::fromStdString(note);
-    row.thumbnail = thumbnail_of(series.hu);
+    for (const auto& entry : pipeline::list_series(source, true))
+      rows.push_back({entry.number, QString::fromStdString(entry.modality + ", " + pipeline::described(entry)),
+                      entry.usable, QString::fromStdString(entry.reason), picture_of(entry.thumbnail)});
   } catch (const pipeline::SeriesError& error) {
-    row.description = "cannot be used";
-    row.why = QString::fromUtf8(error.what());
+    rows.push_back({0, "No series", false, QString::fromUtf8(error.what()), {}});
   }
-  return {row};
+  return rows;
 }
 
 }  // namespace vallecula::gui

@@ -1,5 +1,6 @@
 #include "gui/import/source_page.h"
 
+#include <QCheckBox>
 #include <QFileDialog>
 #include <QFormLayout>
 #include <QFrame>
@@ -36,7 +37,7 @@ SourcePage::SourcePage(ImportWork& work, QWidget* parent) : QWidget(parent), wor
   file_ = new QPushButton("F&ile ...", this);
   table_ = new QTableWidget(0, 4, this);
   table_->setAccessibleName("Series found");
-  table_->setHorizontalHeaderLabels({"No.", "Middle", "Series", "Remarks"});
+  table_->setHorizontalHeaderLabels({"No.", "Picture", "Series", "Remarks"});
   table_->verticalHeader()->hide();
   table_->verticalHeader()->setDefaultSectionSize(kThumbnailHeight + 8);
   table_->horizontalHeader()->setSectionResizeMode(3, QHeaderView::Stretch);
@@ -55,6 +56,7 @@ SourcePage::SourcePage(ImportWork& work, QWidget* parent) : QWidget(parent), wor
   message_ = new QLabel(this);
   message_->setWordWrap(true);
   for (QLabel* label : {name_problem_, message_}) label->setStyleSheet(QString("color: %1;").arg(theme::kOver.name()));
+  generic_face_ = new QCheckBox("&Use the shipped generic face instead", this);
   auto* about = new QLabel(kAboutFace, this);
   about->setWordWrap(true);
   about->setObjectName("faint");
@@ -88,6 +90,7 @@ SourcePage::SourcePage(ImportWork& work, QWidget* parent) : QWidget(parent), wor
   panel_column->setSpacing(8);
   panel_column->addLayout(naming);
   panel_column->addWidget(about);
+  panel_column->addWidget(generic_face_);
   auto* foot = new QHBoxLayout;
   foot->addWidget(cancel);
   foot->addStretch(1);
@@ -127,6 +130,7 @@ void SourcePage::begin() {
   table_->setRowCount(0);
   source_->clear();
   name_->setText(free_patient_name());
+  generic_face_->setChecked(false);
   show_message("");
   source_->setFocus();
 }
@@ -184,7 +188,9 @@ ImportChoice SourcePage::choice() const {
   choice.source = source_->text().toStdString();
   choice.name = name_->text();
   const int row = table_->currentRow();
-  if (row >= 0 && rows_.size() > 1) choice.series = rows_[static_cast<std::size_t>(row)].id;
+  if (row >= 0 && row < static_cast<int>(rows_.size()))
+    choice.series = QString::number(rows_[static_cast<std::size_t>(row)].number);
+  choice.generic_face = generic_face_->isChecked();
   return choice;
 }
 

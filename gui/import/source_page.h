@@ -7,6 +7,7 @@
 #include "gui/import/import_choice.h"
 #include "gui/import/series_rows.h"
 
+class QCheckBox;
 class QLabel;
 class QLineEdit;
 class QPushButton;
@@ -40,6 +41,7 @@ class SourcePage : public QWidget {
   QLineEdit *source_, *name_;
   QTableWidget* table_;
   QLabel *name_problem_, *message_;
+  QCheckBox* generic_face_;
   QPushButton *folder_, *file_, *go_;
   WorkStrip* strip_;
 };

@@ -42,7 +42,7 @@ QImage slice_picture(const pipeline::Hounsfield& hu, SlicePlane plane, int index
       const auto* over = overlay.labels != nullptr ? colour[overlay.labels->voxels[at]] : nullptr;
       line[column] = over != nullptr ? mixed(g, *over, overlay.opacity) : qRgb(g, g, g);
       if (overlay.threshold && value >= (*overlay.threshold)[0] && value <= (*overlay.threshold)[1])
-        line[column] = mixed(g, kThresholdTint, 0.6);
+        line[column] = mixed(g, kThresholdTint, 0.45);
     }
   }
   return picture;

@@ -23,6 +23,38 @@ void rimmed_text(QPainter& painter, const QPointF& at, const QString& text, cons
 
 }  // namespace
 
+/// What stands beside marks: collected first, then placed so that no name covers a mark or another name.
+class SliceView::Names {
+ public:
+  void add(const QPointF& mark, const QString& text, const QColor& colour) { all_.push_back({mark, text, colour}); }
+  void draw(QPainter& painter, const QRectF& within) const {
+    std::vector<QRectF> taken;
+    for (const Name& name : all_) taken.emplace_back(name.mark - QPointF(6, 6), QSizeF(12, 12));
+    for (const Name& name : all_) {
+      const double wide = painter.fontMetrics().horizontalAdvance(name.text), high = painter.fontMetrics().height();
+      const double middle = -0.5 * wide;
+      for (const QPointF& place :
+           {QPointF(9, 4), QPointF(-9 - wide, 4), QPointF(middle, -9), QPointF(middle, 8 + 0.8 * high),
+            QPointF(9, 4 + high), QPointF(9, 4 - high), QPointF(-9 - wide, 4 - high)}) {
+        const QRectF box(name.mark.x() + place.x(), name.mark.y() + place.y() - 0.8 * high, wide, high);
+        const auto meets = [&](const QRectF& other) { return other.intersects(box); };
+        if (!within.contains(box) || std::any_of(taken.begin(), taken.end(), meets)) continue;
+        rimmed_text(painter, name.mark + place, name.text, name.colour);
+        taken.push_back(box);
+        break;  // where there is no room the mark stands alone; pointed at, it says its name
+      }
+    }
+  }
+
+ private:
+  struct Name {
+    QPointF mark;
+    QString text;
+    QColor colour;
+  };
+  std::vector<Name> all_;
+};
+
 SliceView::SliceView(SliceScene& scene, SlicePlane plane, QWidget* parent)
     : QWidget(parent), scene_(scene), plane_(plane), axes_(axes_of(plane)) {
   setFocusPolicy(Qt::StrongFocus);
@@ -111,9 +143,11 @@ void SliceView::paintEvent(QPaintEvent*) {
     painter.drawImage(QRectF(pixel_of(low), pixel_of(high)), picture_);
     painter.setRenderHint(QPainter::Antialiasing);
     draw_crosshair(painter);
-    draw_measures(painter);
-    draw_landmarks(painter);
-    draw_seeds(painter);
+    Names names;
+    draw_measures(painter, names);
+    draw_seeds(painter, names);
+    draw_landmarks(painter, names);
+    names.draw(painter, rect());
     draw_edges(painter);
   }
   painter.setRenderHint(QPainter::Antialiasing, false);
@@ -132,49 +166,38 @@ void SliceView::draw_crosshair(QPainter& painter) const {
   painter.drawLine(QPointF(c.x(), c.y() + kGap), QPointF(c.x(), height()));
 }
 
-void SliceView::draw_measures(QPainter& painter) const {
+void SliceView::draw_measures(QPainter& painter, Names& names) const {
   for (const Measure& measure : scene_.measures()) {
     if (measure.plane != plane_ || measure.points.empty()) continue;
     const double apart = measure.points.front()[axes_.through] - point_at({0, 0})[axes_.through];
     if (std::abs(apart) > 0.5 * shown_->grid.spacing[axes_.through]) continue;
     painter.setPen(QPen(kRuler, 1.6));
+    painter.setBrush(Qt::NoBrush);
     for (std::size_t i = 0; i < measure.points.size(); ++i) {
       const QPointF at = pixel_of(measure.points[i]);
       if (i > 0) painter.drawLine(pixel_of(measure.points[i - 1]), at);
       painter.drawEllipse(at, 2.5, 2.5);
     }
     const QPointF at = pixel_of(measure.points[measure.points.size() == 3 ? 1 : measure.points.size() - 1]);
-    rimmed_text(painter, at + QPointF(8, -6), QString::fromStdString(text_of(measure)), kRuler);
+    names.add(at, QString::fromStdString(text_of(measure)), kRuler);
   }
 }
 
-void SliceView::draw_landmarks(QPainter& painter) const {
-  std::vector<QRectF> taken;  // by rings and names, which must not cover each other
-  for (const auto& [name, mark] : scene_.landmarks())
-    if (in_slice(mark.at)) taken.emplace_back(pixel_of(mark.at) - QPointF(6, 6), QSizeF(12, 12));
+void SliceView::draw_landmarks(QPainter& painter, Names& names) const {
   for (const auto& [name, mark] : scene_.landmarks()) {
     if (!in_slice(mark.at)) continue;
     const QPointF at = pixel_of(mark.at);
     const QColor colour = mark.given ? kMoved : kFound;
-    painter.setPen(QPen(QColor(0, 0, 0, 180), 3.5));
     painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(QColor(0, 0, 0, 180), 3.5));
     painter.drawEllipse(at, 5.0, 5.0);
     painter.setPen(QPen(colour, 1.6));
     painter.drawEllipse(at, 5.0, 5.0);
-    const QString text = QString::fromStdString(name).replace('_', ' ');
-    const double wide = painter.fontMetrics().horizontalAdvance(text), high = painter.fontMetrics().height();
-    for (const QPointF& place :
-         {QPointF(9, 4), QPointF(-9 - wide, 4), QPointF(-0.5 * wide, -9), QPointF(-0.5 * wide, 8 + 0.8 * high)}) {
-      const QRectF box(at.x() + place.x(), at.y() + place.y() - 0.8 * high, wide, high);
-      if (std::any_of(taken.begin(), taken.end(), [&](const QRectF& other) { return other.intersects(box); })) continue;
-      rimmed_text(painter, at + place, text, colour);
-      taken.push_back(box);
-      break;  // where all four are taken, the ring alone is shown; its tip tells the name
-    }
+    names.add(at, QString::fromStdString(name).replace('_', ' '), colour);
   }
 }
 
-void SliceView::draw_seeds(QPainter& painter) const {
+void SliceView::draw_seeds(QPainter& painter, Names& names) const {
   for (const auto& [name, at] : scene_.seeds()) {
     if (!in_slice(at)) continue;
     const QPointF p = pixel_of(at);
@@ -183,8 +206,7 @@ void SliceView::draw_seeds(QPainter& painter) const {
       painter.drawLine(p - QPointF(6, 6), p + QPointF(6, 6));
       painter.drawLine(p - QPointF(6, -6), p + QPointF(6, -6));
     }
-    rimmed_text(painter, p + QPointF(10, -4), "seed of " + QString::fromStdString(name).replace('_', ' '),
-                theme::kTarget);
+    names.add(p, "seed of " + QString::fromStdString(name).replace('_', ' '), theme::kTarget);
   }
 }
 

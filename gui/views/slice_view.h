@@ -42,14 +42,15 @@ class SliceView : public QWidget {
   void keyPressEvent(QKeyEvent* event) override;
 
  private:
+  class Names;
   enum class Drag { none, crosshair, window, pan, landmark, measure };
   void zoom(double factor, const QPointF& about);
   void scan_changed();
   std::string landmark_near(const QPointF& pixel) const;
   bool in_slice(const pipeline::Point& at) const;
-  void draw_measures(QPainter& painter) const;
-  void draw_landmarks(QPainter& painter) const;
-  void draw_seeds(QPainter& painter) const;
+  void draw_measures(QPainter& painter, Names& names) const;
+  void draw_landmarks(QPainter& painter, Names& names) const;
+  void draw_seeds(QPainter& painter, Names& names) const;
   void draw_crosshair(QPainter& painter) const;
   void draw_edges(QPainter& painter) const;
 

@@ -41,8 +41,9 @@ void apply(QApplication& application) {
     QToolButton:focus { border: 1px solid #56b4e9; }
     QToolButton:checked { background: #2f5f8c; border-color: #56b4e9; color: white; }
     QToolButton:disabled { background: #262b32; color: #69717b; border-color: #343b45; }
-    QLineEdit, QSpinBox { background: #1f242b; border: 1px solid #3a424d; border-radius: 4px; padding: 4px; }
-    QLineEdit:focus, QSpinBox:focus { border: 1px solid #56b4e9; }
+    QLineEdit { background: #1f242b; border: 1px solid #3a424d; border-radius: 4px; padding: 4px; }
+    QLineEdit:focus { border: 1px solid #56b4e9; }
+    QAbstractSpinBox QLineEdit { border: none; padding: 1px; }
     QTableView, QTreeView { background: #1f242b; border: 1px solid #3a424d; border-radius: 5px; gridline-color: #2b323b; }
     QTableView::item, QTreeView::item { padding: 3px; }
     QTableView::item:selected, QTreeView::item:selected { background: #2f5f8c; color: white; }

@@ -1,34 +1,41 @@
-// Reads one CT series from a folder into Hounsfield units on a grid along the patient's axes.
+// Reads a CT: a folder with a DICOM series (whatever else is in it), a multi-frame DICOM file, or a NIfTI, NRRD or
+// MetaImage volume. The reading itself happens in the helper program vallecula-ct, see ct_helper.h.
 #pragma once
 
 #include <filesystem>
 #include <functional>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "pipeline/dicom/ct_volume.h"
+#include "pipeline/dicom/series_entry.h"
+#include "pipeline/dicom/series_error.h"
 #include "pipeline/volume.h"
 
 namespace vallecula::pipeline {
-
-/// Says what is wrong, with which file, and how to mend it. File names appear, contents of identifying fields never.
-class SeriesError : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
 
 struct CtSeries {
   Hounsfield hu;  ///< HU, axial order; x to the left, y to the back, z to the head
   int slices = 0;
   std::array<int, 2> matrix{0, 0};                ///< columns, rows of the source
   std::array<double, 3> source_spacing{0, 0, 0};  ///< mm: along a row, along a column, between slices (from positions)
-  bool resampled = false;                         ///< the source was oblique, so voxels were interpolated
+  bool resampled = false;                         ///< the source was oblique or tilted, so voxels were interpolated
   std::vector<std::string> notes;                 ///< what a person should know, for instance files left out
 };
 
-/// Sorts by position along the slice normal, takes the spacing from the positions, applies the rescale of each slice,
-/// turns or resamples the volume onto the patient's axes (tilted gantries included). Files of `folder` that are no
-/// DICOM images are ignored. `progress` gets 0..1. Throws SeriesError.
-CtSeries read_ct_series(const std::filesystem::path& folder, const std::function<void(double)>& progress = {});
+/// What lies at `place`, usable series first; their numbers are what a choice takes. Throws SeriesError.
+std::vector<SeriesEntry> list_series(const std::filesystem::path& place, bool thumbnails = false);
+
+/// The volume as its files give it: exact positions, exact HU (rounded to whole numbers, padding as the rescale gives
+/// it). Also of series too coarse or too short for an import. `choice` is a number of the list or a series instance
+/// UID; empty: the only one that can be meant. `progress` gets 0..1; what it throws ends the reading. Throws
+/// SeriesError.
+CtVolume read_ct_volume(const std::filesystem::path& place, const std::string& choice = {},
+                        const std::function<void(double)>& progress = {});
+
+/// The same turned onto the patient's axes (see to_patient_axes.h), padding set to air; refuses what an import cannot
+/// use, see limits.h. Throws SeriesError.
+CtSeries read_ct_series(const std::filesystem::path& place, const std::function<void(double)>& progress = {},
+                        const std::string& choice = {});
 
 }  // namespace vallecula::pipeline

@@ -1,15 +1,14 @@
-// Turns a sorted stack of slices onto the patient's axes.
+// Turns a volume onto the patient's axes.
 #pragma once
 
-#include <vector>
-
-#include "pipeline/dicom/slice.h"
+#include "pipeline/dicom/ct_volume.h"
+#include "pipeline/volume.h"
 
 namespace vallecula::pipeline {
 
-/// Slices sorted along their normal, evenly spaced, of one geometry. Stacks along the patient's axes (in any order and
-/// sense) are only turned; oblique or tilted ones are interpolated linearly onto the smallest enclosing grid, outside
-/// becoming air, and `resampled` says so.
-Hounsfield to_patient_axes(const std::vector<Slice>& slices, bool& resampled);
+/// Volumes along the patient's axes (in any order and sense, off by less than kAlignedMm at the far corner) are only
+/// turned, exactly; oblique or sheared ones are interpolated linearly onto the smallest enclosing grid, outside
+/// becoming air, and `resampled` says so. Throws SeriesError when that grid is beyond kMostVoxels.
+Hounsfield to_patient_axes(const CtVolume& volume, bool& resampled);
 
 }  // namespace vallecula::pipeline

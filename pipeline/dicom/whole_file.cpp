@@ -1,43 +1,109 @@
 #include "pipeline/dicom/whole_file.h"
 
+#include <zlib.h>
+
+#include <algorithm>
 #include <cstdint>
-#include <cstring>
-#include <fstream>
-#include <sstream>
+
+#include "pipeline/dicom/limits.h"
 
 namespace vallecula::pipeline {
 namespace {
 
 constexpr std::uint32_t kUndefined = 0xffffffffU;
+constexpr const char* kCut = "it is cut short or damaged";
+constexpr int kDeepest = 32;
+
+std::string trimmed(std::string_view text) {
+  while (!text.empty() && (text.back() == '\0' || text.back() == ' ')) text.remove_suffix(1);
+  return std::string(text);
+}
+
+bool known_representation(std::string_view vr) {
+  static const std::string kKnown =
+      "AE AS AT CS DA DS DT FL FD IS LO LT OB OD OF OL OV OW PN SH SL SQ SS ST SV TM UC UI UL UN UR US UT UV ";
+  return kKnown.find(std::string(vr) + " ") != std::string::npos;
+}
 
 class Walker {
  public:
-  explicit Walker(const std::string& bytes) : bytes_(bytes) {}
+  Walker(std::string_view bytes, DicomCheck& check) : bytes_(bytes), check_(check) {}
 
-  std::string fault() {
-    if (bytes_.size() < 132 || bytes_.compare(128, 4, "DICM") != 0) return "no DICOM file";
+  void run() {
     std::size_t at = 132;
+    if (bytes_.size() < 132 || bytes_.compare(128, 4, "DICM") != 0) {
+      if (!begins_like_a_data_set()) return;
+      at = 0;
+    }
+    check_.dicom = true;
     std::string syntax;
     // The meta group is always explicit little endian.
     while (at + 4 <= bytes_.size() && number(at, 2) == 2) {
       const auto element = number(at + 2, 2);
       std::size_t value = 0;
       std::uint32_t length = 0;
-      if (!header(at, true, value, length) || length == kUndefined || value + length > bytes_.size()) return kCut;
-      if (element == 0x10) syntax = std::string(bytes_, value, length);
+      if (!header(at, true, value, length) || length == kUndefined || length > bytes_.size() - value) {
+        check_.fault = kCut;
+        return;
+      }
+      if (element == 0x10) syntax = trimmed(bytes_.substr(value, length));
       at = value + length;
     }
-    while (!syntax.empty() && (syntax.back() == '\0' || syntax.back() == ' ')) syntax.pop_back();
-    if (syntax.empty()) return kCut;
-    if (syntax == "1.2.840.10008.1.2.1.99") return {};  // deflated
-    big_ = syntax == "1.2.840.10008.1.2.2";
-    const bool is_explicit = syntax != "1.2.840.10008.1.2";
-    if (at >= bytes_.size()) return kCut;
-    return elements(at, bytes_.size(), is_explicit, false, 0) ? std::string() : std::string(kCut);
+    if (at >= bytes_.size()) {
+      check_.fault = kCut;
+      return;
+    }
+    if (syntax.empty()) {  // a data set without its meta group says by its first element how it is written
+      if (at + 6 > bytes_.size())
+        check_.fault = kCut;
+      else
+        walk(at, known_representation(bytes_.substr(at + 4, 2)));
+    } else if (syntax == "1.2.840.10008.1.2.1.99") {
+      unpack(at);
+      if (!check_.fault.empty()) return;
+      bytes_ = unpacked_;
+      walk(0, true);
+    } else {
+      big_ = syntax == "1.2.840.10008.1.2.2";
+      walk(at, syntax != "1.2.840.10008.1.2");
+    }
   }
 
  private:
-  static constexpr const char* kCut = "the file is cut short or damaged";
+  /// Files of some archives lack the preamble: they begin with an element of group 2 or 8, little endian.
+  bool begins_like_a_data_set() const {
+    if (bytes_.size() < 16) return false;
+    const auto group = number(0, 2);
+    if ((group != 2 && group != 8) || number(2, 2) > 0x70) return false;
+    const bool is_explicit = known_representation(bytes_.substr(4, 2));
+    return is_explicit || (group == 8 && number(4, 4) < 4096 && number(4, 4) % 2 == 0);
+  }
+
+  void walk(std::size_t at, bool is_explicit) {
+    check_.data_bytes = bytes_.size() - at;
+    if (!elements(at, bytes_.size(), is_explicit, false, 0)) check_.fault = kCut;
+  }
+
+  void unpack(std::size_t at) {
+    z_stream stream{};
+    if (inflateInit2(&stream, -15) != Z_OK) throw std::bad_alloc();
+    stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes_.data() + at));
+    stream.avail_in = static_cast<uInt>(std::min<std::size_t>(bytes_.size() - at, 0xffffffffU));
+    int state = Z_OK;
+    while (state == Z_OK && unpacked_.size() < kMostInflatedBytes) {
+      const auto done = unpacked_.size();
+      unpacked_.resize(std::max<std::size_t>(2 * done, 1 << 20));
+      stream.next_out = reinterpret_cast<Bytef*>(unpacked_.data() + done);
+      stream.avail_out = static_cast<uInt>(unpacked_.size() - done);
+      state = inflate(&stream, Z_NO_FLUSH);
+      unpacked_.resize(unpacked_.size() - stream.avail_out);
+    }
+    inflateEnd(&stream);
+    if (state == Z_OK)
+      check_.fault = "it unpacks to more than 1 GB";
+    else if (state != Z_STREAM_END)
+      check_.fault = kCut;
+  }
 
   std::uint32_t number(std::size_t at, int n) const {
     std::uint32_t v = 0;
@@ -56,12 +122,10 @@ class Walker {
       value = at + 8;
       return true;
     }
-    const std::string vr(bytes_, at + 4, 2);
-    static const std::string kKnown =
-        "AE AS AT CS DA DS DT FL FD IS LO LT OB OD OF OL OV OW PN SH SL SQ SS ST SV TM UC UI UL UN UR US UT UV ";
-    if (kKnown.find(vr + " ") == std::string::npos) return false;
+    const auto vr = bytes_.substr(at + 4, 2);
+    if (!known_representation(vr)) return false;
     static const std::string kLong = "OB OW OF OD OL OV SQ UN UC UR UT SV UV ";
-    if (kLong.find(vr + " ") == std::string::npos) {
+    if (kLong.find(std::string(vr) + " ") == std::string::npos) {
       length = number(at + 6, 2);
       value = at + 8;
       return true;
@@ -74,7 +138,7 @@ class Walker {
 
   /// Elements from `at` to `end`; with `delimited` up to an item delimiter, past which `at` is left.
   bool elements(std::size_t& at, std::size_t end, bool is_explicit, bool delimited, int depth) {
-    if (depth > 32) return false;
+    if (depth > kDeepest) return false;
     while (at < end) {
       std::size_t value = 0;
       std::uint32_t length = 0;
@@ -87,11 +151,14 @@ class Walker {
       }
       if (length == kUndefined) {
         const bool pixels = group == 0x7fe0 && element == 0x0010;
+        const bool unknown = is_explicit && bytes_.compare(at + 4, 2, "UN") == 0;  // holds implicit items (PS3.5 6.2.2)
         at = value;
-        if (!items(at, end, is_explicit, pixels, depth + 1)) return false;
+        if (!items(at, end, is_explicit && !unknown, pixels, depth + 1)) return false;
         continue;
       }
-      if (value + length > end) return false;
+      if (value > end || length > end - value) return false;
+      if (depth == 0 && group == 0x0008 && element == 0x0060) check_.modality = trimmed(bytes_.substr(value, length));
+      if (depth == 0 && group == 0x0020 && element == 0x000e) check_.series = trimmed(bytes_.substr(value, length));
       at = value + length;
     }
     return !delimited && at == end;
@@ -100,14 +167,14 @@ class Walker {
   /// Items of a sequence (or fragments of encapsulated pixels) of undefined length, up to and past its delimiter.
   bool items(std::size_t& at, std::size_t end, bool is_explicit, bool fragments, int depth) {
     for (;;) {
-      if (at + 8 > end || number(at, 2) != 0xfffe) return false;
+      if (at > end || end - at < 8 || number(at, 2) != 0xfffe) return false;
       const auto element = number(at + 2, 2);
       const auto length = number(at + 4, 4);
       at += 8;
       if (element == 0xe0dd) return true;
       if (element != 0xe000) return false;
       if (length != kUndefined) {
-        if (at + length > end) return false;
+        if (length > end - at) return false;
         at += length;
       } else if (fragments || !elements(at, end, is_explicit, true, depth + 1)) {
         return false;
@@ -115,19 +182,18 @@ class Walker {
     }
   }
 
-  const std::string& bytes_;
+  std::string_view bytes_;
+  DicomCheck& check_;
+  std::string unpacked_;
   bool big_ = false;
 };
 
 }  // namespace
 
-std::string fault_of_dicom_file(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  if (!in) return "the file cannot be opened";
-  std::ostringstream all;
-  all << in.rdbuf();
-  const auto bytes = all.str();
-  return Walker(bytes).fault();
+DicomCheck check_dicom(std::string_view bytes) {
+  DicomCheck check;
+  Walker(bytes, check).run();
+  return check;
 }
 
 }  // namespace vallecula::pipeline

@@ -2,14 +2,21 @@
 // and passes others.
 #pragma once
 
-#include <filesystem>
 #include <string>
+#include <string_view>
 
 namespace vallecula::pipeline {
 
-/// Walks all elements (sequences and encapsulated pixels too) against the file's length. Empty when the file is whole
-/// or its contents are packed (deflated) and cannot be walked; else what is wrong, in words. Files without the DICM
-/// marker are "no DICOM file".
-std::string fault_of_dicom_file(const std::filesystem::path& file);
+struct DicomCheck {
+  bool dicom = false;          ///< has the DICM marker, or begins like a data set without one
+  std::string fault;           ///< empty when whole; else what is wrong, in words
+  std::string modality;        ///< as far as the file could be walked
+  std::string series;          ///< series instance UID, likewise: for grouping only
+  std::size_t data_bytes = 0;  ///< length of the data set; of a deflated file, unpacked
+};
+
+/// Walks all elements (sequences and encapsulated pixels too) against the file's length; a deflated data set is
+/// unpacked first, up to kMostInflatedBytes.
+DicomCheck check_dicom(std::string_view bytes);
 
 }  // namespace vallecula::pipeline

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "pipeline/segment/border_field.h"
+
 namespace vallecula::pipeline {
 namespace {
 
@@ -27,9 +29,11 @@ AnatomyFields fields_of(const Segmentation& s) {
     float v = (s.hu.voxels[i] - static_cast<float>(s.thresholds.air)) / kHuPerMm;
     const bool inside = s.head.inside.voxels[i] != 0;
     if (!inside && v > 0.0F) v = -1.0F;                                  // couch, mask
-    if (inside && v <= 0.0F && s.airway.lumen.voxels[i] == 0) v = 1.0F;  // gas that is not airway
+    // Gas that is not airway; beside an airway drawn by a person its border is that one's (below).
+    if (inside && v <= 0.0F && s.airway.lumen.voxels[i] == 0 && s.replaced.count(kAirway) == 0) v = 1.0F;
     f.solid.voxels[i] = std::clamp(v, -1.0F, 1.0F);
   }
+  if (!s.replaced.empty()) f.solid = with_border_of(f.solid, without(s.head.inside, s.airway.lumen));
   const auto labels = cropped(s.labels, s.throat);
   const auto soft = where(labels, [](std::uint8_t v) { return v == kTongue || v == kEpiglottis; });
   const auto rest = where(
@@ -45,7 +49,7 @@ AnatomyFields fields_of(const Segmentation& s) {
   return f;
 }
 
-Volume<float> bone_field(const Segmentation& s, const Mask& bone, const Mask& other_bone) {
+Volume<float> bone_field(const Segmentation& s, std::uint8_t label, const Mask& bone, const Mask& other_bone) {
   constexpr float kHuPerMm = 350.0F;
   const auto box = bounds_of(bone, 4.0 * s.frame.scale);
   const auto here = cropped(bone, box);
@@ -54,10 +58,14 @@ Volume<float> bone_field(const Segmentation& s, const Mask& bone, const Mask& ot
   auto field = count(other) > 0 ? between(here, other, 0.4 * s.frame.scale) : Volume<float>(here.grid, 1.0F);
   const auto hu = cropped(s.hu, box);
   const float reach = static_cast<float>(1.8 * std::max({hu.grid.spacing[0], hu.grid.spacing[1], hu.grid.spacing[2]}));
-  for (std::size_t i = 0; i < field.voxels.size(); ++i) {
-    const float v = std::clamp((hu.voxels[i] - static_cast<float>(s.thresholds.bone)) / kHuPerMm, -1.0F, 1.0F);
-    field.voxels[i] = near.voxels[i] > reach ? -1.0F : std::min(v, field.voxels[i]);
-  }
+  const auto own = s.bone_hu.find(label);
+  const auto border = static_cast<float>(own != s.bone_hu.end() ? own->second : s.thresholds.bone);
+  Volume<float> grey(hu.grid);
+  for (std::size_t i = 0; i < grey.voxels.size(); ++i)
+    grey.voxels[i] = std::clamp((hu.voxels[i] - border) / kHuPerMm, -1.0F, 1.0F);
+  if (s.replaced.count(label) != 0) grey = with_border_of(grey, here);
+  for (std::size_t i = 0; i < field.voxels.size(); ++i)
+    field.voxels[i] = near.voxels[i] > reach ? -1.0F : std::min(grey.voxels[i], field.voxels[i]);
   return smoothed(field, 0.35 * s.frame.scale);
 }
 

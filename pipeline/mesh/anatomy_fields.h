@@ -17,7 +17,7 @@ struct AnatomyFields {
 
 AnatomyFields fields_of(const Segmentation& s);
 
-/// One bone against everything else, on the box of `bone` within the cropped grid.
-Volume<float> bone_field(const Segmentation& s, const Mask& bone, const Mask& other_bone);
+/// One bone (of the structure `label`) against everything else, on the box of `bone` within the cropped grid.
+Volume<float> bone_field(const Segmentation& s, std::uint8_t label, const Mask& bone, const Mask& other_bone);
 
 }  // namespace vallecula::pipeline

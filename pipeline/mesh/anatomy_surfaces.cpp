@@ -157,13 +157,13 @@ std::map<std::string, Surface> surfaces_of(const Segmentation& s, const AnatomyF
   if (count(s.bones.mandible) == 0)
     throw std::runtime_error(
         "the lower jaw could not be parted from the skull, so it has no surface; the series must show the whole jaw");
-  out["mandible"] = bone_surface(bone_field(s, s.bones.mandible, s.bones.skull), 1.6 * k, "the lower jaw");
+  out["mandible"] = bone_surface(bone_field(s, kMandible, s.bones.mandible, s.bones.skull), 1.6 * k, "the lower jaw");
   const auto maxilla = maxilla_of(s);
   if (count(maxilla) == 0)
     throw std::runtime_error(
         "no bone of the upper jaw was found above the mouth, so the palate has no surface; the series must show the "
         "head from above the palate");
-  out["palate"] = bone_surface(bone_field(s, maxilla, any_of(without(s.bones.skull, maxilla), s.bones.mandible)),
+  out["palate"] = bone_surface(bone_field(s, kSkull, maxilla, any_of(without(s.bones.skull, maxilla), s.bones.mandible)),
                                1.4 * k, "the palate");
   out["glottis"] = glottis_surface(s);
   say(1.0);

@@ -7,10 +7,10 @@
 #include <unistd.h>
 
 #include <chrono>
-#include <cstdlib>
 #include <cstring>
 #include <thread>
 
+#include "pipeline/helper_program.h"
 #include "pipeline/mesh/lattice.h"
 #include "pipeline/mesh/surface_check.h"
 #include "pipeline/mesh/tet_quality.h"
@@ -125,20 +125,7 @@ void check_result(const TetMesh& mesh, const Surface& surface) {
 }  // namespace
 
 fs::path find_tetgen_helper() {
-  constexpr const char* kName = "vallecula-tetgen";
-  std::vector<fs::path> places;
-  if (const char* folder = std::getenv("VALLECULA_HELPERS"); folder != nullptr && *folder != '\0')
-    places.emplace_back(folder);
-  std::error_code error;
-  const auto program = fs::read_symlink("/proc/self/exe", error);
-  if (!error) {
-    places.push_back(program.parent_path());
-    places.push_back(program.parent_path() / ".." / "lib" / "vallecula");
-  }
-  for (const auto& place : places) {
-    const auto helper = place / kName;
-    if (::access(helper.c_str(), X_OK) == 0) return helper;
-  }
+  if (const auto helper = find_helper_program("vallecula-tetgen")) return *helper;
   throw TetrahedralizeError(
       "mesh generator: the helper program vallecula-tetgen is not beside vallecula; build or install it, or set "
       "VALLECULA_HELPERS to its folder");

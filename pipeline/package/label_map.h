@@ -29,18 +29,21 @@ struct LabelName {
   std::uint8_t value;
   const char* name;           ///< Slicer segment name
   std::array<double, 3> rgb;  ///< 0..1
+  const char* snomed;         ///< SNOMED CT code of the structure, as in DICOM's lists (PS3.16)
+  const char* meaning;        ///< of the code
 };
 
-constexpr std::array<LabelName, 10> kLabelNames = {{{kSkin, "skin", {0.91, 0.73, 0.62}},
-                                                    {kSkull, "bone_skull", {0.95, 0.92, 0.80}},
-                                                    {kMandible, "bone_mandible", {0.89, 0.84, 0.63}},
-                                                    {kTongue, "tongue", {0.80, 0.36, 0.38}},
-                                                    {kEpiglottis, "epiglottis", {0.96, 0.66, 0.35}},
-                                                    {kAirway, "airway", {0.33, 0.62, 0.86}},
-                                                    {kLarynx, "larynx", {0.55, 0.76, 0.60}},
-                                                    {kOesophagus, "oesophagus", {0.63, 0.47, 0.35}},
-                                                    {kSoftPalate, "soft_palate", {0.88, 0.53, 0.58}},
-                                                    {kSpine, "spine", {0.75, 0.78, 0.85}}}};
+constexpr std::array<LabelName, 10> kLabelNames = {
+    {{kSkin, "skin", {0.91, 0.73, 0.62}, "39937001", "Skin"},
+     {kSkull, "bone_skull", {0.95, 0.92, 0.80}, "89546000", "Skull"},
+     {kMandible, "bone_mandible", {0.89, 0.84, 0.63}, "91609006", "Mandible"},
+     {kTongue, "tongue", {0.80, 0.36, 0.38}, "21974007", "Tongue"},
+     {kEpiglottis, "epiglottis", {0.96, 0.66, 0.35}, "61563008", "Epiglottis"},
+     {kAirway, "airway", {0.33, 0.62, 0.86}, "89187006", "Airway structure"},
+     {kLarynx, "larynx", {0.55, 0.76, 0.60}, "4596009", "Larynx"},
+     {kOesophagus, "oesophagus", {0.63, 0.47, 0.35}, "32849002", "Esophagus"},
+     {kSoftPalate, "soft_palate", {0.88, 0.53, 0.58}, "49460000", "Soft palate"},
+     {kSpine, "spine", {0.75, 0.78, 0.85}, "421060004", "Spine"}}};
 
 /// Says which file, what is wrong with it and how to mend it.
 class LabelMapError : public std::runtime_error {
@@ -48,8 +51,8 @@ class LabelMapError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Writes a gzip NRRD (space left-posterior-superior) with Segment<N>_Name, _LabelValue, _ID, _Color, _Layer and
-/// _Extent keys, so that 3D Slicer opens it as a segmentation. Throws LabelMapError.
+/// Writes a gzip NRRD (space left-posterior-superior) with 3D Slicer's keys (names, values, colours, SNOMED CT codes,
+/// extents), so that it opens there as a segmentation. Throws LabelMapError.
 void write_label_map(const Labels& labels, const std::filesystem::path& file);
 
 /// Reads an axis-aligned 8-bit NRRD in LPS (raw or gzip, data in the same file), renaming values by the segment names

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <system_error>
 
+#include "pipeline/exchange/landmark_file.h"
 #include "pipeline/package/digest.h"
 #include "pipeline/package/label_map.h"
 #include "pipeline/package/mesh_files.h"
@@ -104,6 +105,8 @@ void fill_folder(const PatientPackage& package, const fs::path& label_map, const
   const auto labels = read_label_map(label_map);
   fs::copy_file(label_map, folder / "labels.nrrd");
   listed("labels.nrrd");
+  write_landmark_file(package, folder / "landmarks.mrk.json");
+  listed("landmarks.mrk.json");
   for (const auto& [name, surface] : package.surfaces) {
     write_surface(surface, folder / (name + ".vtp"));
     listed(name + ".vtp");

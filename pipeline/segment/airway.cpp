@@ -127,7 +127,8 @@ std::vector<Section> follow_upwards(const Volume<float>& air, const Trachea& tra
 
 /// The first narrow place above the trachea: the least area before it opens again. Its plane is across the trachea: the
 /// cords slant as the trachea does, and the plane of least area would follow every bulge of the vestibule.
-Section find_glottis(const Volume<float>& air, const std::vector<Section>& course, double s) {
+Section find_glottis(const Volume<float>& air, const std::vector<Section>& course, double s,
+                     const std::optional<Vector3>& close_to) {
   std::vector<double> areas;
   for (const auto& cut : course) areas.push_back(cut.area_mm2);
   auto lower = std::vector<double>(areas.begin(), areas.begin() + static_cast<std::ptrdiff_t>((areas.size() + 1) / 2));
@@ -137,6 +138,19 @@ Section find_glottis(const Volume<float>& air, const std::vector<Section>& cours
   for (std::size_t i = 0; i < areas.size(); ++i) {
     if (areas[i] < areas[narrowest]) narrowest = i;
     if (areas[narrowest] < 0.85 * trachea && areas[i] > 1.6 * areas[narrowest]) break;
+  }
+  if (close_to) {
+    const auto away = [&](std::size_t i) { return distance(course[i].centre, *close_to); };
+    std::size_t nearest = 0;
+    for (std::size_t i = 0; i < areas.size(); ++i) {
+      if (away(i) < away(nearest)) nearest = i;
+    }
+    if (away(nearest) > 10.0 * s)
+      throw std::runtime_error("the larynx's seed is not near the airway between trachea and pharynx");
+    narrowest = nearest;
+    for (std::size_t i = 0; i < areas.size(); ++i) {
+      if (away(i) < away(nearest) + 4.0 * s && areas[i] < areas[narrowest]) narrowest = i;
+    }
   }
   Vector3 axis{};
   for (std::size_t i = 0; i <= narrowest * 2 / 3; ++i) axis = axis + course[i].normal;
@@ -161,15 +175,50 @@ Volume<float> air_field(const Hounsfield& hu, const Thresholds& t) {
   return field;
 }
 
-Airway find_airway(const Hounsfield& hu, const Volume<float>& air, const Head& head, const Frame& frame) {
+namespace {
+
+/// The lumen's outline in the glottis's plane, and its middle.
+void outline_glottis(Airway& airway, const Volume<float>& air, double s) {
+  airway.glottis_outline = outline_of(air, airway.glottis, 32, 14.0 * s);
+  // The centre lies half way between the front and the back commissure, not at the centroid of a triangle.
+  const auto by_y = [](const Vector3& a, const Vector3& b) { return a[1] < b[1]; };
+  const auto [front, back] = std::minmax_element(airway.glottis_outline.begin(), airway.glottis_outline.end(), by_y);
+  airway.front_commissure = *front;
+  airway.glottis.centre = 0.5 * (*front + *back);
+}
+
+Mask lumen_of(const Mask& gas, const AirwayHints& hints, double s) {
+  if (hints.lumen) return *hints.lumen;
+  const auto parts = components(gas);
+  int piece = 1;
+  if (hints.seed) {
+    piece = piece_at(parts, *hints.seed, 3.0 * s);
+    if (piece == 0) throw std::runtime_error("the airway's seed lies in tissue; give a point in its air");
+  }
+  const auto id = static_cast<std::size_t>(piece);
+  if (parts.sizes.size() <= id || parts.sizes[id] * gas.grid.voxel_mm3() < 300.0 * s * s * s)
+    throw std::runtime_error("no airway was found; the series must show nose or mouth, pharynx and trachea");
+  return parts.mask(piece);
+}
+
+}  // namespace
+
+void place_glottis(Airway& airway, const Volume<float>& air, const Vector3& centre, const Vector3& normal, double s) {
+  const auto section = section_of(air, centre, unit(normal), 0.2 * s, 14.0 * s);
+  if (!section.found)
+    throw std::runtime_error(
+        "the glottis given does not lie in a narrow part of the airway; move glottis_centre into the air between the "
+        "cords");
+  airway.glottis = section;
+  outline_glottis(airway, air, s);
+  airway.glottis.centre = centre;
+}
+
+Airway find_airway(const Volume<float>& air, const Head& head, const Frame& frame, const AirwayHints& hints) {
   const double s = frame.scale;
   const auto gas = without(head.inside, head.body);
-  const auto parts = components(gas);
   Airway airway;
-  if (parts.sizes.size() < 2 || parts.sizes[1] * hu.grid.voxel_mm3() < 300.0 * s * s * s) {
-    throw std::runtime_error("no airway was found; the series must show nose or mouth, pharynx and trachea");
-  }
-  airway.lumen = parts.mask(1);
+  airway.lumen = lumen_of(gas, hints, s);
   airway.other_gas = without(gas, airway.lumen);
   const auto trachea = follow_trachea(airway.lumen, s);
   if (trachea.spots.size() < 4)
@@ -179,19 +228,12 @@ Airway find_airway(const Hounsfield& hu, const Volume<float>& air, const Head& h
   if (airway.course.size() < 12)
     throw std::runtime_error(
         "the trachea cannot be followed up to the larynx; the series must show the whole airway, without a tube in it");
-  airway.glottis = find_glottis(air, airway.course, s);
+  airway.glottis = find_glottis(air, airway.course, s, hints.cords_near);
   if (!airway.glottis.found)
     throw std::runtime_error(
         "no glottis was found between trachea and pharynx; the series must show the whole airway, without a tube in "
         "it");
-  airway.glottis_outline = outline_of(air, airway.glottis, 32, 14.0 * s);
-  {
-    // The centre lies half way between the front and the back commissure, not at the centroid of a triangle.
-    const auto by_y = [](const Vector3& a, const Vector3& b) { return a[1] < b[1]; };
-    const auto [front, back] = std::minmax_element(airway.glottis_outline.begin(), airway.glottis_outline.end(), by_y);
-    airway.front_commissure = *front;
-    airway.glottis.centre = 0.5 * (*front + *back);
-  }
+  outline_glottis(airway, air, s);
   airway.carina_seen = trachea.carina_seen;
   if (trachea.carina_seen) {
     airway.carina = trachea.carina;

@@ -1,6 +1,7 @@
 // The airway: lumen, its course from the trachea upwards, carina and glottis.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,7 +24,18 @@ struct Airway {
 /// Positive in air, about mm near a wall (the scanner's blur spreads the step over about a millimetre).
 Volume<float> air_field(const Hounsfield& hu, const Thresholds& t);
 
+/// What a person said of it, mm LPS.
+struct AirwayHints {
+  std::optional<Mask> lumen;          ///< stands instead of what is found; `air` is then to have its border
+  std::optional<Vector3> seed;        ///< in the air of the way, where not the largest piece of gas is it
+  std::optional<Vector3> cords_near;  ///< the glottis is the narrowest place near this point
+};
+
 /// Throws std::runtime_error when there is no air way through the neck.
-Airway find_airway(const Hounsfield& hu, const Volume<float>& air, const Head& head, const Frame& frame);
+Airway find_airway(const Volume<float>& air, const Head& head, const Frame& frame, const AirwayHints& hints = {});
+
+/// The glottis at a place and across a direction given by a person. Throws std::runtime_error when there is no lumen.
+void place_glottis(Airway& airway, const Volume<float>& air, const Vector3& centre, const Vector3& normal,
+                   double scale);
 
 }  // namespace vallecula::pipeline

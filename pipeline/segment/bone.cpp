@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace vallecula::pipeline {
 namespace {
@@ -59,7 +60,7 @@ std::vector<Extent> extents_of(const Components& parts, const Volume<std::uint8_
 /// Marks the mandible: the largest piece in front of the pharynx, of an arch's width and depth, that does not hold to
 /// the skull.
 bool mark_mandible(const Hounsfield& hu, const Mask& bone, double threshold, const Frame& frame, const Airway& airway,
-                   Volume<std::uint8_t>& markers) {
+                   const std::optional<Vector3>& seed, Volume<std::uint8_t>& markers) {
   const double s = frame.scale;
   const double y_limit = airway.glottis.centre[1] + 25.0 * s;
   for (int raise = 0; raise <= 9; ++raise) {
@@ -70,13 +71,15 @@ bool mark_mandible(const Hounsfield& hu, const Mask& bone, double threshold, con
     }
     const auto parts = components(dense);
     const auto extents = extents_of(parts, markers);
+    const int seeded = seed ? piece_at(parts, *seed, 2.0 * s) : 0;
     for (std::size_t id = 1; id < extents.size(); ++id) {
       const auto& e = extents[id];
       if (e.voxels * hu.grid.voxel_mm3() < 300.0 * s * s * s) break;  // sorted by size
+      if (seed && static_cast<int>(id) != seeded) continue;
       const bool arch =
-          e.low[0] < frame.mid_x - 12.0 * s && e.high[0] > frame.mid_x + 12.0 * s && e.high[1] - e.low[1] > 18.0 * s;
-      if (e.touches_skull || !arch || e.sum[1] / e.voxels > y_limit || e.low[2] < airway.glottis.centre[2] - 10.0 * s)
-        continue;
+          seed || (e.low[0] < frame.mid_x - 12.0 * s && e.high[0] > frame.mid_x + 12.0 * s && e.high[1] - e.low[1] > 18.0 * s &&
+                   e.sum[1] / e.voxels <= y_limit && e.low[2] >= airway.glottis.centre[2] - 10.0 * s);
+      if (e.touches_skull || !arch) continue;
       for (std::size_t i = 0; i < dense.voxels.size(); ++i) {
         if (parts.id.voxels[i] == static_cast<int>(id)) markers.voxels[i] = kMandibleMarker;
       }
@@ -86,9 +89,29 @@ bool mark_mandible(const Hounsfield& hu, const Mask& bone, double threshold, con
   return false;
 }
 
+/// Bone within 2 mm (term) of a point given is of that party.
+void mark_seed(const Mask& bone, const char* name, const std::optional<Vector3>& seed, Marker marker, double s,
+               Volume<std::uint8_t>& markers) {
+  if (!seed) return;
+  const Vector3 reach{2.0 * s, 2.0 * s, 2.0 * s};
+  const auto box = box_between(bone.grid, *seed - reach, *seed + reach);
+  bool any = false;
+  for (int z = box.low[2]; z <= box.high[2]; ++z) {
+    for (int y = box.low[1]; y <= box.high[1]; ++y) {
+      for (int x = box.low[0]; x <= box.high[0]; ++x) {
+        if (bone.at(x, y, z) == 0 || distance(bone.grid.position(x, y, z), *seed) > 2.0 * s) continue;
+        markers.at(x, y, z) = marker;
+        any = true;
+      }
+    }
+  }
+  if (!any) throw std::runtime_error(std::string("the seed ") + name + " lies in no bone");
+}
+
 /// A small arch in front of the vestibule, above the glottis and below the jaw. It is thin, so the blur leaves it
 /// fainter than other bone.
-Mask find_hyoid(const Hounsfield& hu, const Thresholds& t, const Frame& frame, const Airway& airway, const Mask& jaws) {
+Mask find_hyoid(const Hounsfield& hu, const Thresholds& t, const Frame& frame, const Airway& airway, const Mask& jaws,
+                const std::optional<Vector3>& seed) {
   const double s = frame.scale;
   const auto& c = airway.glottis.centre;
   Mask out(hu.grid);
@@ -98,7 +121,11 @@ Mask find_hyoid(const Hounsfield& hu, const Thresholds& t, const Frame& frame, c
   const auto& g = dense.grid;
   double best = 0.0;
   int hyoid = 0;
-  for (std::size_t id = 1; id < parts.sizes.size(); ++id) {
+  if (seed) {
+    hyoid = piece_at(parts, *seed, 2.0 * s);
+    if (hyoid == 0) throw std::runtime_error("the hyoid's seed lies in no dense tissue in front of the larynx");
+  }
+  for (std::size_t id = 1; id < parts.sizes.size() && !seed; ++id) {
     const double volume = parts.sizes[id] * g.voxel_mm3();
     if (volume < 4.0 * s * s * s) break;
     Vector3 sum{};
@@ -125,7 +152,7 @@ Mask find_hyoid(const Hounsfield& hu, const Thresholds& t, const Frame& frame, c
 }  // namespace
 
 Bones find_bones(const Hounsfield& hu, const Thresholds& t, const Frame& frame, const Head& head,
-                 const Airway& airway) {
+                 const Airway& airway, const BoneSeeds& seeds) {
   const auto& g = hu.grid;
   const double s = frame.scale;
   Mask bone(g);
@@ -156,7 +183,13 @@ Bones find_bones(const Hounsfield& hu, const Thresholds& t, const Frame& frame, 
     }
   }
   Bones bones;
-  bones.mandible_free = mark_mandible(hu, bone, t.bone, frame, airway, markers);
+  mark_seed(bone, "bone_skull", seeds.skull, kSkullMarker, s, markers);
+  mark_seed(bone, "spine", seeds.spine, kSpineMarker, s, markers);
+  bones.mandible_free = mark_mandible(hu, bone, t.bone, frame, airway, seeds.mandible, markers);
+  if (seeds.mandible && !bones.mandible_free) {
+    mark_seed(bone, "bone_mandible", seeds.mandible, kMandibleMarker, s, markers);
+    bones.mandible_free = true;
+  }
 
   Volume<float> cost(g);
   for (std::size_t i = 0; i < cost.voxels.size(); ++i) cost.voxels[i] = -hu.voxels[i];
@@ -192,7 +225,8 @@ Bones find_bones(const Hounsfield& hu, const Thresholds& t, const Frame& frame, 
     bones.mandible.voxels[i] = share == kMandibleMarker ? 1 : 0;
     bones.spine.voxels[i] = share == kSpineMarker ? 1 : 0;
   }
-  bones.hyoid = find_hyoid(hu, t, frame, airway, any_of(bones.mandible, inverted(head.body)));
+  bones.hyoid = find_hyoid(hu, t, frame, airway, any_of(bones.mandible, inverted(head.body)),
+                           seeds.hyoid);
   bones.hyoid_seen = count(bones.hyoid) > 0;
   return bones;
 }

@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <stdexcept>
 #include <string>
 
 #include "pipeline/package/patient_package.h"
@@ -20,5 +21,20 @@ struct Edits {
   std::set<std::uint8_t> replaced;                          ///< the labels of it that stand instead of what is found
   std::map<std::string, Point> landmarks;                   ///< these stand instead of what is found
 };
+
+/// Names the edit, what is wrong with it and how to mend it.
+class EditError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Are the names known and the numbers sensible (finite, lowest below highest)? Throws EditError. Needs no scan.
+void check_edits(const Edits& edits);
+/// Do the seeds lie in the scan? Throws EditError.
+void check_edits_in(const Edits& edits, const Grid& scan);
+
+/// The edits in another frame, for a scan that is put upright before it is segmented: points and normals moved by the
+/// rigid `scan_to_package` (row by row, mm), the label map resampled by nearest neighbour onto `onto`.
+Edits moved(const Edits& edits, const std::array<double, 16>& scan_to_package, const Grid& onto);
 
 }  // namespace vallecula::pipeline

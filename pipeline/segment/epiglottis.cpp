@@ -2,9 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace vallecula::pipeline {
 namespace {
+
+/// Thickness over its measure along y: the leaf leans back by about 40 degrees.
+constexpr double kAcross = 0.77;
 
 /// Tissue with airway within `reach_mm` on both sides along y: a standing sheet. Returns its depth in voxels in
 /// `depth`.
@@ -58,7 +62,44 @@ bool find_vallecula(const Mask& leaf, const Mask& lumen, const Frame& frame, Vec
 
 }  // namespace
 
-Epiglottis find_epiglottis(const Mask& body, const Mask& lumen, const Airway& airway, const Frame& frame) {
+Epiglottis measured_epiglottis(const Mask& leaf, const Mask& lumen, const Frame& frame) {
+  Epiglottis e;
+  e.mask = leaf;
+  const auto& g = leaf.grid;
+  const auto box = bounds_of(leaf);
+  if (box.empty()) return e;
+  e.seen = true;
+  const int half = (box.low[2] + box.high[2]) / 2;
+  std::size_t voxels = 0;
+  std::size_t columns = 0;
+  int tips = 0;
+  for (int z = half; z <= box.high[2]; ++z) {
+    for (int x = box.low[0]; x <= box.high[0]; ++x) {
+      std::size_t here = 0;
+      for (int y = box.low[1]; y <= box.high[1]; ++y) {
+        if (leaf.at(x, y, z) == 0) continue;
+        ++here;
+        if (z < box.high[2]) continue;
+        e.tip = e.tip + g.position(x, y, z);
+        ++tips;
+      }
+      voxels += here;
+      columns += here > 0 ? 1 : 0;
+    }
+  }
+  e.tip = (1.0 / tips) * e.tip;
+  e.tip[0] = frame.mid_x;
+  e.thickness_mm = kAcross * g.spacing[1] * static_cast<double>(voxels) / static_cast<double>(columns);
+  if (!find_vallecula(leaf, lumen, frame, e.vallecula)) {
+    // No air in front of it: the leaf lies against the tongue, and the pit is at its foot.
+    e.vallecula = g.position(0, box.low[1], box.low[2]);
+    e.vallecula[0] = frame.mid_x;
+  }
+  return e;
+}
+
+Epiglottis find_epiglottis(const Mask& body, const Mask& lumen, const Airway& airway, const Frame& frame,
+                           const std::optional<Vector3>& seed) {
   const auto& g = body.grid;
   const double s = frame.scale;
   const auto& glottis = airway.glottis.centre;
@@ -77,9 +118,12 @@ Epiglottis find_epiglottis(const Mask& body, const Mask& lumen, const Airway& ai
     sheet.voxels[i] = place && p[2] > floor_z ? 1 : 0;
   }
   const auto parts = components(sheet);
-  int best = 0;
+  int best = seed ? piece_at(parts, *seed, 3.0 * s) : 0;
+  if (seed && best == 0)
+    throw std::runtime_error(
+        "the epiglottis's seed lies in no sheet with air before and behind it; draw it and give it as a label map");
   double best_score = 0.0;
-  for (std::size_t id = 1; id < parts.sizes.size(); ++id) {
+  for (std::size_t id = 1; id < parts.sizes.size() && !seed; ++id) {
     if (parts.sizes[id] * g.voxel_mm3() < 3.0 * s * s * s) break;
     const auto part = parts.mask(static_cast<int>(id));
     const auto box = bounds_of(part);
@@ -127,8 +171,7 @@ Epiglottis find_epiglottis(const Mask& body, const Mask& lumen, const Airway& ai
   }
   e.tip = (1.0 / tips) * tip;
   e.tip[0] = frame.mid_x;
-  // Measured along y through a leaf that leans back by about 40 degrees.
-  e.thickness_mm = columns > 0 ? 0.77 * g.spacing[1] * voxels / columns : 1.5 * s;
+  e.thickness_mm = columns > 0 ? kAcross * g.spacing[1] * voxels / columns : 1.5 * s;
   double half_width = 3.5 * s;
   if (!widths.empty()) {
     std::nth_element(widths.begin(), widths.begin() + widths.size() * 3 / 4, widths.end());

@@ -2,6 +2,8 @@
 // wall.
 #pragma once
 
+#include <optional>
+
 #include "pipeline/segment/airway.h"
 
 namespace vallecula::pipeline {
@@ -18,6 +20,11 @@ struct Epiglottis {
 /// faces are free); the highest such sheet in front of and above the glottis is taken. Its petiole is carried down the
 /// front wall at the leaf's thickness, from the vallecula's floor to 2 mm (term) above the front commissure, where the
 /// ligament holds it.
-Epiglottis find_epiglottis(const Mask& body, const Mask& lumen, const Airway& airway, const Frame& frame);
+/// With a `seed` (mm LPS) it is the sheet nearest to it, within 3 mm (term).
+Epiglottis find_epiglottis(const Mask& body, const Mask& lumen, const Airway& airway, const Frame& frame,
+                           const std::optional<Vector3>& seed = {});
+
+/// Tip, vallecula and thickness of a leaf that was given, on the grid of `lumen`.
+Epiglottis measured_epiglottis(const Mask& leaf, const Mask& lumen, const Frame& frame);
 
 }  // namespace vallecula::pipeline

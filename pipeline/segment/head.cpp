@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <stdexcept>
 
@@ -48,8 +49,11 @@ Slice2d column_gaps(const Mask& body, int x, double largest_mm) {
   return s;
 }
 
-/// The largest connected piece of the gaps (touching `near`, when that is not empty), as a list of (y, z).
-std::vector<std::array<int, 2>> gap_piece(Slice2d s, const std::vector<std::array<int, 2>>& near) {
+using Piece = std::vector<std::array<int, 2>>;
+
+/// The largest connected piece of the gaps (touching `near`, when that is not empty; else of those `wanted`), as a list
+/// of (y, z).
+Piece gap_piece(Slice2d s, const Piece& near, const std::function<bool(const Piece&)>& wanted = {}) {
   std::vector<std::array<int, 2>> best;
   const auto flood = [&](int y0, int z0) {
     std::vector<std::array<int, 2>> piece{{y0, z0}};
@@ -65,7 +69,7 @@ std::vector<std::array<int, 2>> gap_piece(Slice2d s, const std::vector<std::arra
         piece.push_back({ny, nz});
       }
     }
-    if (piece.size() > best.size()) best = std::move(piece);
+    if (piece.size() > best.size() && (!wanted || wanted(piece))) best = std::move(piece);
   };
   if (!near.empty()) {
     for (const auto& p : near) {
@@ -134,7 +138,16 @@ std::vector<LipGap> close_mouth(const Mask& body, const Frame& frame, Mask& mout
   const auto& g = body.grid;
   const double s = frame.scale;
   const int mid = std::clamp(g.nearest({frame.mid_x, 0, 0})[0], 0, g.size[0] - 1);
-  const auto first = gap_piece(column_gaps(body, mid, 45.0 * s), {});
+  // The cheeks close the mouth at both sides; the hollow between chin and chest is open there.
+  const auto between_cheeks = [&](const Piece& piece) {
+    std::size_t open = 0;
+    for (const double side : {-22.0, 22.0}) {
+      const int x = std::clamp(g.nearest({frame.mid_x + side * s, 0, 0})[0], 0, g.size[0] - 1);
+      for (const auto& p : piece) open += body.at(x, p[0], p[1]) == 0 ? 1 : 0;
+    }
+    return 5 * open < 6 * piece.size();
+  };
+  const auto first = gap_piece(column_gaps(body, mid, 45.0 * s), {}, between_cheeks);
   int front = std::numeric_limits<int>::max();
   int back = -1;
   for (const auto& p : first) {

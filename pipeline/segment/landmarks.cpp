@@ -169,13 +169,18 @@ Vector3 operator_eye(const Vector3& gum, const Vector3& glottis, double scale) {
 
 }  // namespace
 
-void find_landmarks(Segmentation& s) {
+void find_landmarks(Segmentation& s, const std::map<std::string, Point>& given) {
   const double k = s.frame.scale;
   auto& m = s.landmarks;
-  const auto upper = upper_gum(s);
-  auto glottis = s.airway.glottis.centre;
+  /// The landmark given under a name, else what is found.
+  const auto or_found = [&](const char* name, const auto& find) -> Vector3 {
+    const auto there = given.find(name);
+    return there != given.end() ? there->second : Vector3(find());
+  };
+  const auto upper = or_found("upper_gum_midline", [&] { return upper_gum(s); });
+  const auto glottis = s.airway.glottis.centre;
   m["upper_gum_midline"] = upper;
-  m["lower_gum_midline"] = lower_gum(s, upper);
+  m["lower_gum_midline"] = or_found("lower_gum_midline", [&] { return lower_gum(s, upper); });
   m["glottis_centre"] = glottis;
   m["glottis_normal"] = s.airway.glottis.normal;
   m["carina"] = s.airway.carina;
@@ -192,10 +197,14 @@ void find_landmarks(Segmentation& s) {
                                "no free leaf seen; placed above the front commissure by the term infant's proportions"};
     s.findings["epiglottis_tip"] = {
         Origin::from_model, "no free leaf seen; placed above the front commissure by the term infant's proportions"};
-    m["vallecula"] = s.airway.front_commissure + k * Vector3{0.0, -1.1, 7.4};
-    m["epiglottis_tip"] = s.airway.front_commissure + k * Vector3{0.0, 6.9, 14.1};
+    m["vallecula"] =
+        or_found("vallecula", [&] { return s.airway.front_commissure + k * Vector3{0.0, -1.1, 7.4}; });
+    m["epiglottis_tip"] =
+        or_found("epiglottis_tip", [&] { return s.airway.front_commissure + k * Vector3{0.0, 6.9, 14.1}; });
   }
-  if (s.bones.hyoid_seen) {
+  if (const auto hyoid = given.find("hyoid"); hyoid != given.end()) {
+    m["hyoid"] = hyoid->second;
+  } else if (s.bones.hyoid_seen) {
     Vector3 sum{};
     double n = 0.0;
     const auto& g = s.bones.hyoid.grid;
@@ -216,8 +225,8 @@ void find_landmarks(Segmentation& s) {
                            "no bone seen; placed in front of the vallecula by the term infant's proportions"};
     m["hyoid"] = Vector3(m["vallecula"]) + k * Vector3{0.0, -6.0, 0.0};
   }
-  m["condyle_axis"] = condyles(s, upper);
-  m["operator_eye"] = operator_eye(upper, glottis, k);
+  m["condyle_axis"] = or_found("condyle_axis", [&] { return condyles(s, upper); });
+  m["operator_eye"] = or_found("operator_eye", [&] { return operator_eye(upper, glottis, k); });
   for (const auto* name : kLandmarks) {
     for (const double v : m.at(name)) {
       if (!std::isfinite(v))

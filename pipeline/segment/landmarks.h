@@ -6,7 +6,8 @@
 
 namespace vallecula::pipeline {
 
-/// Fills `landmarks` (all of kLandmarks) and their `findings` from labels, airway, bones and epiglottis.
-void find_landmarks(Segmentation& s);
+/// Fills `landmarks` (all of kLandmarks) and their `findings` from labels, airway, bones and epiglottis. Those `given`
+/// stand as they are, and what depends on them follows.
+void find_landmarks(Segmentation& s, const std::map<std::string, Point>& given);
 
 }  // namespace vallecula::pipeline

@@ -3,14 +3,17 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "pipeline/segment/border_field.h"
+#include "pipeline/segment/given.h"
 #include "pipeline/segment/landmarks.h"
 #include "pipeline/segment/throat.h"
 #include "pipeline/segment/tongue.h"
+#include "pipeline/segment/upright.h"
 
 namespace vallecula::pipeline {
 namespace {
 
-Box throat_of(const Segmentation& s) {
+Box throat_of(const Segmentation& s, const Given& given) {
   const auto& g = s.labels.grid;
   const double k = s.frame.scale;
   const auto lumen = bounds_of(s.airway.lumen);
@@ -18,8 +21,13 @@ Box throat_of(const Segmentation& s) {
   double front = g.origin[1] + lumen.low[1] * g.spacing[1];
   if (!jaw.empty()) front = std::min(front, g.origin[1] + jaw.low[1] * g.spacing[1]);
   const auto& c = s.airway.glottis.centre;
-  return box_between(g, {s.frame.mid_x - 34.0 * k, front - 4.0 * k, c[2] - 60.0 * k},
-                     {s.frame.mid_x + 34.0 * k, c[1] + 22.0 * k, c[2] + 66.0 * k});
+  auto box = box_between(g, {s.frame.mid_x - 34.0 * k, front - 4.0 * k, c[2] - 60.0 * k},
+                         {s.frame.mid_x + 34.0 * k, c[1] + 22.0 * k, c[2] + 66.0 * k});
+  // The mesh of tongue and epiglottis is cut here, so all of a given one must lie within.
+  for (const auto label : {kTongue, kEpiglottis}) {
+    if (given.replaces(label)) box = united(box, bounds_of(given.mask(label), 5.0 * k));
+  }
+  return box;
 }
 
 void put(const Mask& mask, std::uint8_t label, Labels& labels) {
@@ -29,9 +37,8 @@ void put(const Mask& mask, std::uint8_t label, Labels& labels) {
 }
 
 /// What is found inside mouth and throat, on a grid of its own.
-void label_throat(Segmentation& s, const std::optional<Vector3>& tongue_seed,
-                  const std::function<void(double)>& progress) {
-  s.throat = throat_of(s);
+void label_throat(Segmentation& s, const Given& given, const std::function<void(double)>& progress) {
+  s.throat = throat_of(s, given);
   const auto crop = [&](const auto& v) { return cropped(v, s.throat); };
   const auto hu = crop(s.hu);
   const auto body = crop(s.head.body);
@@ -42,11 +49,29 @@ void label_throat(Segmentation& s, const std::optional<Vector3>& tongue_seed,
   const auto spine = crop(s.bones.spine);
   const auto hyoid = crop(s.bones.hyoid);
   auto labels = crop(s.labels);
+  const auto claimed = given.any() ? crop(given.claimed()) : Mask(hu.grid);
+  const auto tongue_seed = given.seed("tongue");
+  /// A structure as given, or as `find` finds it, without what others given claim and within its thresholds.
+  const auto structure = [&](std::uint8_t label, const char* name, const auto& find) {
+    if (given.replaces(label)) return crop(given.mask(label));
+    Mask found = find();
+    given.trim(name, hu, claimed, s.frame.scale, found);
+    return found;
+  };
 
-  s.epiglottis = find_epiglottis(body, lumen, s.airway, s.frame);
+  if (given.replaces(kEpiglottis)) {
+    s.epiglottis = measured_epiglottis(crop(given.mask(kEpiglottis)), lumen, s.frame);
+  } else {
+    s.epiglottis = find_epiglottis(body, lumen, s.airway, s.frame, given.seed("epiglottis"));
+    given.trim("epiglottis", hu, claimed, s.frame.scale, s.epiglottis.mask);
+  }
+  s.epiglottis.tip = given.landmark("epiglottis_tip").value_or(s.epiglottis.tip);
+  s.epiglottis.vallecula = given.landmark("vallecula").value_or(s.epiglottis.vallecula);
   progress(0.2);
-  const auto tongue = find_tongue(
-      {hu, body, inside, lumen, skull, mandible, hyoid, s.epiglottis, s.airway, s.thresholds, s.frame, tongue_seed});
+  const auto tongue = structure(kTongue, "tongue", [&] {
+    return find_tongue({hu, body, inside, lumen, skull, mandible, hyoid, s.epiglottis, s.airway, s.thresholds, s.frame,
+                        tongue_seed});
+  });
   if (count(tongue) == 0) {
     throw std::runtime_error(
         tongue_seed
@@ -56,11 +81,16 @@ void label_throat(Segmentation& s, const std::optional<Vector3>& tongue_seed,
             : "the tongue was not found (is the mouth closed?); give a point inside it: --seed tongue=x,y,z (LPS mm)");
   }
   progress(0.7);
-  const auto palate = find_soft_palate(body, lumen, skull, s.epiglottis, s.airway, s.frame);
+  const auto palate = structure(kSoftPalate, "soft_palate", [&] {
+    return find_soft_palate(body, lumen, skull, s.epiglottis, s.airway, s.frame, given.seed("soft_palate"));
+  });
   auto taken = any_of(any_of(tongue, s.epiglottis.mask), any_of(palate, any_of(skull, any_of(mandible, spine))));
-  const auto larynx = find_larynx(body, lumen, taken, s.airway, s.frame);
+  const auto larynx =
+      structure(kLarynx, "larynx", [&] { return find_larynx(body, lumen, taken, s.airway, s.frame); });
   taken = any_of(taken, larynx);
-  const auto oesophagus = find_oesophagus(body, crop(s.airway.other_gas), spine, taken, s.airway, s.frame);
+  const auto oesophagus = structure(kOesophagus, "oesophagus", [&] {
+    return find_oesophagus(body, crop(s.airway.other_gas), spine, taken, s.airway, s.frame);
+  });
   put(oesophagus, kOesophagus, labels);
   put(larynx, kLarynx, labels);
   put(palate, kSoftPalate, labels);
@@ -68,6 +98,48 @@ void label_throat(Segmentation& s, const std::optional<Vector3>& tongue_seed,
   put(s.epiglottis.mask, kEpiglottis, labels);
   paste(labels, s.throat, s.labels);
   progress(1.0);
+}
+
+/// The airway from its hints, and the glottis and the carina where a person put them.
+Airway airway_of(const Segmentation& s, const Given& given) {
+  AirwayHints hints;
+  hints.seed = given.seed("airway");
+  hints.cords_near = given.seed("larynx");
+  auto air = air_field(s.hu, s.thresholds);
+  if (given.replaces(kAirway)) {
+    hints.lumen = given.mask(kAirway);
+    air = with_border_of(air, *hints.lumen);
+  }
+  auto airway = find_airway(air, s.head, s.frame, hints);
+  if (const auto range = given.threshold("airway"); range && !hints.lumen) {
+    for (std::size_t i = 0; i < s.hu.voxels.size(); ++i) {
+      if (s.hu.voxels[i] < (*range)[0]) airway.lumen.voxels[i] = 0;
+    }
+  }
+  const auto centre = given.landmark("glottis_centre");
+  const auto normal = given.landmark("glottis_normal");
+  if (centre || normal) {
+    place_glottis(airway, air, centre.value_or(airway.glottis.centre), normal.value_or(airway.glottis.normal),
+                  s.frame.scale);
+  }
+  if (const auto carina = given.landmark("carina")) {
+    airway.carina = *carina;
+    airway.carina_seen = true;
+  }
+  return airway;
+}
+
+Bones bones_of(Segmentation& s, const Given& given) {
+  auto thresholds = s.thresholds;
+  thresholds.bone = lowest_bone(given.edits(), thresholds.bone);
+  auto bones = find_bones(s.hu, thresholds, s.frame, s.head, s.airway,
+                          {given.seed("bone_skull"), given.seed("bone_mandible"), given.seed("spine"),
+                           given.seed("hyoid")});
+  given.put_into(bones, s.hu, s.thresholds);
+  for (const auto& [label, name] : {std::pair{kSkull, "bone_skull"}, std::pair{kMandible, "bone_mandible"}}) {
+    if (const auto range = given.threshold(name)) s.bone_hu[label] = (*range)[0];
+  }
+  return bones;
 }
 
 /// What nothing else was said of was read off the scan.
@@ -81,27 +153,43 @@ void name_measured(Segmentation& s) {
 
 }  // namespace
 
-Segmentation segment(const Hounsfield& series, const Edits& edits,
+Segmentation segment(const Hounsfield& series, const Edits& edits_on_scan,
                      const std::function<void(const std::string&, double)>& progress) {
   const auto say = [&](const char* what, double fraction) {
     if (progress) progress(what, fraction);
   };
+  check_edits(edits_on_scan);
+  check_edits_in(edits_on_scan, series.grid);
   Segmentation s;
   say("head", 0.0);
-  s.thresholds = thresholds_of(series);
+  s.thresholds = with_given(thresholds_of(series), edits_on_scan);
   {
-    const auto body = find_body(series, s.thresholds);
-    s.box = bounds_of(body, 6.0);
+    auto body = find_body(series, s.thresholds);
+    s.box = united(bounds_of(body, 6.0), box_of_given(edits_on_scan, series.grid));
     s.hu = cropped(series, s.box);
-    const auto here = cropped(body, s.box);
+    auto here = cropped(body, s.box);
+    body = Mask();
     s.frame = frame_of(s.hu, here, s.thresholds);
+    say("head", 0.15);
+    s.pose = find_pose(s.hu, here, s.frame);
+    if (s.pose.moved()) {
+      // From here on all lies in the package's frame.
+      s.hu = put_upright(s.hu, here, s.thresholds, s.pose);
+      s.box = whole(s.hu.grid);
+      here = find_body(s.hu, s.thresholds);
+      s.frame = frame_of(s.hu, here, s.thresholds);
+    }
     say("head", 0.25);
     s.head = find_head(s.hu, here, s.thresholds, s.frame);
   }
+  const auto edits = put_upright(edits_on_scan, s.pose, s.hu.grid);
+  const Given given(edits, s.hu.grid);
+  given.put_into(s.head, s.hu, s.thresholds.air);
+  s.replaced = given.edits().replaced;
   say("airway", 0.45);
-  s.airway = find_airway(s.hu, air_field(s.hu, s.thresholds), s.head, s.frame);
+  s.airway = airway_of(s, given);
   say("bone", 0.55);
-  s.bones = find_bones(s.hu, s.thresholds, s.frame, s.head, s.airway);
+  s.bones = bones_of(s, given);
 
   if (s.bones.mandible_free) {
     // The head may be turned on the neck: for mouth and throat the middle is that of the jaw.
@@ -116,9 +204,7 @@ Segmentation segment(const Hounsfield& series, const Edits& edits,
   put(s.bones.mandible, kMandible, s.labels);
   put(s.airway.lumen, kAirway, s.labels);
   say("tongue and throat", 0.65);
-  std::optional<Vector3> tongue_seed;
-  if (const auto given = edits.seeds.find("tongue"); given != edits.seeds.end()) {
-    tongue_seed = given->second;
+  if (const auto tongue_seed = given.seed("tongue")) {
     const auto c = s.hu.grid.nearest(*tongue_seed);
     if (!s.hu.grid.contains(c[0], c[1], c[2]) || s.head.inside.at(c[0], c[1], c[2]) == 0) {
       throw std::runtime_error(
@@ -126,17 +212,20 @@ Segmentation segment(const Hounsfield& series, const Edits& edits,
           "head)");
     }
   }
-  label_throat(s, tongue_seed, [&](double f) { say("tongue and throat", 0.65 + 0.3 * f); });
+  label_throat(s, given, [&](double f) { say("tongue and throat", 0.65 + 0.3 * f); });
   if (!s.bones.mandible_free)
     s.findings["bone_mandible"] = {Origin::inferred, "could not be parted from the skull; it is labelled bone_skull"};
+  given.put_into(s.labels, s.head.inside);
   say("landmarks", 0.95);
-  find_landmarks(s);
+  find_landmarks(s, edits.landmarks);
+  given.name_origins(s.findings);
   name_measured(s);
   say("landmarks", 1.0);
   return s;
 }
 
 Labels on_series_grid(const Segmentation& s, const Grid& series) {
+  if (s.pose.moved()) return read_onto(series, s.pose.scan_to_package, s.labels);
   Labels out(series);
   paste(s.labels, s.box, out);
   return out;

@@ -4,6 +4,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -29,11 +30,13 @@ struct Segmentation {
   Box throat;                              ///< of mouth, pharynx and larynx in the cropped grid
   std::map<std::string, Point> landmarks;  ///< all of kLandmarks, mm LPS
   std::map<std::string, Finding> findings;  ///< how each structure and landmark came about
+  std::set<std::uint8_t> replaced;          ///< structures given as labels: these, not the grey values, have the borders
+  std::map<std::uint8_t, double> bone_hu;   ///< borders of bones that are not at thresholds.bone
   PoseChange pose;                          ///< from the scan's frame to the one all of this lies in
 };
 
-/// `edits.seeds` may hold "tongue", for a closed mouth. `progress` gets the structure's name and 0..1. Throws
-/// std::runtime_error saying what could not be found.
+/// `progress` gets the structure's name and 0..1. Throws std::runtime_error saying what could not be found or
+/// (EditError) which edit cannot be followed.
 Segmentation segment(const Hounsfield& hu, const Edits& edits,
                      const std::function<void(const std::string&, double)>& progress = {});
 

@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace vallecula::pipeline {
 
 Mask find_soft_palate(const Mask& body, const Mask& lumen, const Mask& skull, const Epiglottis& epiglottis,
-                      const Airway& airway, const Frame& frame) {
+                      const Airway& airway, const Frame& frame, const std::optional<Vector3>& seed) {
   const auto& g = body.grid;
   const double s = frame.scale;
   auto sheet = all_of(without(closed(lumen, 3.0 * s), lumen), body);
@@ -34,6 +35,12 @@ Mask find_soft_palate(const Mask& body, const Mask& lumen, const Mask& skull, co
     }
   }
   const auto parts = components(opened(sheet, 0.8 * s));
+  if (seed) {
+    const int piece = piece_at(parts, *seed, 3.0 * s);
+    if (piece == 0)
+      throw std::runtime_error("the soft palate's seed lies in no sheet between airway and airway behind the palate");
+    return all_of(sheet, dilated(parts.mask(piece), 0.8 * s));
+  }
   if (parts.sizes.size() < 2 || parts.sizes[1] * g.voxel_mm3() < 60.0 * s * s * s) return Mask(g);
   return all_of(sheet, dilated(parts.mask(1), 0.8 * s));
 }

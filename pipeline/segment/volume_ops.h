@@ -2,6 +2,7 @@
 // in millimetres, so that anisotropic series are treated alike.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -26,12 +27,10 @@ Grid cropped(const Grid& grid, const Box& box);
 template <class T>
 Volume<T> cropped(const Volume<T>& volume, const Box& box) {
   Volume<T> out(cropped(volume.grid, box));
+  const int length = box.high[0] - box.low[0] + 1;
   for (int z = box.low[2]; z <= box.high[2]; ++z) {
-    for (int y = box.low[1]; y <= box.high[1]; ++y) {
-      for (int x = box.low[0]; x <= box.high[0]; ++x) {
-        out.at(x - box.low[0], y - box.low[1], z - box.low[2]) = volume.at(x, y, z);
-      }
-    }
+    for (int y = box.low[1]; y <= box.high[1]; ++y)
+      std::copy_n(&volume.at(box.low[0], y, z), length, &out.at(0, y - box.low[1], z - box.low[2]));
   }
   return out;
 }
@@ -39,12 +38,10 @@ Volume<T> cropped(const Volume<T>& volume, const Box& box) {
 /// Writes `part` back to where `box` was cut out.
 template <class T>
 void paste(const Volume<T>& part, const Box& box, Volume<T>& into) {
+  const int length = box.high[0] - box.low[0] + 1;
   for (int z = box.low[2]; z <= box.high[2]; ++z) {
-    for (int y = box.low[1]; y <= box.high[1]; ++y) {
-      for (int x = box.low[0]; x <= box.high[0]; ++x) {
-        into.at(x, y, z) = part.at(x - box.low[0], y - box.low[1], z - box.low[2]);
-      }
-    }
+    for (int y = box.low[1]; y <= box.high[1]; ++y)
+      std::copy_n(&part.at(0, y - box.low[1], z - box.low[2]), length, &into.at(box.low[0], y, z));
   }
 }
 
@@ -83,6 +80,8 @@ struct Components {
   Mask mask(int which) const;
 };
 Components components(const Mask& mask);
+/// The id of the piece with the voxel nearest to a point, within `reach_mm` of it; 0 where there is none.
+int piece_at(const Components& parts, const std::array<double, 3>& point, double reach_mm);
 Mask largest_component(const Mask& mask);
 /// The 6-connected parts of `allowed` that hold a one of `seed`.
 Mask grown(const Mask& seed, const Mask& allowed);

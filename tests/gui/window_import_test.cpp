@@ -1,6 +1,10 @@
 // The import wizard as a clinician uses it: from a folder to a patient to practise with. With VALLECULA_PICTURES=DIR
 // every step is kept there as a picture.
 #include <QCheckBox>
+#include <QFile>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMouseEvent>
@@ -139,7 +143,7 @@ TEST_F(WindowImport, FromAFolderToAPatientThatIsChosenOnTheFirstPage) {
   const auto* thumbnail = qobject_cast<QLabel*>(table->cellWidget(0, 1));
   ASSERT_NE(thumbnail, nullptr);
   EXPECT_GT(colours_in(thumbnail->pixmap(Qt::ReturnByValue).toImage()), 6) << "a picture of the head";
-  EXPECT_NE(table->item(0, 2)->text().indexOf("slices"), -1);
+  EXPECT_NE(table->item(0, 2)->text().indexOf("CT, axial"), -1);
   EXPECT_EQ(left_behind(), std::vector<std::string>{}) << "nothing is written before it is saved";
   picture("3-check");
 
@@ -253,16 +257,54 @@ TEST_F(WindowImport, LabelsGoOutToAnotherProgramAndComeBack) {
   segment(series());
   ASSERT_FALSE(HasFatalFailure());
   const auto before = check().scene().shared_labels();
-  check().save_labels(box_ / "labels.nrrd");
+  const auto done = [&] { return wait_for([&] { return !wizard().work().busy(); }); };
+  check().save(box_ / "labels.nrrd");
+  ASSERT_TRUE(done());
   EXPECT_EQ(pipeline::read_label_map(box_ / "labels.nrrd").voxels, before->voxels);
-  check().load_labels(box_ / "labels.nrrd", "tongue");
+  check().load(box_ / "labels.nrrd", "tongue");
+  ASSERT_TRUE(done());
   const auto edits = check().history().state().edits();
   EXPECT_EQ(edits.replaced, std::set<std::uint8_t>{pipeline::kTongue});
   for (std::size_t i = 0; i < before->voxels.size(); ++i)
     ASSERT_EQ(edits.labels->voxels[i] == pipeline::kTongue, before->voxels[i] == pipeline::kTongue);
   check().history().stack().undo();
   EXPECT_TRUE(check().history().state().replaced.empty());
-  check().load_labels(box_ / "absent.nrrd", "");
+
+  // Landmarks: what another program moved comes back as moved by so much, the rest as it was.
+  check().load(box_ / "labels.mrk.json", "");
+  ASSERT_TRUE(done());
+  EXPECT_TRUE(check().history().state().landmarks.empty());
+  QFile file(QString::fromStdString((box_ / "labels.mrk.json").string()));
+  ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+  QJsonObject all = QJsonDocument::fromJson(file.readAll()).object();
+  file.close();
+  QJsonArray markups = all["markups"].toArray();
+  QJsonObject list = markups[0].toObject();
+  QJsonArray points = list["controlPoints"].toArray();
+  for (int i = 0; i < points.size(); ++i) {
+    QJsonObject point = points[i].toObject();
+    if (point["label"].toString() != "vallecula") continue;
+    QJsonArray at = point["position"].toArray();
+    at[2] = at[2].toDouble() + 3.0;  // towards the head, in LPS and RAS
+    point["position"] = at;
+    points[i] = point;
+  }
+  list["controlPoints"] = points;
+  markups[0] = list;
+  all["markups"] = markups;
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  file.write(QJsonDocument(all).toJson());
+  file.close();
+  const Point found = check().scene().landmarks().at("vallecula").at;
+  check().load(box_ / "labels.mrk.json", "");
+  ASSERT_TRUE(done());
+  ASSERT_EQ(check().history().state().landmarks.size(), 1u);
+  const Point moved = check().history().state().landmarks.at("vallecula");
+  EXPECT_LT(length_mm(moved, {found[0], found[1], found[2] + 3.0}), 1e-3);
+  check().history().stack().undo();
+
+  check().load(box_ / "absent.nrrd", "");
+  ASSERT_TRUE(done());
   EXPECT_TRUE(check().history().state().replaced.empty());
   const auto said = check().findChildren<QLabel*>();
   EXPECT_TRUE(std::any_of(said.begin(), said.end(), [](QLabel* l) { return l->text().contains("absent.nrrd"); }));
@@ -313,6 +355,7 @@ TEST_F(WindowImport, ClosedInTheMiddleOfTheWorkItEndsCleanly) {
   share_ = 0.0;
   button(wizard().source_page(), "&Read and find the structures")->click();
   ASSERT_TRUE(wait_for([&] { return share_ > 0.3; }, 60000));
+  picture("2-segment");
   window_->close();
   window_.reset();
   EXPECT_EQ(left_behind(), std::vector<std::string>{});

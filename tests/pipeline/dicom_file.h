@@ -5,11 +5,55 @@
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace vallecula::pipeline::test {
+
+/// Elements in the order of their tags: (group << 16 | element) -> representation, value. Explicit little endian.
+using Elements = std::map<std::uint32_t, std::pair<std::string, std::string>>;
+
+inline std::string bytes_of(std::uint32_t v, int bytes) {
+  std::string t;
+  for (int i = 0; i < bytes; ++i) t += static_cast<char>((v >> (8 * i)) & 0xff);
+  return t;
+}
+
+inline std::string written(const Elements& elements) {
+  std::string out;
+  for (auto [tag, element] : elements) {
+    auto& [vr, value] = element;
+    if (value.size() % 2 != 0) value += vr == "UI" || vr == "OB" ? '\0' : ' ';
+    const bool is_long = vr == "OW" || vr == "OB" || vr == "SQ" || vr == "UN";
+    out += bytes_of(tag >> 16, 2) + bytes_of(tag & 0xffff, 2) + vr;
+    if (is_long) out += std::string(2, '\0');
+    out += bytes_of(static_cast<std::uint32_t>(value.size()), is_long ? 4 : 2) + value;
+  }
+  return out;
+}
+
+/// A sequence's value: items of stated length.
+inline std::string items(const std::vector<Elements>& contents) {
+  std::string out;
+  for (const auto& c : contents) {
+    const auto inside = written(c);
+    out += bytes_of(0xe000fffe, 4) + bytes_of(static_cast<std::uint32_t>(inside.size()), 4) + inside;
+  }
+  return out;
+}
+
+inline std::string with_meta(const std::string& data_set, const std::string& sop_class = "1.2.840.10008.5.1.4.1.1.2") {
+  const auto meta = written({{0x00020001, {"OB", std::string("\0\1", 2)}},
+                             {0x00020002, {"UI", sop_class}},
+                             {0x00020003, {"UI", "1.2.3.4.1"}},
+                             {0x00020010, {"UI", "1.2.840.10008.1.2.1"}},
+                             {0x00020012, {"UI", "1.2.3.99"}}});
+  return std::string(128, '\0') + "DICM" +
+         written({{0x00020000, {"UL", bytes_of(static_cast<std::uint32_t>(meta.size()), 4)}}}) + meta + data_set;
+}
 
 /// What a test may want to say, or leave out (empty strings are not written).
 struct DicomSlice {
@@ -26,49 +70,48 @@ struct DicomSlice {
   bool is_signed = false;
   int padding = -1;                   ///< stored value, -1: none
   std::vector<std::uint16_t> stored;  ///< raw bits
+  Elements extra;                     ///< added, or in place of the above
 };
 
-inline void write_dicom(const DicomSlice& s, const std::filesystem::path& file) {
-  std::string out(128, '\0');
-  out += "DICM";
-  const auto number = [](std::uint32_t v, int bytes) {
-    std::string t;
-    for (int i = 0; i < bytes; ++i) t += static_cast<char>((v >> (8 * i)) & 0xff);
-    return t;
-  };
-  const auto element = [&](int group, int id, const char* vr, std::string value) {
-    if (value.size() % 2 != 0) value += std::string(vr) == "UI" ? '\0' : ' ';
-    std::string t = number(group, 2) + number(id, 2) + vr;
-    const bool long_form = std::string(vr) == "OW" || std::string(vr) == "OB";
-    t += long_form ? std::string(2, '\0') + number(static_cast<std::uint32_t>(value.size()), 4)
-                   : number(static_cast<std::uint32_t>(value.size()), 2);
-    return t + value;
-  };
-  const auto text = [&](int group, int id, const char* vr, const std::string& value) {
-    return value.empty() ? std::string() : element(group, id, vr, value);
-  };
+inline Elements elements_of(const DicomSlice& s) {
   const std::string ct = "1.2.840.10008.5.1.4.1.1.2";
-  const auto instance = "1.2.3.4." + s.instance;
-  const auto meta = element(2, 1, "OB", std::string("\0\1", 2)) + element(2, 2, "UI", ct) +
-                    element(2, 3, "UI", instance) + element(2, 0x10, "UI", "1.2.840.10008.1.2.1") +
-                    element(2, 0x12, "UI", "1.2.3.99");
-  out += element(2, 0, "UL", number(static_cast<std::uint32_t>(meta.size()), 4)) + meta;
-  out += element(8, 0x16, "UI", ct) + element(8, 0x18, "UI", instance) + text(8, 0x60, "CS", s.modality);
-  out += element(0x10, 0x10, "PN", "Doe^Jane") + element(0x10, 0x20, "LO", "SECRET-ID-77");
-  out += element(0x20, 0xd, "UI", "1.2.3.9") + element(0x20, 0xe, "UI", s.series) + element(0x20, 0x13, "IS", "1");
-  out += text(0x20, 0x32, "DS", s.position) + text(0x20, 0x37, "DS", s.orientation);
-  out += element(0x28, 2, "US", number(1, 2)) + element(0x28, 4, "CS", "MONOCHROME2");
-  out += element(0x28, 0x10, "US", number(s.rows, 2)) + element(0x28, 0x11, "US", number(s.columns, 2));
-  out += text(0x28, 0x30, "DS", s.spacing);
-  out += element(0x28, 0x100, "US", number(16, 2)) + element(0x28, 0x101, "US", number(16, 2)) +
-         element(0x28, 0x102, "US", number(15, 2));
-  out += element(0x28, 0x103, "US", number(s.is_signed ? 1 : 0, 2));
-  if (s.padding >= 0) out += element(0x28, 0x120, s.is_signed ? "SS" : "US", number(s.padding, 2));
-  out += text(0x28, 0x1052, "DS", s.intercept) + text(0x28, 0x1053, "DS", s.slope);
-  std::string pixels(reinterpret_cast<const char*>(s.stored.data()), s.stored.size() * 2);
-  out += element(0x7fe0, 0x10, "OW", pixels);
-  std::ofstream(file, std::ios::binary) << out;
+  Elements e = {{0x00080016, {"UI", ct}},
+                {0x00080018, {"UI", "1.2.3.4." + s.instance}},
+                {0x00100010, {"PN", "Doe^Jane"}},
+                {0x00100020, {"LO", "SECRET-ID-77"}},
+                {0x0020000d, {"UI", "1.2.3.9"}},
+                {0x0020000e, {"UI", s.series}},
+                {0x00200013, {"IS", "1"}},
+                {0x00280002, {"US", bytes_of(1, 2)}},
+                {0x00280004, {"CS", "MONOCHROME2"}},
+                {0x00280010, {"US", bytes_of(static_cast<std::uint32_t>(s.rows), 2)}},
+                {0x00280011, {"US", bytes_of(static_cast<std::uint32_t>(s.columns), 2)}},
+                {0x00280100, {"US", bytes_of(16, 2)}},
+                {0x00280101, {"US", bytes_of(16, 2)}},
+                {0x00280102, {"US", bytes_of(15, 2)}},
+                {0x00280103, {"US", bytes_of(s.is_signed ? 1 : 0, 2)}},
+                {0x7fe00010, {"OW", std::string(reinterpret_cast<const char*>(s.stored.data()), s.stored.size() * 2)}}};
+  if (s.padding >= 0) e[0x00280120] = {s.is_signed ? "SS" : "US", bytes_of(static_cast<std::uint32_t>(s.padding), 2)};
+  const auto text = [&](std::uint32_t tag, const char* vr, const std::string& value) {
+    if (!value.empty()) e[tag] = {vr, value};
+  };
+  text(0x00080060, "CS", s.modality);
+  text(0x00200032, "DS", s.position);
+  text(0x00200037, "DS", s.orientation);
+  text(0x00280030, "DS", s.spacing);
+  text(0x00281052, "DS", s.intercept);
+  text(0x00281053, "DS", s.slope);
+  for (const auto& [tag, element] : s.extra) e[tag] = element;
+  return e;
 }
+
+inline std::string dicom_bytes(const DicomSlice& s) { return with_meta(written(elements_of(s))); }
+
+inline void write_bytes(const std::string& bytes, const std::filesystem::path& file) {
+  std::ofstream(file, std::ios::binary) << bytes;
+}
+
+inline void write_dicom(const DicomSlice& s, const std::filesystem::path& file) { write_bytes(dicom_bytes(s), file); }
 
 inline std::string decimal_string(const std::vector<double>& values) {
   std::ostringstream t;

@@ -1,0 +1,111 @@
+#include "pipeline/segment/edits.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "pipeline/mesh/vector3.h"
+#include "pipeline/package/label_map.h"
+#include "pipeline/parallel.h"
+
+namespace vallecula::pipeline {
+namespace {
+
+/// What a point can be grown from. The hyoid has no label; its seed is its landmark's.
+constexpr std::array<const char*, 9> kSeeded = {"tongue",     "airway",      "bone_skull", "bone_mandible", "spine",
+                                                "epiglottis", "soft_palate", "larynx",     "hyoid"};
+
+template <class Names>
+std::string listed(const Names& names) {
+  std::string text;
+  for (const auto& name : names) text += (text.empty() ? "" : ", ") + std::string(name);
+  return text;
+}
+
+bool finite(const Point& p) { return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]); }
+
+void check_threshold(const std::string& name, const std::array<double, 2>& hu) {
+  const bool known = std::any_of(kLabelNames.begin(), kLabelNames.end(), [&](const auto& l) { return name == l.name; });
+  if (!known) {
+    std::string names;
+    for (const auto& label : kLabelNames) names += (names.empty() ? "" : ", ") + std::string(label.name);
+    throw EditError("threshold " + name + ": no structure of this name; known are " + names);
+  }
+  if (!(std::isfinite(hu[0]) && std::isfinite(hu[1]) && hu[0] < hu[1]))
+    throw EditError("threshold " + name + ": expected the lowest, then the highest Hounsfield value, " + name + "=LO,HI");
+  // The border between air and tissue; outside of these there is nothing on one side of it.
+  const double border = name == "airway" ? hu[1] : name == "skin" ? hu[0] : -500.0;
+  if (!(border > -1000.0 && border < 0.0))
+    throw EditError("threshold " + name + ": the border between air and tissue lies between -1000 and 0 HU");
+}
+
+}  // namespace
+
+void check_edits(const Edits& edits) {
+  for (const auto& [name, point] : edits.seeds) {
+    if (std::none_of(kSeeded.begin(), kSeeded.end(), [&, n = name](const char* known) { return n == known; }))
+      throw EditError("seed " + name + ": nothing is grown from a point under this name; known are " + listed(kSeeded));
+    if (!finite(point)) throw EditError("seed " + name + ": its coordinates are not finite numbers");
+  }
+  for (const auto& [name, hu] : edits.thresholds) check_threshold(name, hu);
+  const auto airway = edits.thresholds.find("airway");
+  const auto skin = edits.thresholds.find("skin");
+  if (airway != edits.thresholds.end() && skin != edits.thresholds.end() && airway->second[1] != skin->second[0])
+    throw EditError(
+        "threshold airway and skin: air ends where skin begins; give one of them, or the airway's highest value as the "
+        "skin's lowest");
+  for (const auto& [name, point] : edits.landmarks) {
+    if (std::none_of(kLandmarks.begin(), kLandmarks.end(), [&, n = name](const char* known) { return n == known; }))
+      throw EditError("landmark " + name + ": not a landmark of a package; known are " + listed(kLandmarks));
+    if (!finite(point)) throw EditError("landmark " + name + ": its coordinates are not finite numbers");
+    if (name == "glottis_normal" && !(norm(point) > 1e-6))
+      throw EditError("landmark glottis_normal: a direction of no length");
+  }
+  if (!edits.replaced.empty() && !edits.labels)
+    throw EditError("structures are to be replaced, but there is no label map");
+}
+
+void check_edits_in(const Edits& edits, const Grid& scan) {
+  for (const auto& [name, point] : edits.seeds) {
+    const auto low = scan.position(-0.5, -0.5, -0.5);
+    const auto high = scan.position(scan.size[0] - 0.5, scan.size[1] - 0.5, scan.size[2] - 0.5);
+    for (int a = 0; a < 3; ++a) {
+      if (point[a] >= low[a] && point[a] <= high[a]) continue;
+      std::ostringstream text;
+      text << "seed " << name << ": the point lies outside the scan (x " << low[0] << " to " << high[0] << ", y "
+           << low[1] << " to " << high[1] << ", z " << low[2] << " to " << high[2]
+           << " mm); coordinates are LPS (x to the left, y to the back, z to the head)";
+      throw EditError(text.str());
+    }
+  }
+}
+
+Edits moved(const Edits& edits, const std::array<double, 16>& m, const Grid& onto) {
+  const auto turned = [&](const Point& p) {
+    return Point{m[0] * p[0] + m[1] * p[1] + m[2] * p[2], m[4] * p[0] + m[5] * p[1] + m[6] * p[2],
+                 m[8] * p[0] + m[9] * p[1] + m[10] * p[2]};
+  };
+  const Point shift{m[3], m[7], m[11]};
+  Edits out = edits;
+  for (auto& [name, point] : out.seeds) point = turned(point) + shift;
+  for (auto& [name, point] : out.landmarks) point = name == "glottis_normal" ? turned(point) : turned(point) + shift;
+  if (!edits.labels) return out;
+
+  // Where does a voxel of `onto` come from? The rows of the matrix are the columns of its inverse (rigid).
+  const auto& from = *edits.labels;
+  out.labels = Labels(onto);
+  parallel_for(onto.size[2], [&](int z) {
+    for (int y = 0; y < onto.size[1]; ++y) {
+      for (int x = 0; x < onto.size[0]; ++x) {
+        const Point p = onto.position(x, y, z) - shift;
+        const Point scan{m[0] * p[0] + m[4] * p[1] + m[8] * p[2], m[1] * p[0] + m[5] * p[1] + m[9] * p[2],
+                         m[2] * p[0] + m[6] * p[1] + m[10] * p[2]};
+        const auto c = from.grid.nearest(scan);
+        if (from.grid.contains(c[0], c[1], c[2])) out.labels->at(x, y, z) = from.at(c[0], c[1], c[2]);
+      }
+    }
+  });
+  return out;
+}
+
+}  // namespace vallecula::pipeline
