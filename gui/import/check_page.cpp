@@ -255,11 +255,10 @@ void CheckPage::show_message(const QString& message) {
 
 void CheckPage::show_failure(const QString& message) {
   QString text = message;
-  if (text.startsWith("series ")) text = text.mid(text.indexOf(": ") + 2);  // which series, a person knows
-  text.remove(QRegularExpression(": --seed [^)]*\\)"));                     // here a person clicks it
+  text.remove(QRegularExpression(": --seed [^)]*\\)"));  // here a person clicks it
   for (const auto& label : pipeline::kLabelNames)
     if (text.contains(words_of(label.name))) structures_->select(label.name);
-  show_message(text.left(1).toUpper() + text.mid(1) +
+  show_message(text +
                "\nChoose a structure on the right and give it a seed, a threshold or a label map, then run again.");
 }
 

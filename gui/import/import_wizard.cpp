@@ -2,6 +2,7 @@
 
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QMessageBox>
 #include <QStackedWidget>
 #include <QVBoxLayout>
 
@@ -114,6 +115,11 @@ void ImportWizard::stop() {
 }
 
 void ImportWizard::leave() {
+  const bool edited = check_->history().stack().count() > 0 && package_.isEmpty();
+  if (edited &&
+      QMessageBox::question(this, "Leave the import",
+                            "Leave without saving the patient? The edits made here are lost.") != QMessageBox::Yes)
+    return;
   stop();
   emit left();
 }
@@ -124,10 +130,13 @@ void ImportWizard::begin_segmentation(const ImportChoice& choice) {
   show_page(segment_);
 }
 
-void ImportWizard::job_failed(const QString& message) {
+void ImportWizard::job_failed(const QString& said) {
+  QString message = said;
+  if (message.startsWith("series ")) message = message.mid(message.indexOf(": ") + 2);  // which, a person knows
+  message = message.left(1).toUpper() + message.mid(1);
   QWidget* page = pages_->currentWidget();
   if (page == build_) {
-    build_->show_message(message);
+    build_->show_message(message + "\nGo back to the check and mend there what it names.");
   } else if (page == source_ || work_.import() == nullptr) {
     show_page(source_);
     source_->show_message(message);

@@ -115,7 +115,7 @@ bool ImportWork::open(const ImportChoice& choice) {
   if (busy()) return false;
   import_.reset();
   last_ = {};
-  face_given_ = false;
+  stale_ = false;
   auto import = std::make_shared<pipeline::Import>(options_of(choice),
                                                    [this](const std::string& stage, double f) { report(stage, f); });
   return run<SegmentedScan>(
@@ -143,6 +143,7 @@ bool ImportWork::open(const ImportChoice& choice) {
 bool ImportWork::segment(const EditState& edits) {
   if (busy() || !import_) return false;
   import_->options().edits = edits.edits();
+  stale_ = true;
   return run<SegmentedScan>(
       kSegmentFrom, kMeshFrom,
       [import = import_, edits] {
@@ -151,15 +152,17 @@ bool ImportWork::segment(const EditState& edits) {
       },
       [this](SegmentedScan scan) {
         last_ = std::move(scan);
+        stale_ = false;
         emit segmented(last_);
       });
 }
 
 bool ImportWork::build(const EditState& edits) {
   if (busy() || !import_) return false;
-  const bool anew = !last_.labels || !edits.same_segmentation(last_.from) || !edits.same_landmarks(last_.from) ||
-                    face_given_;  // a face is put on once: the next build begins with the patient's own again
-  face_given_ = import_->options().generic_face;
+  const bool anew =
+      stale_ || !last_.labels || !edits.same_segmentation(last_.from) || !edits.same_landmarks(last_.from);
+  stale_ =
+      anew || import_->options().generic_face;  // a face is put on once: the next build begins with the patient's own
   import_->options().edits = edits.edits();
   return run<SegmentedScan>(
       anew ? kSegmentFrom : kMeshFrom, kWriteFrom,
@@ -174,6 +177,7 @@ bool ImportWork::build(const EditState& edits) {
       },
       [this, anew](SegmentedScan scan) {
         last_ = std::move(scan);
+        stale_ = import_->options().generic_face;
         if (anew) emit segmented(last_);
         emit built();
       });

@@ -22,8 +22,8 @@ std::vector<SeriesRow> series_at(const std::filesystem::path& source) {
   std::vector<SeriesRow> rows;
   try {
     for (const auto& entry : pipeline::list_series(source, true))
-      rows.push_back({entry.number, QString::fromStdString(entry.modality + ", " + pipeline::described(entry)),
-                      entry.usable, QString::fromStdString(entry.reason), picture_of(entry.thumbnail)});
+      rows.push_back({entry.number, QString::fromStdString(pipeline::described(entry)), entry.usable,
+                      QString::fromStdString(entry.reason), picture_of(entry.thumbnail)});
   } catch (const pipeline::SeriesError& error) {
     rows.push_back({0, "No series", false, QString::fromUtf8(error.what()), {}});
   }

@@ -1,5 +1,6 @@
 #include "gui/views/slice_view.h"
 
+#include <QLineF>
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
@@ -27,7 +28,11 @@ void rimmed_text(QPainter& painter, const QPointF& at, const QString& text, cons
 class SliceView::Names {
  public:
   void add(const QPointF& mark, const QString& text, const QColor& colour) { all_.push_back({mark, text, colour}); }
-  void draw(QPainter& painter, const QRectF& within) const {
+  /// Those nearest to `focus` first: where there is little room, they are the ones that matter.
+  void draw(QPainter& painter, const QRectF& within, const QPointF& focus) {
+    std::stable_sort(all_.begin(), all_.end(), [&](const Name& a, const Name& b) {
+      return QLineF(a.mark, focus).length() < QLineF(b.mark, focus).length();
+    });
     std::vector<QRectF> taken;
     for (const Name& name : all_) taken.emplace_back(name.mark - QPointF(6, 6), QSizeF(12, 12));
     for (const Name& name : all_) {
@@ -147,7 +152,7 @@ void SliceView::paintEvent(QPaintEvent*) {
     draw_measures(painter, names);
     draw_seeds(painter, names);
     draw_landmarks(painter, names);
-    names.draw(painter, rect());
+    names.draw(painter, rect(), pixel_of(scene_.crosshair()));
     draw_edges(painter);
   }
   painter.setRenderHint(QPainter::Antialiasing, false);
