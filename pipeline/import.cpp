@@ -35,6 +35,7 @@ class Stages {
     name_ = name;
     from_ = from;
     to_ = to;
+    done_ = from;  // a stage may be run again
     start_ = std::chrono::steady_clock::now();
     say(0.0);
   }
@@ -157,10 +158,17 @@ Import::Import(ImportOptions options, ImportProgress progress) : work_(std::make
 Import::~Import() = default;
 
 ImportOptions& Import::options() { return work_->options; }
+const ImportOptions& Import::options() const { return work_->options; }
 const CtSeries& Import::series() const { return work_->series; }
 const Segmentation& Import::segmentation() const { return work_->segmentation; }
 Labels Import::labels_on_scan() const { return on_series_grid(work_->segmentation, work_->series.hu.grid); }
 const PatientPackage& Import::package() const { return work_->package; }
+
+std::vector<QualityItem> Import::quality() const {
+  auto items = work_->package.quality;
+  items.insert(items.end(), work_->played.begin(), work_->played.end());
+  return items;
+}
 
 void Import::read() {
   auto& w = *work_;
@@ -227,7 +235,7 @@ ImportReport Import::write() {
     w.stages.begin("write", 0.95, 1.0);
     auto package = w.package;
     package.name = package_name(w.options.out);
-    package.quality.insert(package.quality.end(), w.played.begin(), w.played.end());
+    package.quality = quality();
     auto labels = labels_on_scan();
     if (w.options.generic_face) labels = without_face(labels, w.segmentation.frame.scale);
     write_package(package, labels, w.options.out);

@@ -63,6 +63,7 @@ class Import {
   Import& operator=(const Import&) = delete;
 
   ImportOptions& options();  ///< may be changed between stages, but for `series`
+  const ImportOptions& options() const;
 
   void read();
   void segment();  ///< with options().edits and edit_files
@@ -77,6 +78,7 @@ class Import {
   const Segmentation& segmentation() const;  ///< after segment()
   Labels labels_on_scan() const;             ///< after segment(): on the grid of series().hu
   const PatientPackage& package() const;     ///< after mesh()
+  std::vector<QualityItem> quality() const;  ///< after mesh(), with what check() found: as write() will write it
 
  private:
   struct Work;

@@ -104,8 +104,7 @@ std::map<std::string, Material> default_materials() {
   return {{"tongue", {6000.0, 0.45, 1040.0}}, {"epiglottis", {90e3, 0.45, 1040.0}}};
 }
 
-std::vector<QualityItem> quality_report(const Segmentation& s, const PatientPackage& package,
-                                        const std::vector<std::string>& notes) {
+std::vector<QualityItem> segmentation_quality(const Segmentation& s) {
   std::vector<QualityItem> items;
   const double k = s.frame.scale;
   const double k3 = k * k * k;
@@ -122,6 +121,12 @@ std::vector<QualityItem> quality_report(const Segmentation& s, const PatientPack
   items.push_back(
       plain("gap between the gums", gap, "mm", "widest opening below one month of age: 22.0 (20.4 to 23.6)"));
   items.push_back(plain("glottis area", s.airway.glottis.area_mm2, "mm2", ""));
+  return items;
+}
+
+std::vector<QualityItem> quality_report(const Segmentation& s, const PatientPackage& package,
+                                        const std::vector<std::string>& notes) {
+  auto items = segmentation_quality(s);
   add_surfaces(s, package, items);
   add_tetrahedra(s, package, items);
   add_neighbours(s, package, items);

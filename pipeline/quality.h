@@ -14,6 +14,9 @@ namespace vallecula::pipeline {
 /// 1). Epiglottis: 90 kPa, which makes a leaf of one layer of linear tetrahedra bend like cartilage of 1 MPa.
 std::map<std::string, Material> default_materials();
 
+/// What a segmentation can be judged by before there is a mesh: sizes, volumes, the mouth, the glottis.
+std::vector<QualityItem> segmentation_quality(const Segmentation& s);
+
 /// Volumes, mesh quality, watertightness, the size found, and one item for everything that was not seen but inferred.
 std::vector<QualityItem> quality_report(const Segmentation& s, const PatientPackage& package,
                                         const std::vector<std::string>& notes);

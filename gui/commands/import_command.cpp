@@ -43,13 +43,13 @@ void add_import_command(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("import", "Make a patient package from a CT series");
   struct Options {
     std::string series, out, choose;
-    bool generic_face = false, replace = false;
+    bool generic_face = false, replace = false, window = false;
     int tetrahedra = pipeline::ImportOptions().tetrahedra;
   };
   auto options = std::make_shared<Options>();
   command->add_option("SERIES", options->series, "Folder with a CT series (DICOM), or a NIfTI, NRRD or MetaImage file")->required();
   command->add_option("--series", options->choose, "Which of several: its number in `vallecula series`, or its UID");
-  command->add_option("--out", options->out, "The package to write: NAME.patient")->required();
+  command->add_option("--out", options->out, "The package to write: NAME.patient (needed without --window)");
   command->add_flag("--generic-face", options->generic_face,
                     "The shipped infant's face instead of the patient's, which can be recognised");
   command->add_flag("--replace", options->replace, "Replace a package already there, when the new one is whole");
@@ -57,8 +57,17 @@ void add_import_command(CLI::App& app, int& exit_code) {
       ->add_option("--tets", options->tetrahedra, "Tetrahedra of the tongue, about (within 10 %)")
       ->check(CLI::Range(1000, 100000))
       ->capture_default_str();
+  command->add_flag("--window", options->window, "Open the trainer's window on this import instead, to do it step by step");
   const EditOptions edits(*command);
-  command->callback([options, edits, &exit_code] {
+  command->callback([options, edits, command, &exit_code] {
+    if (options->window) {
+      for (const CLI::Option* option : command->get_options())
+        if (option->count() > 0 && option->get_name() != "SERIES" && option->get_name() != "--window")
+          throw CLI::ValidationError("--window", "leaves no room for " + option->get_name() + ": it is asked for in the window");
+      exit_code = run_window_import(options->series);
+      return;
+    }
+    if (options->out.empty()) throw CLI::RequiredError("--out");
     pipeline::ImportOptions import;
     import.series = options->series;
     import.choose = options->choose;

@@ -1,4 +1,5 @@
 // The trainer's window: without a subcommand, and for `vallecula trial` without --headless.
+#include <functional>
 #include <stdexcept>
 #include <string>
 
@@ -10,13 +11,26 @@
 
 namespace vallecula::gui {
 
-int run_window_command() {
+namespace {
+
+int run_window(const std::function<void(MainWindow&)>& opened) {
   const curricula::Curriculum curriculum = curricula::load_curriculum(default_curriculum());
   WindowApplication application;
   MainWindow window;
   window.show_start(curriculum);
   window.show();
+  opened(window);
   return application.qt().exec();
+}
+
+}  // namespace
+
+int run_window_command() {
+  return run_window([](MainWindow&) {});
+}
+
+int run_window_import(const std::string& series) {
+  return run_window([&](MainWindow& window) { window.import_series(QString::fromStdString(series)); });
 }
 
 int run_window_trial(const TrialSetup& setup) {

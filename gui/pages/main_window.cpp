@@ -8,8 +8,10 @@
 #include <QSettings>
 #include <QStackedWidget>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <stdexcept>
 
+#include "gui/import/import_wizard.h"
 #include "gui/pages/background.h"
 #include "gui/pages/result_page.h"
 #include "gui/pages/trial_page.h"
@@ -41,15 +43,22 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
   setWindowTitle("Vallecula");
   pages_ = new QStackedWidget(this);
   start_ = new StartPage(pages_);
+  import_ = new ImportWizard(pages_);
   prepare_page_ = make_prepare_page();
   trial_ = new TrialPage(pages_);
   result_ = new ResultPage(pages_);
-  for (QWidget* page :
-       {static_cast<QWidget*>(start_), prepare_page_, static_cast<QWidget*>(trial_), static_cast<QWidget*>(result_)})
+  for (QWidget* page : {static_cast<QWidget*>(start_), static_cast<QWidget*>(import_), prepare_page_,
+                        static_cast<QWidget*>(trial_), static_cast<QWidget*>(result_)})
     pages_->addWidget(page);
   setCentralWidget(pages_);
   resize(1280, 800);
   connect(start_, &StartPage::chosen, this, &MainWindow::prepare_choice);
+  connect(start_, &StartPage::import_wanted, this, [this] { import_series(); });
+  connect(import_, &ImportWizard::left, this, &MainWindow::back_to_start);
+  connect(import_, &ImportWizard::finished, this, [this](const QString& package) {
+    start_->add_patient(package.toStdString(), true);
+    back_to_start();
+  });
   connect(trial_, &TrialPage::left, this, [this] {
     trial_->close_trial();
     back_to_start();
@@ -101,9 +110,25 @@ void MainWindow::show_start(const curricula::Curriculum& curriculum) {
   start_->set_curriculum(curriculum);
   const auto kept = settings();
   start_->select(kept->value("scenario").toString(), kept->value("device", "mouse").toString());
+  add_imported_patients();
   const std::filesystem::path patient = kept->value("patient").toString().toStdString();
   if (!patient.empty() && std::filesystem::exists(patient / "patient.yaml")) start_->add_patient(patient, true);
   back_to_start();
+}
+
+void MainWindow::add_imported_patients() {
+  std::error_code none;
+  std::vector<std::filesystem::path> found;
+  for (const auto& entry : std::filesystem::directory_iterator(patients_folder(), none))
+    if (entry.path().extension() == ".patient" && std::filesystem::exists(entry.path() / "patient.yaml"))
+      found.push_back(entry.path());
+  std::sort(found.begin(), found.end());
+  for (const auto& package : found) start_->add_patient(package, false);
+}
+
+void MainWindow::import_series(const QString& source) {
+  pages_->setCurrentWidget(import_);
+  import_->begin(source);
 }
 
 void MainWindow::prepare_choice(const Choice& choice) {
@@ -204,11 +229,12 @@ void MainWindow::back_to_start() {
 
 QString MainWindow::page_name() const {
   const QWidget* page = pages_->currentWidget();
-  return page == start_ ? "start" : page == prepare_page_ ? "prepare" : page == trial_ ? "trial" : "result";
+  return page == start_ ? "start" : page == import_ ? "import" : page == prepare_page_ ? "prepare" : page == trial_ ? "trial" : "result";
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
   cancelled_ = true;
+  import_->stop();
   trial_->close_trial();
   QMainWindow::closeEvent(event);
 }

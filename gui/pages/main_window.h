@@ -17,6 +17,7 @@ class QStackedWidget;
 
 namespace vallecula::gui {
 
+class ImportWizard;
 class ResultPage;
 class TrialPage;
 
@@ -30,9 +31,12 @@ class MainWindow : public QMainWindow {
   void show_start(const curricula::Curriculum& curriculum);
   /// Prepares this trial (on a thread of its own) and opens it; `start_at_once` for a scripted hand.
   void prepare(const TrialSetup& setup, bool start_at_once);
+  /// Opens the import of a CT; `source` (may be empty) is looked at at once.
+  void import_series(const QString& source = {});
   TrialPage& trial_page() { return *trial_; }
   StartPage& start_page() { return *start_; }
-  QString page_name() const;  ///< "start", "prepare", "trial", "result"
+  ImportWizard& import_wizard() { return *import_; }
+  QString page_name() const;  ///< "start", "import", "prepare", "trial", "result"
 
  signals:
   void prepared();
@@ -49,10 +53,12 @@ class MainWindow : public QMainWindow {
   void report_progress(const std::string& stage, double fraction);
   void show_failure(const QString& message);
   void back_to_start();
+  void add_imported_patients();
   QWidget* make_prepare_page();
 
   QStackedWidget* pages_;
   StartPage* start_;
+  ImportWizard* import_;
   QWidget* prepare_page_;
   QLabel* prepare_stage_;
   QProgressBar* prepare_bar_;

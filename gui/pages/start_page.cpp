@@ -39,6 +39,8 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
   device_->addItem("Watch a scripted novice", "scripted:novice");
   auto* browse = new QPushButton("Other patient ...", this);
   connect(browse, &QPushButton::clicked, this, &StartPage::browse);
+  auto* from_ct = new QPushButton("New patient from a CT ...", this);
+  connect(from_ct, &QPushButton::clicked, this, &StartPage::import_wanted);
   go_ = new QPushButton("Prepare the trial", this);
   go_->setObjectName("primary");
   go_->setDefault(true);
@@ -51,8 +53,10 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
   left->addWidget(curriculum_title_);
   left->addWidget(list_, 1);
   auto* patient_row = new QHBoxLayout;
+  patient_row->setSpacing(8);
   patient_row->addWidget(patient_, 1);
   patient_row->addWidget(browse);
+  patient_row->addWidget(from_ct);
   auto* form = new QFormLayout;
   form->setVerticalSpacing(12);
   form->addRow("Patient", patient_row);

@@ -34,6 +34,7 @@ class StartPage : public QWidget {
 
  signals:
   void chosen(const vallecula::gui::Choice& choice);
+  void import_wanted();
 
  private:
   void show_scenario(int row);

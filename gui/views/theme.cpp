@@ -35,6 +35,22 @@ void apply(QApplication& application) {
     QPushButton#primary { background: #2f78ba; border-color: #3a82c8; font-weight: bold; }
     QPushButton#primary:hover { background: #3a88cc; }
     QPushButton#primary:disabled { background: #2a3b4b; color: #7f8892; border-color: #343b45; }
+    QPushButton:checked { background: #1d5f4c; border-color: #009e73; }
+    QToolButton { background: #343b45; border: 1px solid #4a535f; border-radius: 5px; padding: 5px 10px; }
+    QToolButton:hover { background: #3f4854; }
+    QToolButton:focus { border: 1px solid #56b4e9; }
+    QToolButton:checked { background: #2f5f8c; border-color: #56b4e9; color: white; }
+    QToolButton:disabled { background: #262b32; color: #69717b; border-color: #343b45; }
+    QLineEdit { background: #1f242b; border: 1px solid #3a424d; border-radius: 4px; padding: 4px; }
+    QLineEdit:focus { border: 1px solid #56b4e9; }
+    QAbstractSpinBox QLineEdit { border: none; padding: 1px; }
+    QTableView, QTreeView { background: #1f242b; border: 1px solid #3a424d; border-radius: 5px; gridline-color: #2b323b; }
+    QTableView::item, QTreeView::item { padding: 3px; }
+    QTableView::item:selected, QTreeView::item:selected { background: #2f5f8c; color: white; }
+    QHeaderView::section { background: #262c34; border: none; border-right: 1px solid #3a424d; padding: 4px 6px; }
+    QTabWidget::pane { border: none; }
+    QTabBar::tab { background: #262c34; padding: 6px 14px; border-top-left-radius: 5px; border-top-right-radius: 5px; margin-right: 2px; }
+    QTabBar::tab:selected { background: #2f5f8c; color: white; }
     QListWidget, QComboBox, QTextBrowser { background: #1f242b; border: 1px solid #3a424d; border-radius: 5px; padding: 4px; }
     QListWidget::item { padding: 9px 8px; border-radius: 4px; }
     QListWidget::item:selected { background: #2f5f8c; color: white; }

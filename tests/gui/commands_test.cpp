@@ -62,6 +62,9 @@ TEST(CommandLine, WrongUsageIsTwo) {
   expect_refused(box.run({"import", "series", "--out", "a.patient", "--seed", "tongue=1,2"}), 2, "tongue=1,2");
   expect_refused(box.run({"compare", "a.nrrd"}), 2, "B is required");
   expect_refused(box.run({"export", "a.patient"}), 2, "--stl");
+  expect_refused(box.run({"import", "series", "--window", "--out", "a.patient"}), 2, "--out");
+  expect_refused(box.run({"import", "series", "--window", "--generic-face"}), 2, "--generic-face");
+  expect_refused(box.run({"import", "series", "--window"}), 1, "no window can be opened");
   const std::vector<std::string> trial = {"trial", "--patient", "p", "--scenario", "s", "--out", "o", "--device"};
   const auto with = [&](const std::vector<std::string>& more) {
     std::vector<std::string> all = trial;

@@ -1,0 +1,301 @@
+#include "gui/import/check_page.h"
+
+#include <QComboBox>
+#include <QFileDialog>
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QRegularExpression>
+#include <QSlider>
+#include <QStyle>
+#include <QTabBar>
+#include <QTabWidget>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "gui/import/landmark_panel.h"
+#include "gui/import/quality_list.h"
+#include "gui/import/structure_panel.h"
+#include "gui/import/work_strip.h"
+#include "gui/views/label_view.h"
+#include "gui/views/slice_view.h"
+#include "gui/views/theme.h"
+#include "pipeline/package/label_map.h"
+
+namespace vallecula::gui {
+
+CheckPage::CheckPage(ImportWork& work, QWidget* parent) : QWidget(parent), work_(work) {
+  auto* views = new QGridLayout;
+  views->setSpacing(4);
+  const SlicePlane planes[] = {SlicePlane::axial, SlicePlane::sagittal, SlicePlane::coronal};
+  QWidget* tools = make_tools();
+  for (int i = 0; i < 3; ++i) {
+    auto* slice = new SliceView(scene_, planes[i], this);
+    slices_[static_cast<std::size_t>(planes[i])] = slice;
+    views->addWidget(slice, i / 2, i % 2);
+    connect(slice, &SliceView::alone_wanted, this, [this, slice] {
+      const bool alone = view_3d_->isVisible();
+      for (QWidget* view : {static_cast<QWidget*>(slices_[0]), static_cast<QWidget*>(slices_[1]),
+                            static_cast<QWidget*>(slices_[2]), static_cast<QWidget*>(view_3d_)})
+        view->setVisible(!alone || view == slice);
+    });
+  }
+  view_3d_ = new LabelView(scene_, this);
+  views->addWidget(view_3d_, 1, 1);
+  for (int i = 0; i < 2; ++i) {
+    views->setRowStretch(i, 1);
+    views->setColumnStretch(i, 1);
+  }
+  at_ = new QLabel(this);
+  at_->setAccessibleName("Under the pointer");
+  auto* left = new QVBoxLayout;
+  left->setSpacing(4);
+  left->addWidget(tools);
+  left->addLayout(views, 1);
+  left->addWidget(at_);
+  auto* columns = new QHBoxLayout;
+  columns->addLayout(left, 1);
+  side_ = make_side();
+  columns->addWidget(side_);
+  auto* all = new QVBoxLayout(this);
+  all->setContentsMargins(0, 0, 0, 0);
+  all->addLayout(columns, 1);
+  all->addWidget(make_foot());
+
+  connect(&scene_, &SliceScene::hovered, this,
+          [this](const pipeline::Point& at) { at_->setText(scene_.describe(at)); });
+  connect(&scene_, &SliceScene::crosshair_moved, this, [this] { at_->setText(scene_.describe(scene_.crosshair())); });
+  connect(&history_, &EditHistory::changed, this, &CheckPage::show_state);
+  connect(&work_, &ImportWork::loaded, this, [this](const QString& what, const EditState& edits) {
+    history_.change(what, edits);
+    show_message("");
+  });
+  connect(&work_, &ImportWork::file_failed, this, &CheckPage::show_message);
+  connect(&work_, &ImportWork::saved, this, [this](const QString& files) { show_message("Saved: " + files); });
+  show_state();
+}
+
+CheckPage::~CheckPage() = default;
+
+void CheckPage::add_tool(QWidget* bar, const QString& text, const char* key, SliceTool tool, const QString& tip) {
+  auto* button = new QToolButton(bar);
+  button->setText(text);
+  button->setCheckable(true);
+  button->setChecked(scene_.tool() == tool);
+  button->setShortcut(QKeySequence(key));
+  button->setToolTip(QString("%1 (%2)").arg(tip, key));
+  button->setFocusPolicy(Qt::TabFocus);
+  bar->layout()->addWidget(button);
+  connect(button, &QToolButton::clicked, this, [this, tool] { scene_.set_tool(tool); });
+  connect(&scene_, &SliceScene::tool_changed, button,
+          [this, button, tool] { button->setChecked(scene_.tool() == tool); });
+}
+
+QWidget* CheckPage::make_tools() {
+  auto* bar = new QWidget(this);
+  auto* row = new QHBoxLayout(bar);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(4);
+  add_tool(bar, "Crosshair", "C", SliceTool::crosshair, "Take all slices to a point; drag landmarks");
+  add_tool(bar, "Grey", "G", SliceTool::window, "Drag: right wider, up darker; the right button does it with any tool");
+  add_tool(bar, "Ruler", "R", SliceTool::ruler, "Drag, or click two points; Delete takes the last one away");
+  add_tool(bar, "Angle", "A", SliceTool::angle, "Click three points, the corner second");
+  row->addSpacing(10);
+  auto* presets = new QComboBox(bar);
+  presets->setAccessibleName("Grey values");
+  for (const auto& preset : kGreyPresets) presets->addItem(preset.name);
+  connect(presets, qOverload<int>(&QComboBox::activated), this,
+          [this](int i) { scene_.set_grey(kGreyPresets[static_cast<std::size_t>(i)].window); });
+  row->addWidget(presets);
+  grey_ = new QLabel(bar);
+  grey_->setObjectName("faint");
+  connect(&scene_, &SliceScene::changed, grey_, [this] {
+    grey_->setText(QString("W %1  L %2").arg(scene_.grey().width, 0, 'f', 0).arg(scene_.grey().centre, 0, 'f', 0));
+  });
+  row->addWidget(grey_);
+  row->addSpacing(10);
+  row->addWidget(new QLabel("Labels", bar));
+  auto* opacity = new QSlider(Qt::Horizontal, bar);
+  opacity->setAccessibleName("Opacity of the labels");
+  opacity->setRange(0, 100);
+  opacity->setValue(static_cast<int>(100.0 * scene_.opacity()));
+  opacity->setFixedWidth(110);
+  connect(opacity, &QSlider::valueChanged, this, [this](int percent) { scene_.set_opacity(0.01 * percent); });
+  row->addWidget(opacity);
+  row->addStretch(1);
+  add_step(bar, "Undo", true, QKeySequence::Undo);
+  add_step(bar, "Redo", false, QKeySequence::Redo);
+  return bar;
+}
+
+void CheckPage::add_step(QWidget* bar, const QString& text, bool undo, const QKeySequence& key) {
+  QUndoStack& stack = history_.stack();
+  auto* button = new QToolButton(bar);
+  button->setText(text);
+  button->setShortcut(key);
+  button->setFocusPolicy(Qt::TabFocus);
+  button->setEnabled(false);
+  bar->layout()->addWidget(button);
+  connect(button, &QToolButton::clicked, &stack, undo ? &QUndoStack::undo : &QUndoStack::redo);
+  connect(&stack, undo ? &QUndoStack::canUndoChanged : &QUndoStack::canRedoChanged, button, &QWidget::setEnabled);
+  connect(&stack, undo ? &QUndoStack::undoTextChanged : &QUndoStack::redoTextChanged, button,
+          [button, text, key](const QString& what) {
+            button->setToolTip(QString("%1 %2 (%3)").arg(text, what, key.toString(QKeySequence::NativeText)));
+          });
+}
+
+QWidget* CheckPage::make_side() {
+  auto* side = new QWidget(this);
+  side->setFixedWidth(400);
+  tabs_ = new QTabWidget(side);
+  tabs_->setDocumentMode(true);
+  tabs_->tabBar()->setDrawBase(false);
+  structures_ = new StructurePanel(scene_, history_, side);
+  landmarks_ = new LandmarkPanel(scene_, history_, side);
+  quality_ = new QualityList(side);
+  tabs_->addTab(structures_, "S&tructures");
+  tabs_->addTab(landmarks_, "Land&marks");
+  tabs_->addTab(quality_, "&Quality");
+  save_ = new QPushButton("Save for 3D Slicer ...", side);
+  load_ = new QPushButton("Load ...", side);
+  save_->setToolTip("Labels (.nrrd) and landmarks (.mrk.json beside them), to be painted and moved there");
+  load_->setToolTip("A label map (all structures in it) or landmarks (.mrk.json), as 3D Slicer saves them");
+  auto* slicer = new QHBoxLayout;
+  slicer->addWidget(save_);
+  slicer->addWidget(load_);
+  auto* all = new QVBoxLayout(side);
+  all->setContentsMargins(4, 0, 0, 0);
+  all->addWidget(tabs_, 1);
+  all->addLayout(slicer);
+  const auto choose = [this](const std::string& structure) {
+    const QString file = QFileDialog::getOpenFileName(
+        this, "Choose a label map", {},
+        "Label maps and landmarks (*.nrrd *.nii *.nii.gz *.dcm *.mrk.json);;All files (*)");
+    if (!file.isEmpty()) load(file.toStdString(), structure);
+  };
+  connect(structures_, &StructurePanel::load_wanted, this,
+          [choose](const QString& structure) { choose(structure.toStdString()); });
+  connect(load_, &QPushButton::clicked, this, [choose] { choose({}); });
+  connect(save_, &QPushButton::clicked, this, [this] {
+    const QString file = QFileDialog::getSaveFileName(this, "Save the labels", "labels.nrrd", "Label maps (*.nrrd)");
+    if (!file.isEmpty()) save(file.toStdString());
+  });
+  return side;
+}
+
+QWidget* CheckPage::make_foot() {
+  auto* foot = new QWidget(this);
+  message_ = new QLabel(foot);
+  message_->setWordWrap(true);
+  message_->setStyleSheet(QString("color: %1;").arg(theme::kOver.name()));
+  message_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  strip_ = new WorkStrip(work_, foot);
+  back_ = new QPushButton("Leave", foot);
+  again_ = new QPushButton("Run a&gain with the edits", foot);
+  build_ = new QPushButton("&Build the patient", foot);
+  auto* row = new QHBoxLayout(foot);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(8);
+  row->addWidget(back_);
+  row->addWidget(message_, 1);
+  row->addWidget(strip_, 1);
+  row->addWidget(again_);
+  row->addWidget(build_);
+  connect(back_, &QPushButton::clicked, this, &CheckPage::left);
+  connect(again_, &QPushButton::clicked, this, &CheckPage::segment_wanted);
+  connect(build_, &QPushButton::clicked, this, &CheckPage::build_wanted);
+  return foot;
+}
+
+void CheckPage::clear() {
+  show_scan({});
+  at_->clear();
+}
+
+void CheckPage::show_scan(std::shared_ptr<const pipeline::Hounsfield> scan) {
+  found_ = {};
+  scene_.set_scan(std::move(scan));
+  scene_.set_tool(SliceTool::crosshair);
+  history_.clear();
+  structures_->show_findings({});
+  landmarks_->show_found({}, {});
+  quality_->show_items({});
+  message_->clear();
+}
+
+void CheckPage::show_segmentation(const SegmentedScan& scan) {
+  const bool first = !found_.labels;
+  found_ = scan;
+  scene_.set_labels(scan.labels);
+  scene_.set_focus(scan.bounds[0], scan.bounds[1]);
+  structures_->show_findings(scan.findings);
+  landmarks_->show_found(scan.landmarks, scan.findings);
+  auto quality = scan.quality;
+  for (const auto& [name, finding] : scan.findings)
+    if (finding.origin == pipeline::Origin::inferred || finding.origin == pipeline::Origin::from_model)
+      quality.push_back({words_of(name).toStdString(), 0.0, "", false, finding_text(finding).toStdString()});
+  quality_->show_items(quality);
+  tabs_->setTabText(2, quality_->to_look_at() > 0 ? QString("&Quality (%1)").arg(quality_->to_look_at()) : "&Quality");
+  message_->clear();
+  const auto glottis = scan.landmarks.find("glottis_centre");
+  const auto vallecula = scan.landmarks.find("vallecula");
+  // The middle of the throat tells more than the middle of the scan.
+  if (first && vallecula != scan.landmarks.end())
+    scene_.set_crosshair(vallecula->second);
+  else if (first && glottis != scan.landmarks.end())
+    scene_.set_crosshair(glottis->second);
+  show_state();
+}
+
+void CheckPage::show_message(const QString& message) {
+  message_->setText(message);
+  show_state();
+}
+
+void CheckPage::show_failure(const QString& message) {
+  QString text = message;
+  text.remove(QRegularExpression(": --seed [^)]*\\)"));  // here a person clicks it
+  for (const auto& label : pipeline::kLabelNames)
+    if (text.contains(words_of(label.name))) structures_->select(label.name);
+  show_message(text +
+               "\nChoose a structure on the right and give it a seed, a threshold or a label map, then run again.");
+}
+
+bool CheckPage::edits_waiting() const {
+  const EditState& now = history_.state();
+  return !now.same_segmentation(found_.from) || !now.same_landmarks(found_.from);
+}
+
+void CheckPage::show_busy(const QString& what) {
+  if (work_.busy()) strip_->begin(what);
+  show_state();
+}
+
+void CheckPage::show_state() {
+  const bool busy = work_.busy(), waiting = edits_waiting(), found = found_.labels != nullptr;
+  const bool again_first = !found || !history_.state().same_segmentation(found_.from);
+  strip_->setVisible(busy);
+  message_->setVisible(!busy);
+  side_->setEnabled(!busy);
+  again_->setEnabled(!busy && waiting);
+  build_->setEnabled(!busy && found);
+  save_->setEnabled(found);
+  // The next step is the blue one.
+  again_->setObjectName(again_first ? "primary" : "");
+  build_->setObjectName(again_first ? "" : "primary");
+  for (QPushButton* button : {again_, build_}) {
+    button->style()->unpolish(button);
+    button->style()->polish(button);
+  }
+}
+
+void CheckPage::load(const std::filesystem::path& file, const std::string& structure) {
+  if (work_.load(file, structure, history_.state())) show_busy("Reading what was made elsewhere");
+}
+
+void CheckPage::save(const std::filesystem::path& file) {
+  if (work_.save(file, history_.state())) show_busy("Saving for 3D Slicer");
+}
+
+}  // namespace vallecula::gui

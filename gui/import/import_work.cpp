@@ -1,0 +1,276 @@
+#include "gui/import/import_work.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "gui/import/given_labels.h"
+#include "gui/pages/background.h"
+#include "pipeline/exchange/label_image.h"
+#include "pipeline/exchange/landmark_file.h"
+#include "pipeline/quality.h"
+#include "pipeline/segment/volume_ops.h"
+
+namespace vallecula::gui {
+namespace {
+
+/// Thrown through a progress report to leave work that nobody waits for any more.
+struct Left : std::runtime_error {
+  Left() : std::runtime_error("cancelled") {}
+};
+
+/// The shares of the whole that pipeline::Import's stages report.
+constexpr double kReadFrom = 0.0, kSegmentFrom = 0.1, kMeshFrom = 0.5, kWriteFrom = 0.95, kEnd = 1.0;
+
+constexpr double kMargin = 5.0;  // mm about the patient in a fitted view
+
+SegmentedScan result_of(const pipeline::Import& import, const EditState& edits) {
+  const auto& s = import.segmentation();
+  SegmentedScan scan;
+  scan.labels = std::make_shared<const pipeline::Labels>(import.labels_on_scan());
+  const auto box = pipeline::bounds_of(*scan.labels, kMargin);
+  const auto& grid = scan.labels->grid;
+  scan.bounds = {grid.position(box.low[0] - 0.5, box.low[1] - 0.5, box.low[2] - 0.5),
+                 grid.position(box.high[0] + 0.5, box.high[1] + 0.5, box.high[2] + 0.5)};
+  for (const auto& [name, at] : s.landmarks)
+    if (is_place(name)) scan.landmarks[name] = to_scan(s.pose, at);
+  scan.findings = s.findings;
+  scan.quality = pipeline::segmentation_quality(s);
+  scan.from = edits;
+  return scan;
+}
+
+}  // namespace
+
+ImportWork::ImportWork(QObject* parent) : QObject(parent) {}
+
+ImportWork::~ImportWork() {
+  cancelled_ = true;
+  if (worker_) worker_->wait();
+}
+
+std::shared_ptr<const pipeline::Hounsfield> ImportWork::scan() const {
+  if (!import_) return {};
+  return {import_, &import_->series().hu};
+}
+
+void ImportWork::close() {
+  if (!busy()) import_.reset();
+}
+
+void ImportWork::cancel() {
+  if (busy()) cancelled_ = true;
+}
+
+template <class Result>
+bool ImportWork::run(double from, double to, std::function<Result()> work, std::function<void(Result)> done,
+                     bool lasting, bool of_file) {
+  if (busy()) return false;
+  cancelled_ = false;
+  from_ = from;
+  to_ = to;
+  clock_.start();
+  worker_ = run_in_background<Result>(
+      this, std::move(work),
+      [this, lasting, done = std::move(done)](Result result) {
+        worker_.clear();
+        if (cancelled_ && !lasting)
+          emit cancelled();
+        else
+          done(std::move(result));
+      },
+      [this, of_file](const QString& message) {
+        worker_.clear();
+        if (cancelled_)
+          emit cancelled();
+        else if (of_file)
+          emit file_failed(message);
+        else
+          emit failed(message);
+      });
+  return true;
+}
+
+void ImportWork::report(const std::string& stage, double fraction) {
+  if (cancelled_ && fraction < kEnd) throw Left();  // at the end the package is in its place
+  const double from = from_, to = to_;
+  const double share = std::clamp((fraction - from) / (to - from), 0.0, 1.0);
+  const double left = seconds_left(share, 1e-3 * static_cast<double>(clock_.elapsed()));
+  QMetaObject::invokeMethod(
+      this,
+      [this, text = stage_text(stage), share, left] {
+        if (!cancelled_) emit progressed(text, share, left);
+      },
+      Qt::QueuedConnection);
+}
+
+bool ImportWork::list_series(const std::filesystem::path& source) {
+  return run<std::vector<SeriesRow>>(
+      0.0, 1.0, [source] { return series_at(source); },
+      [this](const std::vector<SeriesRow>& rows) { emit listed(rows); });
+}
+
+bool ImportWork::open(const ImportChoice& choice) {
+  if (busy()) return false;
+  import_.reset();
+  last_ = {};
+  stale_ = false;
+  auto import = std::make_shared<pipeline::Import>(options_of(choice),
+                                                   [this](const std::string& stage, double f) { report(stage, f); });
+  return run<SegmentedScan>(
+      kReadFrom, kMeshFrom,
+      [this, import] {
+        import->read();
+        // The scan is shown even when no structure is found: a person then says where the tongue is.
+        QMetaObject::invokeMethod(
+            this,
+            [this, import] {
+              if (cancelled_) return;
+              import_ = import;
+              emit scan_read();
+            },
+            Qt::QueuedConnection);
+        import->segment();
+        return result_of(*import, {});
+      },
+      [this](SegmentedScan scan) {
+        last_ = std::move(scan);
+        emit segmented(last_);
+      });
+}
+
+bool ImportWork::segment(const EditState& edits) {
+  if (busy() || !import_) return false;
+  import_->options().edits = edits.edits();
+  stale_ = true;
+  return run<SegmentedScan>(
+      kSegmentFrom, kMeshFrom,
+      [import = import_, edits] {
+        import->segment();
+        return result_of(*import, edits);
+      },
+      [this](SegmentedScan scan) {
+        last_ = std::move(scan);
+        stale_ = false;
+        emit segmented(last_);
+      });
+}
+
+bool ImportWork::build(const EditState& edits) {
+  if (busy() || !import_) return false;
+  const bool anew =
+      stale_ || !last_.labels || !edits.same_segmentation(last_.from) || !edits.same_landmarks(last_.from);
+  stale_ =
+      anew || import_->options().generic_face;  // a face is put on once: the next build begins with the patient's own
+  import_->options().edits = edits.edits();
+  return run<SegmentedScan>(
+      anew ? kSegmentFrom : kMeshFrom, kWriteFrom,
+      [import = import_, edits, anew, last = last_]() mutable {
+        if (anew) {
+          import->segment();
+          last = result_of(*import, edits);
+        }
+        import->mesh();
+        import->check();
+        return last;
+      },
+      [this, anew](SegmentedScan scan) {
+        last_ = std::move(scan);
+        stale_ = import_->options().generic_face;
+        if (anew) emit segmented(last_);
+        emit built();
+      });
+}
+
+bool ImportWork::write() {
+  if (busy() || !import_) return false;
+  return run<QString>(
+      kWriteFrom, kEnd, [import = import_] { return QString::fromStdString(import->write().package.string()); },
+      [this](const QString& package) { emit written(package); }, true);
+}
+
+bool ImportWork::load(const std::filesystem::path& file, const std::string& structure, const EditState& before) {
+  if (busy() || !import_) return false;
+  const bool landmarks = file.extension() == ".json";
+  const QString what = landmarks           ? QString("loading landmarks")
+                       : structure.empty() ? QString("loading labels")
+                                           : QString("loading %1").arg(structure.c_str());
+  return run<EditState>(
+      0.0, 1.0,
+      [import = import_, file, structure, before, landmarks] {
+        if (landmarks) {
+          EditState next = before;
+          for (const auto& [name, at] : pipeline::read_landmark_file(file).moved) next.landmarks[name] = at;
+          return next;
+        }
+        std::set<std::uint8_t> wanted;
+        for (const auto& label : pipeline::kLabelNames)
+          if (label.name == structure) wanted.insert(label.value);
+        const auto image = pipeline::read_label_image(file);
+        return with_given_labels(before, pipeline::on_grid(image, import->series().hu.grid, file), wanted);
+      },
+      [this, what](const EditState& next) { emit loaded(what, next); }, false, true);
+}
+
+bool ImportWork::save(const std::filesystem::path& file, const EditState& edits) {
+  if (busy() || !import_ || !last_.labels) return false;
+  return run<QString>(
+      0.0, 1.0,
+      [import = import_, labels = last_.labels, file, edits] {
+        pipeline::write_label_map(*labels, file);
+        auto beside = file;
+        beside.replace_extension(".mrk.json");
+        const auto& s = import->segmentation();
+        pipeline::PatientPackage marks;
+        marks.landmarks = s.landmarks;
+        marks.findings = s.findings;
+        marks.pose = s.pose;
+        for (const auto& [name, at] : edits.landmarks)
+          if (is_place(name)) marks.landmarks[name] = to_package(s.pose, at);
+        pipeline::write_landmark_file(marks, beside);
+        return QString::fromStdString(file.filename().string() + " and " + beside.filename().string());
+      },
+      [this](const QString& files) { emit saved(files); }, true, true);
+}
+
+QString stage_text(const std::string& stage) {
+  static const std::map<std::string, QString> texts = {{"list", "Looking at what is there"},
+                                                       {"read", "Reading the series"},
+                                                       {"segment", "Finding the structures"},
+                                                       {"surfaces", "Making the surfaces"},
+                                                       {"tetrahedra", "Filling tongue and epiglottis with tetrahedra"},
+                                                       {"check by playing", "Checking by playing it"},
+                                                       {"write", "Writing the patient"}};
+  const auto found = texts.find(stage);
+  return found != texts.end() ? found->second : QString::fromStdString(stage);
+}
+
+double seconds_left(double share, double elapsed_s) {
+  if (share < 0.03 || elapsed_s < 0.5) return -1.0;
+  return elapsed_s * (1.0 - share) / share;
+}
+
+QString time_left_text(double seconds) {
+  if (seconds < 0.0) return {};
+  if (seconds < 90.0) return QString("about %1 s left").arg(std::max(1.0, std::ceil(seconds)), 0, 'f', 0);
+  return QString("about %1 min left").arg(std::ceil(seconds / 60.0), 0, 'f', 0);
+}
+
+pipeline::Point to_package(const pipeline::PoseChange& pose, const pipeline::Point& at) {
+  pipeline::Point there{};
+  const auto& m = pose.scan_to_package;
+  for (int r = 0; r < 3; ++r) there[r] = m[4 * r] * at[0] + m[4 * r + 1] * at[1] + m[4 * r + 2] * at[2] + m[4 * r + 3];
+  return there;
+}
+
+pipeline::Point to_scan(const pipeline::PoseChange& pose, const pipeline::Point& at) {
+  const Eigen::Matrix4d there =
+      Eigen::Map<const Eigen::Matrix<double, 4, 4, Eigen::RowMajor>>(pose.scan_to_package.data());
+  const Eigen::Vector4d back = there.inverse() * Eigen::Vector4d(at[0], at[1], at[2], 1.0);
+  return {back[0], back[1], back[2]};
+}
+
+bool is_place(const std::string& landmark) { return landmark != "glottis_normal" && landmark != "operator_eye"; }
+
+}  // namespace vallecula::gui

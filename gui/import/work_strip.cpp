@@ -1,0 +1,50 @@
+#include "gui/import/work_strip.h"
+
+#include <QGridLayout>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+
+#include "gui/import/import_work.h"
+
+namespace vallecula::gui {
+
+WorkStrip::WorkStrip(ImportWork& work, QWidget* parent) : QWidget(parent), work_(work) {
+  stage_ = new QLabel(this);
+  stage_->setObjectName("heading");
+  left_ = new QLabel(this);
+  left_->setObjectName("faint");
+  left_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  bar_ = new QProgressBar(this);
+  bar_->setRange(0, 1000);
+  bar_->setTextVisible(false);
+  bar_->setAccessibleName("Progress");
+  cancel_ = new QPushButton("Cancel", this);
+  auto* grid = new QGridLayout(this);
+  grid->setContentsMargins(0, 0, 0, 0);
+  grid->addWidget(stage_, 0, 0);
+  grid->addWidget(left_, 0, 1);
+  grid->addWidget(bar_, 1, 0, 1, 2);
+  grid->addWidget(cancel_, 1, 2);
+  grid->setColumnStretch(0, 1);
+  connect(cancel_, &QPushButton::clicked, this, [this] {
+    work_.cancel();
+    cancel_->setEnabled(false);
+    stage_->setText("Stopping ...");
+    left_->clear();
+  });
+  connect(&work_, &ImportWork::progressed, this, [this](const QString& stage, double share, double seconds) {
+    stage_->setText(stage);
+    left_->setText(time_left_text(seconds));
+    bar_->setValue(static_cast<int>(1000.0 * share));
+  });
+}
+
+void WorkStrip::begin(const QString& what) {
+  stage_->setText(what);
+  left_->clear();
+  bar_->setValue(0);
+  cancel_->setEnabled(true);
+}
+
+}  // namespace vallecula::gui

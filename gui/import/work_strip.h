@@ -1,0 +1,28 @@
+// What is being done, how far it is, how long it still takes, and the way out.
+#pragma once
+
+#include <QWidget>
+
+class QLabel;
+class QProgressBar;
+class QPushButton;
+
+namespace vallecula::gui {
+
+class ImportWork;
+
+class WorkStrip : public QWidget {
+  Q_OBJECT
+ public:
+  explicit WorkStrip(ImportWork& work, QWidget* parent = nullptr);
+  /// For a job that begins; it is then filled by ImportWork::progressed.
+  void begin(const QString& what);
+
+ private:
+  ImportWork& work_;
+  QLabel *stage_, *left_;
+  QProgressBar* bar_;
+  QPushButton* cancel_;
+};
+
+}  // namespace vallecula::gui
