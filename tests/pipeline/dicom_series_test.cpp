@@ -36,7 +36,7 @@ TEST_F(CtSeriesOfAFolder, TwoStacksAreAQuestionAnsweredByNumberOrUid) {
     d.extra[0x00181210] = {"SH", "H30s"};
   });
   expect_message("2 CT series could be meant");
-  expect_message("1  CT axial, 70 x 58 x 71, 1 x 1.25 x 1 mm, kernel H30s");
+  expect_message("1 (CT axial, 70 x 58 x 71, 1 x 1.25 x 1 mm, kernel H30s), 2 (CT axial");
   expect_message("--series NUMBER");
   EXPECT_EQ(read_ct_series(dir_, {}, "1").slices, 71);
   EXPECT_EQ(read_ct_series(dir_, {}, "2").slices, 36);
