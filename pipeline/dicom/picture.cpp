@@ -314,6 +314,13 @@ std::vector<Picture> read_pictures(std::string_view bytes, int file) {
   damaged.fault = "is no whole DICOM file (" + (check.fault.empty() ? "it cannot be parsed" : check.fault) +
                   "); copy it again or take it out of the folder";
   if (!check.fault.empty()) return {damaged};
+  const auto syntax = gdcm::TransferSyntax::GetTSType(check.syntax.c_str());
+  if (!check.syntax.empty() &&
+      (syntax == gdcm::TransferSyntax::TS_END || syntax == gdcm::TransferSyntax::MPEG2MainProfile)) {
+    damaged.fault =
+        "is packed in a way that is not read here; export the series uncompressed, or as JPEG-LS or JPEG 2000";
+    return {damaged};
+  }
   gdcm::Trace::WarningOff();
   gdcm::Trace::ErrorOff();
   gdcm::Trace::DebugOff();

@@ -167,10 +167,14 @@ SeriesError refusal_of(const SeriesGroup& group) {
 }
 
 SeriesError question(const std::vector<const SeriesGroup*>& candidates) {
-  std::string text = "series: " + std::to_string(candidates.size()) + " CT series could be meant:";
-  for (const auto* group : candidates)
-    text += "\n  " + std::to_string(group->entry.number) + "  " + described(group->entry);
-  return SeriesError(text + "\nchoose one with --series NUMBER");
+  constexpr std::size_t kMostTold = 12;
+  std::string text = "series: " + std::to_string(candidates.size()) + " CT series could be meant: ";
+  for (std::size_t i = 0; i < std::min(candidates.size(), kMostTold); ++i) {
+    text += (i > 0 ? ", " : "") + std::to_string(candidates[i]->entry.number) + " (" + described(candidates[i]->entry) +
+            ")";
+  }
+  return SeriesError(text + (candidates.size() > kMostTold ? " ..." : "") +
+                     "; choose one with --series NUMBER (`vallecula series` lists them)");
 }
 
 SeriesGroup* chosen_by_hand(std::vector<SeriesGroup>& groups, const std::string& choice, Purpose purpose) {

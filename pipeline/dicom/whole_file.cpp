@@ -49,10 +49,13 @@ class Walker {
       if (element == 0x10) syntax = trimmed(bytes_.substr(value, length));
       at = value + length;
     }
-    if (at >= bytes_.size()) {
+    const bool astray = at == 132 && at + 2 <= bytes_.size() &&
+                        number(at, 2) != 8;  // the marker, and after it neither group 2 nor a data set
+    if (at >= bytes_.size() || astray) {
       check_.fault = kCut;
       return;
     }
+    check_.syntax = syntax;
     if (syntax.empty()) {  // a data set without its meta group says by its first element how it is written
       if (at + 6 > bytes_.size())
         check_.fault = kCut;

@@ -12,6 +12,7 @@ struct DicomCheck {
   std::string fault;            ///< empty when whole; else what is wrong, in words
   std::string modality;         ///< as far as the file could be walked
   std::string series;           ///< series instance UID, likewise: for grouping only
+  std::string syntax;           ///< transfer syntax UID; empty without a meta group
   std::size_t pixel_bytes = 0;  ///< length of the pixels where they are not packed
 };
 

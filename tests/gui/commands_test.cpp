@@ -34,6 +34,8 @@ TEST(CommandLine, HelpListsTheCommandsOwedNowAndEachHasItsOwn) {
   EXPECT_EQ(help.exit_code, 0);
   EXPECT_EQ(help.err, "");
   for (const std::string command : {"demo", "manikin", "import", "compare", "export", "trial", "replay", "score", "curriculum", "lab"}) {
+  for (const std::string command :
+       {"demo", "manikin", "import", "series", "trial", "replay", "score", "curriculum", "lab"}) {
     EXPECT_NE(help.out.find("\n  " + command + " "), std::string::npos) << command << "\n" << help.out;
     EXPECT_EQ(box.run({command, "--help"}).exit_code, 0) << command;
   }
@@ -200,10 +202,48 @@ TEST(ImportCommand, WhatIsNoSeriesIsRefusedAndNothingIsLeft) {
   fs::create_directory(box / "letters");
   write_text(box / "letters" / "a.dcm", "not DICOM at all");
   const std::size_t before = box.names("").size();
-  expect_import_refused(box, box / "nowhere", "nowhere");
+  expect_import_refused(box, box / "nowhere", "there is no such folder or file");
   expect_import_refused(box, box / "empty", "empty");
-  expect_import_refused(box, box / "letters", "a.dcm");
+  expect_import_refused(box, box / "letters", "file 1 of 1: is no DICOM file");
   EXPECT_EQ(box.names("").size(), before);
+}
+
+TEST(SeriesCommand, ListsChoosesAndWritesTheVolume) {
+  const Sandbox box;
+  pipeline::Grid grid;
+  grid.size = {32, 30, 20};
+  grid.origin = {-5.5, 7.0, -40.25};
+  for (const char* name : {"one", "two"}) {
+    fs::create_directories(box / "both" / name);
+    pipeline::SeriesDescription description;
+    description.unique_key = name;
+    description.patient_name = "Doe^Jane";
+    pipeline::write_ct_series(pipeline::Hounsfield(grid, 40), description, box / "both" / name);
+    grid.size[2] = 30;
+  }
+  const std::string both = (box / "both").string();
+  const Outcome list = box.run({"series", both});
+  EXPECT_EQ(list.exit_code, 0) << list.err;
+  EXPECT_EQ(list.out,
+            "  1  usable  CT axial, 32 x 30 x 30, 1 x 1 x 1 mm\n  2  usable  CT axial, 32 x 30 x 20, 1 x 1 x 1 mm\n");
+  const Outcome json = box.run({"series", both, "--json"});
+  EXPECT_NE(json.out.find("{\"number\": 2, \"modality\": \"CT\", \"columns\": 32, \"rows\": 30, \"slices\": 20, "
+                          "\"spacing_mm\": [1, 1, 1], \"orientation\": \"axial\", \"kernel\": \"\", \"usable\": true"),
+            std::string::npos)
+      << json.out;
+  const std::string out = (box / "v.nrrd").string();
+  expect_refused(box.run({"series", both, "--volume", out}), 1, "2 CT series could be meant");
+  EXPECT_FALSE(fs::exists(out));
+  expect_import_refused(box, box / "both", "choose one with --series");
+  EXPECT_EQ(box.run({"series", both, "--series", "2", "--volume", out}).exit_code, 0);
+  const std::string file = text_of(out);
+  const auto end = file.find("\n\n");
+  EXPECT_NE(file.find("sizes: 32 30 20"), std::string::npos);
+  EXPECT_NE(file.find("space origin: (-5.5,7,-40.25)"), std::string::npos);
+  EXPECT_EQ(file.substr(end + 2, 4), std::string("\x28\0\x28\0", 4));
+  EXPECT_EQ(file.size() - end - 2, 32u * 30u * 20u * 2u);
+  expect_refused(box.run({"series", both, "--volume", "v.png"}), 2, "must end in .nrrd");
+  expect_refused(box.run({"series", both, "--series", "2"}), 2, "--volume");
 }
 
 TEST(ImportCommand, AnotherModalityOrATruncatedFileIsRefused) {
@@ -228,7 +268,7 @@ TEST(ImportCommand, AnotherModalityOrATruncatedFileIsRefused) {
     bytes.replace(at + 8, 2, "MR");
     write_text(entry.path(), bytes);
   }
-  expect_import_refused(box, box / "magnetic", "magnetic");
+  expect_import_refused(box, box / "magnetic", "MR, not CT");
 
   fs::copy(box / "series", box / "cut");
   fs::resize_file(box / "cut" / "ct-0005.dcm", fs::file_size(box / "cut" / "ct-0005.dcm") / 2);

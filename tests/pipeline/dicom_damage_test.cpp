@@ -206,6 +206,15 @@ TEST_F(Damage, AnyFileAtAllIsRefusedOrLeftAlone) {
   EXPECT_EQ(told(), "");
 }
 
+TEST_F(Damage, AnUnknownTransferSyntaxIsNotCalledDamage) {
+  auto bytes = test::dicom_bytes(slice(3));
+  const std::string syntax("1.2.840.10008.1.2.1\0", 20);
+  const auto at = bytes.find(syntax);
+  ASSERT_NE(at, std::string::npos);
+  bytes.replace(at, 20, "1.2.840.10008.1.2.99");
+  expect_refused(bytes, "is packed in a way that is not read here", "a syntax of the future");
+}
+
 TEST(DicomCheck, FindsTheModalityAndSeriesOfADamagedFile) {
   test::DicomSlice d;
   d.modality = "MR";
