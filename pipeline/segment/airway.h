@@ -23,7 +23,7 @@ struct Airway {
 /// Positive in air, about mm near a wall (the scanner's blur spreads the step over about a millimetre).
 Volume<float> air_field(const Hounsfield& hu, const Thresholds& t);
 
-/// Throws std::runtime_error when there is no air way through the neck.
+/// Throws std::runtime_error naming what is missing when there is no air way through the neck.
 Airway find_airway(const Hounsfield& hu, const Volume<float>& air, const Head& head, const Frame& frame);
 
 }  // namespace vallecula::pipeline
