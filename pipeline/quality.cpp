@@ -1,6 +1,9 @@
 #include "pipeline/quality.h"
 
 #include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <sstream>
 
 #include "pipeline/mesh/self_intersection.h"
 #include "pipeline/mesh/surface_check.h"
@@ -98,6 +101,27 @@ void add_neighbours(const Segmentation& s, const PatientPackage& package, std::v
   items.push_back({"gap where the tongue is held", gap, "mm", gap < 0.8 * k, "19 of 20 nodes are nearer to what holds them"});
 }
 
+/// The skull's breadth grows by a half in the first year and by little after the sixth.
+QualityItem size_item(double scale) {
+  if (scale < 1.3) return plain("head size", scale, "of term", "breadth of the skull over a term infant's: an infant's head");
+  if (scale < 1.55) {
+    return {"child size", scale, "of term", false,
+            "a child's head, larger than an infant's: lengths in it are not a newborn's"};
+  }
+  return {"adult size", scale, "of term", false,
+          "an adult's head, or that of a child of school age: lengths in it are not a newborn's"};
+}
+
+double largest_of(const PoseChange& pose) {
+  return std::max({std::abs(pose.tilt_deg), std::abs(pose.turn_deg), std::abs(pose.nod_deg)});
+}
+
+std::string degrees(double angle) {
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(1) << angle;
+  return text.str();
+}
+
 }  // namespace
 
 std::map<std::string, Material> default_materials() {
@@ -108,7 +132,13 @@ std::vector<QualityItem> segmentation_quality(const Segmentation& s) {
   std::vector<QualityItem> items;
   const double k = s.frame.scale;
   const double k3 = k * k * k;
-  items.push_back(plain("head size", k, "of term", "breadth of the skull over that of a term infant"));
+  items.push_back(size_item(k));
+  if (s.pose.tilt_deg != 0.0 || s.pose.turn_deg != 0.0 || s.pose.nod_deg != 0.0) {
+    items.push_back(plain("position corrected", largest_of(s.pose), "degrees",
+                          "the head lay askew: tilt " + degrees(s.pose.tilt_deg) + ", turn " +
+                              degrees(s.pose.turn_deg) + ", nod " + degrees(s.pose.nod_deg) +
+                              "; labels.nrrd lies as scanned, all else upright"));
+  }
   items.push_back(volume_item("tongue volume", millilitres(s.labels, kTongue), 2.5 * k3, 22.0 * k3));
   items.push_back(volume_item("epiglottis volume", millilitres(s.labels, kEpiglottis), 0.05 * k3, 1.0 * k3));
   items.push_back(volume_item("airway volume", millilitres(s.labels, kAirway), 4.0 * k3, 80.0 * k3));

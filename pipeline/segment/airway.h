@@ -31,7 +31,7 @@ struct AirwayHints {
   std::optional<Vector3> cords_near;  ///< the glottis is the narrowest place near this point
 };
 
-/// Throws std::runtime_error when there is no air way through the neck.
+/// Throws std::runtime_error naming what is missing when there is no air way through the neck.
 Airway find_airway(const Volume<float>& air, const Head& head, const Frame& frame, const AirwayHints& hints = {});
 
 /// The glottis at a place and across a direction given by a person. Throws std::runtime_error when there is no lumen.

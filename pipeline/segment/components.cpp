@@ -163,4 +163,21 @@ Mask with_holes_filled(const Mask& mask) {
   return inverted(drawn(g, runs, chosen));
 }
 
+Mask holes_of_slice(const Mask& mask, int z) {
+  Box box = whole(mask.grid);
+  box.low[2] = z;
+  box.high[2] = z;
+  const auto slice = cropped(mask, box);
+  const auto n = static_cast<std::ptrdiff_t>(slice.grid.count());
+  // Between two full slices, so that nothing gets out above or below.
+  Grid between = slice.grid;
+  between.size[2] = 3;
+  Mask stack(between, 1);
+  std::copy(slice.voxels.begin(), slice.voxels.end(), stack.voxels.begin() + n);
+  stack = with_holes_filled(stack);
+  Mask filled(slice.grid);
+  std::copy(stack.voxels.begin() + n, stack.voxels.begin() + 2 * n, filled.voxels.begin());
+  return without(filled, slice);
+}
+
 }  // namespace vallecula::pipeline

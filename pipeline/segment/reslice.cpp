@@ -45,22 +45,6 @@ float between_voxels(const Hounsfield& hu, const std::array<double, 3>& index) {
   return std::clamp(sum, static_cast<float>(low), static_cast<float>(high));
 }
 
-/// The air of the lowest slice that tissue surrounds there (trachea or bronchi, cut) and its rim, which is half air.
-Mask cut_airways(const Mask& body) {
-  Box lowest = whole(body.grid);
-  lowest.high[2] = 0;
-  const auto slice = cropped(body, lowest);
-  Grid between = slice.grid;
-  between.size[2] = 3;
-  Mask stack(between, 1);
-  std::copy(slice.voxels.begin(), slice.voxels.end(), stack.voxels.begin() + static_cast<std::ptrdiff_t>(slice.grid.count()));
-  const auto filled = with_holes_filled(stack);
-  Mask out(slice.grid);
-  for (std::size_t i = 0; i < out.voxels.size(); ++i)
-    out.voxels[i] = filled.voxels[slice.grid.count() + i] & (1 - slice.voxels[i]);
-  return dilated(out, 2.0 * std::max(out.grid.spacing[0], out.grid.spacing[1]));
-}
-
 enum class Matter { air, soft, bone };
 
 Matter matter_of(std::uint8_t label) {
@@ -197,7 +181,8 @@ Hounsfield put_upright(const Hounsfield& hu, const Mask& body, const Thresholds&
   const auto back = inverse_of(pose.scan_to_package);
   std::array<double, 3> up{};  // the package's upwards, in voxels of the scan
   for (int a = 0; a < 3; ++a) up[a] = back[4 * a + 2] / from.spacing[a];
-  const auto cut = cut_airways(body);
+  // Trachea or bronchi, cut, and their rim, which is half air.
+  const auto cut = dilated(holes_of_slice(body, 0), 2.0 * std::max(from.spacing[0], from.spacing[1]));
   Hounsfield out(g, kAir);
   parallel_for(g.size[2], [&](int z) {
     for (int y = 0; y < g.size[1]; ++y) {

@@ -87,6 +87,8 @@ Mask largest_component(const Mask& mask);
 Mask grown(const Mask& seed, const Mask& allowed);
 /// Adds what is enclosed by ones (not 6-connected to the grid's border through zeros).
 Mask with_holes_filled(const Mask& mask);
+/// What ones enclose within one axial slice, on a grid of that slice alone.
+Mask holes_of_slice(const Mask& mask, int z);
 
 /// Shares `allowed` among the markers (values > 0) by flooding in order of `cost` (seeded watershed); a cheaper place
 /// is flooded first, ties by distance travelled. 0 where no marker reaches.

@@ -33,9 +33,8 @@ TEST(CommandLine, HelpListsTheCommandsOwedNowAndEachHasItsOwn) {
   const Outcome help = box.run({"--help"});
   EXPECT_EQ(help.exit_code, 0);
   EXPECT_EQ(help.err, "");
-  for (const std::string command : {"demo", "manikin", "import", "compare", "export", "trial", "replay", "score", "curriculum", "lab"}) {
-  for (const std::string command :
-       {"demo", "manikin", "import", "series", "trial", "replay", "score", "curriculum", "lab"}) {
+  for (const std::string command : {"demo", "manikin", "import", "series", "compare", "export", "trial", "replay", "score",
+                                    "curriculum", "lab"}) {
     EXPECT_NE(help.out.find("\n  " + command + " "), std::string::npos) << command << "\n" << help.out;
     EXPECT_EQ(box.run({command, "--help"}).exit_code, 0) << command;
   }
