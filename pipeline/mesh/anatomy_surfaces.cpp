@@ -230,9 +230,11 @@ SoftSurface soft_surface(const Segmentation& s, const AnatomyFields& f, double e
   options.rounds = 8;
   options.edge_mm = out.edge_mm;
   const auto even = largest_part(remeshed(out.fine, options));
-  const double by = inflation_to(even, facts_of(out.fine).volume_mm3);
-  out.mesh = mended(inflated(even, by));
-  out.track = inflated(out.fine, by);
+  // Not the leaf: it is a sheet of one layer of tetrahedra, whose stiffness goes with the cube of its thickness.
+  const auto share = [&](const Point& p) { return leaf ? graded(0.0, 1.0, value_at(*to_leaf, p), 4.0 * k) : 1.0; };
+  const double by = inflation_to(even, facts_of(out.fine).volume_mm3, share);
+  out.mesh = mended(inflated(even, by, share));
+  out.track = inflated(out.fine, by, share);
   return out;
 }
 

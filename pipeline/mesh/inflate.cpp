@@ -15,17 +15,21 @@ std::vector<Point> point_normals(const Surface& surface) {
   return normals;
 }
 
-Surface inflated(const Surface& surface, double by_mm) {
+Surface inflated(const Surface& surface, double by_mm, const InflationShare& share) {
   const auto normals = point_normals(surface);
   Surface out = surface;
-  for (std::size_t i = 0; i < out.points.size(); ++i) out.points[i] = out.points[i] + by_mm * normals[i];
+  for (std::size_t i = 0; i < out.points.size(); ++i) {
+    const double by = share ? by_mm * share(surface.points[i]) : by_mm;
+    out.points[i] = out.points[i] + by * normals[i];
+  }
   return out;
 }
 
-double inflation_to(const Surface& surface, double volume_mm3) {
+double inflation_to(const Surface& surface, double volume_mm3, const InflationShare& share) {
   double by = 0.0;
-  for (int round = 0; round < 3; ++round) {
-    const auto f = facts_of(inflated(surface, by));
+  // Only a part of the area may move: each round leaves that part's share of what was still missing.
+  for (int round = 0; round < 8; ++round) {
+    const auto f = facts_of(inflated(surface, by, share));
     by += (volume_mm3 - f.volume_mm3) / f.area_mm2;
   }
   return by;

@@ -1,11 +1,20 @@
 // A package that was written is read back as it was, and one that was touched since is refused by the touched file's
 // name.
 #include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
 #include <unistd.h>
+#include <vtkDataArray.h>
+#include <vtkFieldData.h>
+#include <vtkNew.h>
+#include <vtkStringArray.h>
+#include <vtkUnstructuredGrid.h>
+#include <vtkXMLUnstructuredGridReader.h>
 
 #include <fstream>
 #include <random>
 
+#include "pipeline/package/aside.h"
 #include "pipeline/package/label_map.h"
 #include "pipeline/package/patient_package.h"
 
@@ -38,6 +47,7 @@ PatientPackage example() {
   p.tongue.tets = {{0, 1, 2, 3}, {1, 2, 3, 4}};
   p.tongue.tissue = {0, 1};
   p.tongue.anchor = {1, 2, 3, 0, 0};
+  p.tongue.contact = {2, 2, 0, 1, 1};
   p.quality = {{"tongue volume", 7.25, "ml", true, ""}, {"watertight", 0.0, "", false, "open: at the back"},
                {"head size", 1.02, "of term", true, "a figure without a limit", false}};
   return p;
@@ -90,6 +100,7 @@ TEST_F(Package, ReadsBackWhatWasWritten) {
   EXPECT_EQ(out.tongue.tets, in.tongue.tets);
   EXPECT_EQ(out.tongue.tissue, in.tongue.tissue);
   EXPECT_EQ(out.tongue.anchor, in.tongue.anchor);
+  EXPECT_EQ(out.tongue.contact, in.tongue.contact);
   EXPECT_EQ(out.materials.at("epiglottis").young_pa, 90e3);
   ASSERT_EQ(out.quality.size(), 3u);
   EXPECT_EQ(out.quality[1].note, in.quality[1].note);
@@ -105,6 +116,66 @@ TEST_F(Package, LeavesNothingElseBehind) {
   written();  // replaces the first
   EXPECT_EQ(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()), 1);
   EXPECT_NO_THROW(read_package(dir));
+}
+
+TEST_F(Package, TheTongueSaysItsMaterialsToOtherPrograms) {
+  vtkNew<vtkXMLUnstructuredGridReader> reader;
+  reader->SetFileName((written() / "tongue.vtu").c_str());
+  reader->Update();
+  auto* fields = reader->GetOutput()->GetFieldData();
+  ASSERT_NE(fields->GetArray("young_pa"), nullptr);
+  EXPECT_EQ(fields->GetArray("young_pa")->GetComponent(0, 0), 6000.0);
+  EXPECT_EQ(fields->GetArray("young_pa")->GetComponent(1, 0), 90e3);
+  EXPECT_EQ(fields->GetArray("poisson")->GetComponent(1, 0), 0.45);
+  auto* names = vtkStringArray::SafeDownCast(fields->GetAbstractArray("tissue_names"));
+  ASSERT_NE(names, nullptr);
+  EXPECT_EQ(names->GetValue(1), "epiglottis");
+}
+
+TEST_F(Package, KilledWhileWritingThereIsAWholePackageOrNone) {
+  const auto dir = folder_ / "example.patient";
+  const auto labels = example_labels();
+  std::mt19937 random(5);
+  int none = 0;
+  for (int kill = 0; kill < 60; ++kill) {
+    if (kill < 20) fs::remove_all(dir);  // at first there is nothing to replace
+    const bool was_there = fs::exists(dir);
+    const pid_t child = ::fork();
+    ASSERT_GE(child, 0);
+    if (child == 0) {
+      for (;;) write_package(example(), labels, dir);
+    }
+    ::usleep(random() % 30000);
+    ::kill(child, SIGKILL);
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    if (!fs::exists(dir)) {
+      ASSERT_FALSE(was_there) << "a package that was there is not lost";
+      ++none;
+      continue;
+    }
+    ASSERT_NO_THROW(read_package(dir)) << kill;
+  }
+  EXPECT_GT(none, 0) << "some were killed before there was anything";
+  write_package(example(), labels, dir);
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()), 1) << "what they left is gone";
+}
+
+TEST_F(Package, AnOldPackageWhoseSuccessorNeverCameIsPutBack) {
+  const auto dir = written();
+  const pid_t dead = ::fork();
+  if (dead == 0) ::_exit(0);
+  ::waitpid(dead, nullptr, 0);
+  const auto old = folder_ / (".example.patient." + std::to_string(dead) + ".old");
+  fs::rename(dir, old);
+  clean_asides(dir);
+  EXPECT_NO_THROW(read_package(dir));
+  EXPECT_FALSE(fs::exists(old));
+  // What a living process is making is not touched.
+  const auto living = folder_ / (".example.patient." + std::to_string(::getppid()) + ".part");
+  fs::create_directory(living);
+  clean_asides(dir);
+  EXPECT_TRUE(fs::exists(living));
 }
 
 TEST_F(Package, AnyChangedByteIsRefusedByName) {
