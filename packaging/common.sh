@@ -23,9 +23,13 @@ build_jobs() {
   printf '%s\n' "$processors"
 }
 
-# build ON|OFF: the release preset, with or without the tests. Only what changed is built again.
-build() {
-  local with_tests=$1 fresh=()
+# build ON|OFF [TARGET...]: the release preset, with or without the tests ("": as they were). Only what changed is built again.
+build() { build_preset release "$@"; }
+
+# build_preset PRESET ON|OFF|"" [TARGET...]
+build_preset() {
+  local preset=$1 tests=${2:+-DVALLECULA_TESTS=$2} targets=("${@:3}") fresh=()
+  local build_dir=$source_dir/build/$preset
   cd -- "$source_dir"
   if [[ -e $source_dir/build && ! -w $source_dir/build ]] || [[ ! -e $source_dir/build && ! -w $source_dir ]]; then
     fail 1 "cannot write to $source_dir/build" "give this user the folder (it may have been made by root), or clone to a place of your own"
@@ -34,16 +38,16 @@ build() {
   if [[ -f $build_dir/CMakeCache.txt ]] && ! grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$source_dir" "$build_dir/CMakeCache.txt"; then
     fresh=(--fresh)
   fi
-  say "Configuring (release)"
+  say "Configuring ($preset)"
   # CMake's words go to a file: GDCM's package complains at length of programs that nobody asked it for.
   mkdir -p "$build_dir"
-  cmake --preset release "${fresh[@]}" -DVALLECULA_TESTS="$with_tests" > "$build_dir/configure.log" 2>&1 || {
+  cmake --preset "$preset" "${fresh[@]}" ${tests:+"$tests"} > "$build_dir/configure.log" 2>&1 || {
     cat "$build_dir/configure.log" >&2
     fail 1 "configuring failed; the first error above names what is missing" \
       "run packaging/setup; if it persists, remove $source_dir/build and run this again"
   }
-  say "Building (release), $(build_jobs) at a time"
-  cmake --build --preset release --parallel "$(build_jobs)" ||
+  say "Building ($preset), $(build_jobs) at a time"
+  cmake --build --preset "$preset" --parallel "$(build_jobs)" ${targets[@]:+--target "${targets[@]}"} ||
     fail 1 "building failed; the first error above names the file and the line" \
       "mend that file; if the compiler was killed, memory ran out: close other programs and run this again; a full disk shows in 'df -h'"
 }

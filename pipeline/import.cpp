@@ -1,6 +1,6 @@
 #include "pipeline/import.h"
 
-#include <stdlib.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -11,6 +11,7 @@
 #include "pipeline/mesh/anatomy_surfaces.h"
 #include "pipeline/mesh/generic_face.h"
 #include "pipeline/mesh/tetrahedralize.h"
+#include "pipeline/package/aside.h"
 #include "pipeline/package/label_map.h"
 #include "pipeline/quality.h"
 
@@ -58,22 +59,6 @@ class Stages {
   std::chrono::steady_clock::time_point start_;
 };
 
-/// Where the label map waits for its package; gone on every way out.
-class TemporaryLabels {
- public:
-  TemporaryLabels() : path_(fs::temp_directory_path() / ("vallecula-labels-" + std::to_string(::getpid()) + ".nrrd")) {}
-  ~TemporaryLabels() {
-    std::error_code ignored;
-    fs::remove(path_, ignored);
-  }
-  TemporaryLabels(const TemporaryLabels&) = delete;
-  TemporaryLabels& operator=(const TemporaryLabels&) = delete;
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
-
 std::string millimetres(const std::array<double, 3>& v) {
   std::ostringstream text;
   text << v[0] << " x " << v[1] << " x " << v[2] << " mm";
@@ -95,13 +80,17 @@ std::string package_name(const fs::path& out) {
   return name.extension() == ".patient" ? name.stem().string() : name.filename().string();
 }
 
-void check_out(const fs::path& out) {
-  const auto target = fs::absolute(out).lexically_normal();
-  const auto dir = target.filename().empty() ? target.parent_path() : target;
+void check_out(const fs::path& out, bool replace) {
+  const auto dir = package_folder(out);
   if (dir.extension() != ".patient") throw ImportError("package " + out.string() + ": the name must end in .patient");
+  clean_asides(dir);
   if (fs::exists(dir) && !fs::exists(dir / "patient.yaml")) {
     throw ImportError("package " + out.string() +
                       ": a file or folder of this name exists and is not a patient package; choose another name");
+  }
+  if (fs::exists(dir) && !replace) {
+    throw ImportError("package " + out.string() +
+                      ": a package of this name is already there; choose another name, or --replace it");
   }
   // Before minutes of work: can it be written at all?
   auto parent = dir.parent_path();
@@ -110,11 +99,17 @@ void check_out(const fs::path& out) {
     throw ImportError("package " + out.string() + ": " + parent.string() +
                       " is a file, not a folder; choose another place with --out");
   }
-  std::string probe = (parent / ".vallecula-XXXXXX").string();
-  if (::mkdtemp(probe.data()) == nullptr || ::rmdir(probe.c_str()) != 0) {
+  const auto probe = parent / asides_of(dir).part.filename();
+  if ((::mkdir(probe.c_str(), 0700) != 0 && errno != EEXIST) || ::rmdir(probe.c_str()) != 0) {
     throw ImportError("package " + out.string() + ": the folder " + parent.string() +
                       " cannot be written; choose another with --out");
   }
+}
+
+void check_count(int tetrahedra) {
+  if (tetrahedra >= kFewestTetrahedra && tetrahedra <= kMostTetrahedra) return;
+  throw ImportError("tetrahedra: " + std::to_string(tetrahedra) + " cannot be made; ask for " +
+                    std::to_string(kFewestTetrahedra) + " to " + std::to_string(kMostTetrahedra));
 }
 
 }  // namespace
@@ -198,13 +193,14 @@ void Import::segment() {
 void Import::mesh() {
   auto& w = *work_;
   w.guarded([&] {
+    check_count(w.options.tetrahedra);
     w.package = PatientPackage();
     w.stages.begin("surfaces", 0.5, 0.75);
     if (w.options.generic_face) give_generic_face(w.segmentation);
     const auto fields = fields_of(w.segmentation);
     w.package.surfaces = surfaces_of(w.segmentation, fields, [&](double f) { w.stages.say(f); });
     w.stages.begin("tetrahedra", 0.75, 0.85);
-    w.package.tongue = soft_mesh(w.segmentation, fields);
+    w.package.tongue = soft_mesh(w.segmentation, fields, w.options.tetrahedra);
     w.stages.end();
     w.package.provenance = provenance_of(w.series);
     w.package.provenance["face"] = w.options.generic_face ? "the shipped generic one" : "the patient's own";
@@ -218,6 +214,8 @@ void Import::mesh() {
     w.package.quality = quality_report(w.segmentation, w.package, notes);
   });
 }
+
+void Import::forget_scan() { work_->series.hu.voxels = {}; }
 
 void Import::check() {
   auto& w = *work_;
@@ -233,17 +231,14 @@ void Import::check() {
 ImportReport Import::write() {
   auto& w = *work_;
   w.guarded([&] {
-    check_out(w.options.out);
+    check_out(w.options.out, w.options.replace);
     w.stages.begin("write", 0.95, 1.0);
     auto package = w.package;
     package.name = package_name(w.options.out);
     package.quality = quality();
-    const TemporaryLabels labels;
-    auto map = labels_on_scan();
-    if (w.options.generic_face) map = without_face(map, w.segmentation.frame.scale);
-    write_label_map(map, labels.path());
-    w.stages.say(0.5);
-    write_package(package, labels.path(), w.options.out);
+    auto labels = labels_on_scan();
+    if (w.options.generic_face) labels = without_face(labels, w.segmentation.frame.scale);
+    write_package(package, labels, w.options.out);
     w.stages.say(1.0);
     w.stages.end();
     w.report.package = w.options.out;
@@ -253,10 +248,12 @@ ImportReport Import::write() {
 }
 
 ImportReport import_series(const ImportOptions& options, const ImportProgress& progress) {
-  check_out(options.out);
+  check_out(options.out, options.replace);
+  check_count(options.tetrahedra);
   Import import(options, progress);
   import.read();
   import.segment();
+  import.forget_scan();
   import.mesh();
   import.check();
   return import.write();

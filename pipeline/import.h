@@ -23,7 +23,9 @@ using PackageCheck =
 struct ImportOptions {
   std::filesystem::path series;  ///< folder with a CT series, or a volume file; other files in it are ignored
   std::string choose;            ///< which of several series: its number in list_series, or its UID
-  std::filesystem::path out;     ///< NAME.patient; a package already there is replaced when the new one is whole
+  std::filesystem::path out;     ///< NAME.patient
+  bool replace = false;          ///< a package already there is replaced when the new one is whole; else that is an error
+  int tetrahedra = 5000;         ///< of the tongue, about (within 10 %): 1,000 to 100,000
   Edits edits;
   bool generic_face = false;  ///< the shipped face for the patient's; taken at mesh(), taken back by segment() again
   EditFiles edit_files;  ///< read anew by each segment(); `edits` go before them
@@ -65,6 +67,8 @@ class Import {
 
   void read();
   void segment();  ///< with options().edits and edit_files
+  /// Gives back the memory of series().hu's voxels, when nobody looks at them any more.
+  void forget_scan();
   void mesh();     ///< surfaces and tetrahedra
   void check();    ///< options().check
   /// Writes the package and returns the report. Until then nothing lies on the disk.

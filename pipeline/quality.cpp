@@ -2,8 +2,10 @@
 
 #include <algorithm>
 
+#include "pipeline/mesh/self_intersection.h"
 #include "pipeline/mesh/surface_check.h"
 #include "pipeline/mesh/tet_quality.h"
+#include "pipeline/mesh/triangle_tree.h"
 #include "pipeline/mesh/vector3.h"
 
 namespace vallecula::pipeline {
@@ -23,6 +25,77 @@ QualityItem plain(const std::string& name, double value, const std::string& unit
 QualityItem volume_item(const std::string& name, double ml, double low, double high) {
   const bool ok = ml >= low && ml <= high;
   return {name, ml, "ml", ok, ok ? "" : "outside what is usual for a head of this size; check the labels"};
+}
+
+/// A volume over that of the labels.
+QualityItem share_item(const std::string& name, double share) {
+  const bool ok = std::abs(share - 1.0) <= 0.01;
+  return {name, share, "", ok, ok ? "" : "more than a hundredth off"};
+}
+
+/// Closed, in one piece, not crossing itself, and as large as the label it stands for.
+void add_surfaces(const Segmentation& s, const PatientPackage& package, std::vector<QualityItem>& items) {
+  for (const auto& [name, surface] : package.surfaces) {
+    const auto crossings = self_intersections(surface).size();
+    items.push_back({name + " surface crosses itself", static_cast<double>(crossings), "times", crossings == 0,
+                     crossings == 0 ? "" : "a fault of the surface where a sheet is thin; look at it there"});
+    if (name == "glottis") continue;
+    const auto f = facts_of(surface);
+    items.push_back({name + " surface", static_cast<double>(surface.triangles.size()), "triangles", f.fault.empty(),
+                     f.fault.empty() ? "closed, " + std::to_string(f.parts) + " part" : f.fault});
+  }
+  for (const auto& [name, label] : {std::pair{"airway", kAirway}, std::pair{"mandible", kMandible}}) {
+    const double ml = millilitres(s.labels, label);
+    if (!(ml > 0.0)) continue;
+    items.push_back(share_item(std::string(name) + " surface over its label",
+                               facts_of(package.surfaces.at(name)).volume_mm3 / 1000.0 / ml));
+  }
+}
+
+void add_tetrahedra(const Segmentation& s, const PatientPackage& package, std::vector<QualityItem>& items) {
+  const auto& mesh = package.tongue;
+  const auto q = quality_of(mesh);
+  const auto leaf = std::count(mesh.tissue.begin(), mesh.tissue.end(), 1);
+  items.push_back(plain("tetrahedra", static_cast<double>(mesh.tets.size()), "",
+                        std::to_string(leaf) + " of the epiglottis"));
+  items.push_back({"tetrahedra volume", q.volume_mm3 / 1000.0, "ml", q.smallest_volume_mm3 > 0.0, ""});
+  const double ml = millilitres(s.labels, kTongue) + millilitres(s.labels, kEpiglottis);
+  if (ml > 0.0) items.push_back(share_item("tetrahedra over their labels", q.volume_mm3 / 1000.0 / ml));
+  items.push_back({"smallest dihedral angle", q.smallest_dihedral_deg, "degrees", q.smallest_dihedral_deg > 5.0, ""});
+  std::size_t sharp = 0;
+  for (const auto& t : mesh.tets) {
+    const auto angles =
+        dihedral_range({mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]], mesh.points[t[3]]});
+    sharp += angles[0] < 10.0 ? 1 : 0;
+  }
+  items.push_back({"tetrahedra below 10 degrees", static_cast<double>(sharp), "", sharp == 0,
+                   sharp == 0 ? "" : "thin ones; another count (--tets) may do without"});
+  items.push_back(plain("shortest edge", q.shortest_edge_mm, "mm", ""));
+}
+
+/// Tissues meet and do not overlap: the tongue's nodes against the surfaces of jaw and head.
+void add_neighbours(const Segmentation& s, const PatientPackage& package, std::vector<QualityItem>& items) {
+  const auto& mesh = package.tongue;
+  const double k = s.frame.scale;
+  const TriangleTree jaw(package.surfaces.at("mandible"));
+  const TriangleTree head(package.surfaces.at("face"));
+  double in_jaw = 0.0;
+  double in_head = 0.0;
+  std::vector<double> gaps;
+  for (std::size_t v = 0; v < mesh.points.size(); ++v) {
+    in_jaw = std::max(in_jaw, -jaw.signed_distance(mesh.points[v]));
+    const double d = head.signed_distance(mesh.points[v]);
+    in_head = std::max(in_head, -d);
+    if (mesh.anchor[v] == static_cast<std::uint8_t>(Anchor::mandible) ||
+        mesh.anchor[v] == static_cast<std::uint8_t>(Anchor::hyoid))
+      gaps.push_back(std::abs(d));
+  }
+  items.push_back({"tongue inside the jaw's bone", in_jaw, "mm", in_jaw < 0.5 * k, "the deepest node"});
+  items.push_back({"tongue inside the tissue around it", in_head, "mm", in_head < 0.8 * k, "the deepest node"});
+  if (gaps.empty()) return;
+  std::nth_element(gaps.begin(), gaps.begin() + gaps.size() * 19 / 20, gaps.end());
+  const double gap = gaps[gaps.size() * 19 / 20];
+  items.push_back({"gap where the tongue is held", gap, "mm", gap < 0.8 * k, "19 of 20 nodes are nearer to what holds them"});
 }
 
 }  // namespace
@@ -54,19 +127,9 @@ std::vector<QualityItem> segmentation_quality(const Segmentation& s) {
 std::vector<QualityItem> quality_report(const Segmentation& s, const PatientPackage& package,
                                         const std::vector<std::string>& notes) {
   auto items = segmentation_quality(s);
-  for (const auto& [name, surface] : package.surfaces) {
-    if (name == "glottis") continue;
-    const auto f = facts_of(surface);
-    items.push_back({name + " surface", static_cast<double>(surface.triangles.size()), "triangles", f.fault.empty(),
-                     f.fault.empty() ? "closed, " + std::to_string(f.parts) + " part" : f.fault});
-  }
-  const auto q = quality_of(package.tongue);
-  const auto leaf = std::count(package.tongue.tissue.begin(), package.tongue.tissue.end(), 1);
-  items.push_back(plain("tetrahedra", static_cast<double>(package.tongue.tets.size()), "",
-                        std::to_string(leaf) + " of the epiglottis"));
-  items.push_back({"tetrahedra volume", q.volume_mm3 / 1000.0, "ml", q.smallest_volume_mm3 > 0.0, ""});
-  items.push_back({"smallest dihedral angle", q.smallest_dihedral_deg, "degrees", q.smallest_dihedral_deg > 5.0, ""});
-  items.push_back(plain("shortest edge", q.shortest_edge_mm, "mm", ""));
+  add_surfaces(s, package, items);
+  add_tetrahedra(s, package, items);
+  add_neighbours(s, package, items);
   for (const auto anchor : {Anchor::mandible, Anchor::hyoid, Anchor::larynx}) {
     const auto n =
         std::count(package.tongue.anchor.begin(), package.tongue.anchor.end(), static_cast<std::uint8_t>(anchor));

@@ -17,7 +17,7 @@ namespace {
 
 QJsonValue number_or_null(double value) { return std::isfinite(value) ? QJsonValue(value) : QJsonValue(); }
 
-void print_json(const pipeline::Comparison& comparison) {
+void print_json(const pipeline::Comparison& comparison, int left_out_a, int left_out_b) {
   QJsonArray structures;
   for (const auto& s : comparison.structures) {
     structures.append(QJsonObject{{"name", QString::fromStdString(pipeline::name_of_label(s.label))},
@@ -30,7 +30,10 @@ void print_json(const pipeline::Comparison& comparison) {
                                   {"hausdorff_95_mm", number_or_null(s.hausdorff_95_mm)},
                                   {"mean_surface_mm", number_or_null(s.mean_surface_mm)}});
   }
-  const QJsonObject out{{"resampled", comparison.resampled}, {"structures", structures}};
+  const QJsonObject out{{"resampled", comparison.resampled},
+                        {"segments_left_out_a", left_out_a},
+                        {"segments_left_out_b", left_out_b},
+                        {"structures", structures}};
   std::cout << QJsonDocument(out).toJson(QJsonDocument::Indented).toStdString();
 }
 
@@ -39,7 +42,8 @@ void print_table(const pipeline::Comparison& comparison) {
     std::cout << "B lies on another grid than A and was resampled onto A's (nearest neighbour).\n";
   std::cout << std::left << std::setw(15) << "structure" << std::right << std::setw(10) << "A ml" << std::setw(10)
             << "B ml" << std::setw(9) << "Dice" << std::setw(14) << "Hausdorff mm" << std::setw(8) << "95 %"
-            << std::setw(8) << "mean" << "\n"
+            << std::setw(8) << "mean"
+            << "\n"
             << std::fixed;
   for (const auto& s : comparison.structures) {
     std::cout << std::left << std::setw(15) << pipeline::name_of_label(s.label) << std::right << std::setprecision(3)
@@ -70,8 +74,13 @@ void add_compare_command(CLI::App& app, int& exit_code) {
     const auto a = pipeline::read_label_image(options->a);
     const auto b = pipeline::read_label_image(options->b);
     const auto comparison = pipeline::compare_labels(a, b);
-    options->json ? print_json(comparison) : print_table(comparison);
     exit_code = 0;
+    if (options->json) return print_json(comparison, a.left_out, b.left_out);
+    for (const auto& [name, left_out] : {std::pair{"A", a.left_out}, std::pair{"B", b.left_out}}) {
+      if (left_out > 0)
+        std::cout << left_out << " segments of " << name << " have none of the names known and are left out.\n";
+    }
+    print_table(comparison);
   });
 }
 

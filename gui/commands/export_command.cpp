@@ -19,7 +19,8 @@ void add_export_command(CLI::App& app, int& exit_code) {
     const auto package = pipeline::read_package(options->package);
     for (const auto& name : pipeline::write_stl_files(package, options->stl)) std::cout << name << "\n";
     if (package.pose.moved())
-      std::cout << "The patient was moved after the scan: these lie in the package's frame, labels.nrrd in the scan's.\n";
+      std::cout
+          << "The patient was moved after the scan: these lie in the package's frame, labels.nrrd in the scan's.\n";
     exit_code = 0;
   });
 }

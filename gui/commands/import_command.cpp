@@ -1,4 +1,6 @@
 // `vallecula import`: a CT series to a patient package, with progress by stage and a quality report.
+#include <sys/resource.h>
+
 #include <iomanip>
 #include <iostream>
 #include <memory>
@@ -17,6 +19,15 @@ namespace {
 
 void print_report(const pipeline::ImportReport& report) {
   std::cout << "package: " << report.package.string() << "\n";
+  double seconds = 0.0;
+  std::cout << std::fixed << std::setprecision(1) << "stages:";
+  for (const pipeline::ImportStage& stage : report.stages) {
+    std::cout << " " << stage.name << " " << stage.seconds << " s,";
+    seconds += stage.seconds;
+  }
+  rusage used{};
+  getrusage(RUSAGE_SELF, &used);
+  std::cout << " together " << seconds << " s; most memory " << used.ru_maxrss / 1024 << " MB\n" << std::defaultfloat;
   for (const pipeline::QualityItem& item : report.quality) {
     std::ostringstream value;
     value << std::setprecision(5) << item.value << " " << item.unit;
@@ -32,7 +43,8 @@ void add_import_command(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("import", "Make a patient package from a CT series");
   struct Options {
     std::string series, out, choose;
-    bool generic_face = false, window = false;
+    bool generic_face = false, replace = false, window = false;
+    int tetrahedra = pipeline::ImportOptions().tetrahedra;
   };
   auto options = std::make_shared<Options>();
   command->add_option("SERIES", options->series, "Folder with a CT series (DICOM), or a NIfTI, NRRD or MetaImage file")->required();
@@ -40,6 +52,11 @@ void add_import_command(CLI::App& app, int& exit_code) {
   command->add_option("--out", options->out, "The package to write: NAME.patient (needed without --window)");
   command->add_flag("--generic-face", options->generic_face,
                     "The shipped infant's face instead of the patient's, which can be recognised");
+  command->add_flag("--replace", options->replace, "Replace a package already there, when the new one is whole");
+  command
+      ->add_option("--tets", options->tetrahedra, "Tetrahedra of the tongue, about (within 10 %)")
+      ->check(CLI::Range(1000, 100000))
+      ->capture_default_str();
   command->add_flag("--window", options->window, "Open the trainer's window on this import instead, to do it step by step");
   const EditOptions edits(*command);
   command->callback([options, edits, command, &exit_code] {
@@ -57,6 +74,8 @@ void add_import_command(CLI::App& app, int& exit_code) {
     import.out = options->out;
     import.generic_face = options->generic_face;
     import.check = check_by_playing;
+    import.replace = options->replace;
+    import.tetrahedra = options->tetrahedra;
     edits.put_into(import);
     watch_for_interruption();
     StageLines lines;

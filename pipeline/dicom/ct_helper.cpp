@@ -72,10 +72,10 @@ class ControlView {
 /// The helper and the processes it starts: one group, ended together on every way out.
 class HelperProcess {
  public:
-  HelperProcess(const std::string& program, const std::array<int, 3>& descriptors) {
+  HelperProcess(const std::string& program, const std::array<int, 3>& descriptors, std::size_t memory_bytes) {
     char* const arguments[] = {const_cast<char*>(program.c_str()), nullptr};
     const rlimit cpu{kHelperCpuSeconds, kHelperCpuSeconds + 1};
-    const rlimit memory{kHelperMemoryBytes, kHelperMemoryBytes};
+    const rlimit memory{memory_bytes, memory_bytes};
     const rlimit no_core{0, 0};
     const pid_t parent = ::getpid();
     pid_ = ::fork();
@@ -129,7 +129,8 @@ class HelperProcess {
   int status_ = 0;
 };
 
-void wait_for(HelperProcess& helper, const ControlView& control, const std::function<void(double)>& progress) {
+void wait_for(HelperProcess& helper, const ControlView& control, int stall_seconds,
+              const std::function<void(double)>& progress) {
   using Clock = std::chrono::steady_clock;
   auto moved = Clock::now();
   std::uint32_t beat = 0;
@@ -139,8 +140,8 @@ void wait_for(HelperProcess& helper, const ControlView& control, const std::func
     if (const auto now = (*control).beat.load(); now != beat) {
       beat = now;
       moved = Clock::now();
-    } else if (Clock::now() - moved > std::chrono::seconds(kHelperStallSeconds)) {
-      throw SeriesError(control.file() + ": reading did not get on for " + std::to_string(kHelperStallSeconds) +
+    } else if (Clock::now() - moved > std::chrono::seconds(stall_seconds)) {
+      throw SeriesError(control.file() + ": reading did not get on for " + std::to_string(stall_seconds) +
                         " s and was stopped; copy the file again, from a faster place if it lies on a network");
     }
     if (const auto done = (*control).millionths.load(); progress && done != told) {
@@ -163,7 +164,8 @@ std::shared_ptr<const std::int16_t> view_of(const Memory& memory, std::size_t co
 
 }  // namespace
 
-HelperResult run_ct_helper(const ReadRequest& request, const std::function<void(double)>& progress) {
+HelperResult run_ct_helper(const ReadRequest& request, const std::function<void(double)>& progress,
+                           const HelperLimits& limits) {
   const auto program = find_helper_program(kName);
   if (!program) {
     throw SeriesError(
@@ -176,8 +178,9 @@ HelperResult run_ct_helper(const ReadRequest& request, const std::function<void(
   const ControlView control(control_memory);
   if (!ct_exchange::write_all(letters.descriptor(), ct_exchange::packed(request)))
     throw SeriesError("series: no memory to hand to the reading program; close other programs");
-  HelperProcess helper(program->string(), {letters.descriptor(), control_memory.descriptor(), voxels.descriptor()});
-  wait_for(helper, control, progress);
+  HelperProcess helper(program->string(), {letters.descriptor(), control_memory.descriptor(), voxels.descriptor()},
+                       limits.memory_bytes);
+  wait_for(helper, control, limits.stall_seconds, progress);
   const int status = helper.status();
   if (WIFSIGNALED(status)) {
     throw SeriesError(control.file() + ": " +

@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 
+#include "pipeline/dicom/limits.h"
 #include "pipeline/dicom/read_place.h"
 
 namespace vallecula::pipeline {
@@ -13,8 +14,14 @@ struct HelperResult {
   std::shared_ptr<const std::int16_t> voxels;  ///< answer.geometry.count() of them; null for a list
 };
 
+struct HelperLimits {
+  std::size_t memory_bytes = kHelperMemoryBytes;
+  int stall_seconds = kHelperStallSeconds;
+};
+
 /// Whatever becomes of the helper, this process goes on: its death, its silence, its limits are a SeriesError that
 /// names the file it was at. What `progress` (0..1) throws ends the helper and reaches the caller.
-HelperResult run_ct_helper(const ReadRequest& request, const std::function<void(double)>& progress = {});
+HelperResult run_ct_helper(const ReadRequest& request, const std::function<void(double)>& progress = {},
+                           const HelperLimits& limits = {});
 
 }  // namespace vallecula::pipeline

@@ -179,7 +179,7 @@ void read_padding(const DataSet& root, Picture& p) {
 }
 
 /// Size and format, against what the file can hold: a header may ask for any amount of memory.
-void read_format(const DataSet& root, std::size_t data_bytes, bool packed, Picture& p) {
+void read_format(const DataSet& root, std::size_t pixel_bytes, bool packed, Picture& p) {
   const auto columns = static_cast<std::int64_t>(whole_number_of<0x0028, 0x0011>(root).value_or(0));
   const auto rows = static_cast<std::int64_t>(whole_number_of<0x0028, 0x0010>(root).value_or(0));
   const auto bits = whole_number_of<0x0028, 0x0100>(root).value_or(0);
@@ -194,8 +194,12 @@ void read_format(const DataSet& root, std::size_t data_bytes, bool packed, Pictu
   if (bits != 8 && bits != 16 && bits != 32) {
     throw Fault{"has " + std::to_string(bits) + " bits a voxel; expected 8, 16 or 32: export the series again"};
   }
+  const auto stored = whole_number_of<0x0028, 0x0101>(root).value_or(bits);
+  const auto high = whole_number_of<0x0028, 0x0102>(root).value_or(stored - 1);
+  if (stored < 1 || stored > bits || high + 1 < stored || high >= bits)
+    throw Fault{"its header contradicts itself about the bits of a voxel; export the series again"};
   const auto needed = static_cast<std::uint64_t>(columns * rows * p.frames) * bits / 8 * samples;
-  if (!packed && needed > data_bytes) throw Fault{"its picture is cut short; copy the file again"};
+  if (!packed && needed > pixel_bytes) throw Fault{"its picture is cut short; copy the file again"};
   p.columns = static_cast<int>(columns);
   p.rows = static_cast<int>(rows);
 }
@@ -220,6 +224,16 @@ gdcm::SmartPointer<gdcm::SequenceOfItems> items_of(const DataSet& root, const Ta
   return root.GetDataElement(tag).GetValueAsSQ();
 }
 
+/// By its class: CT, Enhanced CT, Legacy Converted Enhanced CT Image Storage.
+bool says_it_is_ct(const gdcm::File& file) {
+  const std::string ct = "1.2.840.10008.5.1.4.1.1.2";
+  for (const auto& uid :
+       {text_of(file.GetDataSet(), Tag(0x0008, 0x0016)), text_of(file.GetHeader(), Tag(0x0002, 0x0002))}) {
+    if (uid == ct || uid == ct + ".1" || uid == ct + ".2") return true;
+  }
+  return false;
+}
+
 std::vector<Picture> pictures_of(const gdcm::File& file, const DicomCheck& check, int number) {
   const auto& root = file.GetDataSet();
   Picture common;
@@ -229,6 +243,11 @@ std::vector<Picture> pictures_of(const gdcm::File& file, const DicomCheck& check
   const auto modality = text_of(root, Tag(0x0008, 0x0060));
   common.modality = known_modality(modality);
   common.has_pixels = root.FindDataElement(Tag(0x0028, 0x0010)) && root.FindDataElement(Tag(0x0028, 0x0011));
+  if (says_it_is_ct(file) && (modality.empty() || !common.has_pixels)) {
+    common.modality = "CT";
+    common.fault = "is a CT slice without a picture, cut short; copy it again or take it out of the folder";
+    return {common};
+  }
   if (modality.empty() && common.series.empty() && !common.has_pixels) return {};
   if (!common.has_pixels || common.modality != "CT") return {common};
 
@@ -266,8 +285,11 @@ std::vector<Picture> pictures_of(const gdcm::File& file, const DicomCheck& check
                          : nullptr;
       const FrameAttributes attributes(root, for_all, of_frame);
       read_phases(attributes, root, p);
-      read_format(root, check.data_bytes, syntax.IsEncapsulated(), p);
-      if (p.colour) throw Fault{"is a colour picture, not a CT slice; take it out of the folder"};
+      read_format(root, check.pixel_bytes, syntax.IsEncapsulated(), p);
+      if (p.colour) {  // left out as a whole, whatever else it lacks
+        pictures.push_back(std::move(p));
+        continue;
+      }
       read_padding(root, p);
       if (!p.localizer) read_rescale(attributes, p);
       read_geometry(attributes, p);

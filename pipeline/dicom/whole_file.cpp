@@ -80,7 +80,6 @@ class Walker {
   }
 
   void walk(std::size_t at, bool is_explicit) {
-    check_.data_bytes = bytes_.size() - at;
     if (!elements(at, bytes_.size(), is_explicit, false, 0)) check_.fault = kCut;
   }
 
@@ -149,37 +148,54 @@ class Walker {
         at = value;
         return true;
       }
+      if (group == 0xfffe) return false;  // an item where an element belongs
       if (length == kUndefined) {
         const bool pixels = group == 0x7fe0 && element == 0x0010;
         const bool unknown = is_explicit && bytes_.compare(at + 4, 2, "UN") == 0;  // holds implicit items (PS3.5 6.2.2)
         at = value;
-        if (!items(at, end, is_explicit && !unknown, pixels, depth + 1)) return false;
+        if (!items(at, end, is_explicit && !unknown, pixels, true, depth + 1)) return false;
         continue;
       }
       if (value > end || length > end - value) return false;
       if (depth == 0 && group == 0x0008 && element == 0x0060) check_.modality = trimmed(bytes_.substr(value, length));
       if (depth == 0 && group == 0x0020 && element == 0x000e) check_.series = trimmed(bytes_.substr(value, length));
+      if (is_sequence(at, is_explicit, value, length)) {
+        // The library believes the lengths in there, and allocates by them.
+        std::size_t inside = value;
+        if (!items(inside, value + length, is_explicit, false, false, depth + 1)) return false;
+      }
+      if (depth == 0 && group == 0x7fe0 && element == 0x0010) check_.pixel_bytes = length;
       at = value + length;
     }
     return !delimited && at == end;
   }
 
-  /// Items of a sequence (or fragments of encapsulated pixels) of undefined length, up to and past its delimiter.
-  bool items(std::size_t& at, std::size_t end, bool is_explicit, bool fragments, int depth) {
-    for (;;) {
+  /// A sequence of stated length; without representations it is known by the item it begins with.
+  bool is_sequence(std::size_t at, bool is_explicit, std::size_t value, std::uint32_t length) const {
+    if (length < 8 || number(at, 2) == 0x7fe0) return false;
+    if (is_explicit && number(at, 2) != 0xfffe) return bytes_.compare(at + 4, 2, "SQ") == 0;
+    return number(value, 2) == 0xfffe && number(value + 2, 2) == 0xe000;
+  }
+
+  /// Items of a sequence (or fragments of encapsulated pixels): up to and past their delimiter, or up to `end`.
+  bool items(std::size_t& at, std::size_t end, bool is_explicit, bool fragments, bool delimited, int depth) {
+    while (delimited || at < end) {
       if (at > end || end - at < 8 || number(at, 2) != 0xfffe) return false;
       const auto element = number(at + 2, 2);
       const auto length = number(at + 4, 4);
       at += 8;
-      if (element == 0xe0dd) return true;
+      if (element == 0xe0dd) return delimited || at == end;
       if (element != 0xe000) return false;
       if (length != kUndefined) {
         if (length > end - at) return false;
+        std::size_t inside = at;
+        if (!fragments && !elements(inside, at + length, is_explicit, false, depth + 1)) return false;
         at += length;
       } else if (fragments || !elements(at, end, is_explicit, true, depth + 1)) {
         return false;
       }
     }
+    return true;
   }
 
   std::string_view bytes_;

@@ -9,11 +9,11 @@
 
 namespace vallecula::pipeline {
 
-/// Surfaces are voxels with one of six neighbours outside, distances are between voxel centres. Structures that only one
-/// of the two holds have voxel counts and no distances (NaN).
+/// Surfaces are voxels with one of six neighbours outside, distances are between voxel centres. Structures that only
+/// one of the two holds have voxel counts and no distances (NaN).
 struct LabelAgreement {
   std::uint8_t label = 0;
-  std::array<std::size_t, 2> voxels{};   ///< in a, in b
+  std::array<std::size_t, 2> voxels{};  ///< in a, in b
   std::array<double, 2> millilitres{};
   double dice = 0.0;
   double hausdorff_mm = 0.0;     ///< the largest distance from a surface to the other, of both ways

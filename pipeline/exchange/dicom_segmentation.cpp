@@ -124,8 +124,8 @@ class Segmentation {
     frames_ = static_cast<int>(frames[0]);
     fractional_ = type == "FRACTIONAL";
     by_value_ = type == "LABELMAP";
-    const bool known = (type == "BINARY" && bits_ == 1) || (fractional_ && bits_ == 8) ||
-                       (by_value_ && (bits_ == 8 || bits_ == 16));
+    const bool known =
+        (type == "BINARY" && bits_ == 1) || (fractional_ && bits_ == 8) || (by_value_ && (bits_ == 8 || bits_ == 16));
     if (!known) fail("segmentation type \"" + type + "\" with " + std::to_string(bits_) + " bits is not read");
     if (fractional_) fraction_ = std::max(1, short_of(data_, kMaximumFraction));
   }
@@ -139,8 +139,8 @@ class Segmentation {
       if (number < 0) fail("a segment has no number");
       Sequence keep;
       const auto* type = first_item(segment, kPropertyType, keep);
-      const auto label = segment_label(text_of(segment, kSegmentLabel), type ? text_of(*type, kCodeValue) : "",
-                                       image_.left_out);
+      const auto label =
+          segment_label(text_of(segment, kSegmentLabel), type ? text_of(*type, kCodeValue) : "", image_.left_out);
       if (label) table_.add(0, number, *label);
     }
   }

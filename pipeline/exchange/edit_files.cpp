@@ -5,6 +5,7 @@
 #include "pipeline/exchange/label_image.h"
 #include "pipeline/exchange/label_names.h"
 #include "pipeline/exchange/landmark_file.h"
+#include "pipeline/segment/volume_ops.h"
 
 namespace vallecula::pipeline {
 namespace {
@@ -25,6 +26,18 @@ void remark_on_cut(const LabelImage& image, const Labels& labels, std::vector<st
   }
 }
 
+/// Of a structure in pieces only the largest is meshed.
+void remark_on_pieces(const Labels& labels, std::vector<std::string>& remarks) {
+  for (const auto label : {kTongue, kMandible, kAirway, kEpiglottis}) {
+    const auto mask = where(labels, [label](std::uint8_t v) { return v == label; });
+    const auto box = bounds_of(mask);
+    if (box.empty()) continue;
+    const auto parts = components(cropped(mask, box));
+    if (parts.sizes.size() > 2 && parts.sizes[2] * 100 > parts.sizes[1])
+      remarks.push_back(name_of_label(label) + " of the label map is in pieces; its surface is that of the largest");
+  }
+}
+
 }  // namespace
 
 std::vector<std::string> add_edit_files(const EditFiles& files, const Grid& scan, Edits& edits) {
@@ -42,6 +55,7 @@ std::vector<std::string> add_edit_files(const EditFiles& files, const Grid& scan
                         " segments of the label map have none of the names known and were left out");
     }
     remark_on_cut(image, *edits.labels, remarks);
+    remark_on_pieces(*edits.labels, remarks);
   }
   if (!files.landmarks.empty()) {
     const auto given = read_landmark_file(files.landmarks);

@@ -81,8 +81,9 @@ std::optional<std::uint8_t> segment_label(const std::string& name, const std::st
 
 void fill_sets(LabelImage& image, const std::filesystem::path& file, const VoxelLayout& layout, const ValueTable& table,
                bool unnamed) {
-  image.sets.assign(image.place.count(), 0);
   const int layers = table.layers();
+  check_enough_bytes(file, layout, image.place.count() * static_cast<std::size_t>(layers));
+  image.sets.assign(image.place.count(), 0);
   std::size_t voxel = 0;
   int layer = 0;
   const auto count = image.place.count() * static_cast<std::size_t>(layers);
@@ -124,16 +125,16 @@ LabelImage read_label_image(const std::filesystem::path& file, const std::map<in
     image = read_nrrd_labels(file, values);
   } else if (head.size() >= 132 && head.compare(128, 4, "DICM") == 0) {
     image = read_dicom_segmentation(file);
-  } else if (head.size() >= 348 && (head.compare(344, 4, std::string("n+1\0", 4)) == 0 ||
-                                    head.compare(4, 4, std::string("n+2\0", 4)) == 0)) {
+  } else if (head.size() >= 348 &&
+             (head.compare(344, 4, std::string("n+1\0", 4)) == 0 || head.compare(4, 4, std::string("n+2\0", 4)) == 0)) {
     image = read_nifti_labels(file, values);
   } else {
-    fail_label_file(file, "not a label map this program reads; expected NRRD (.nrrd, .seg.nrrd), NIfTI (.nii, .nii.gz) "
-                          "or a DICOM segmentation");
+    fail_label_file(file,
+                    "not a label map this program reads; expected NRRD (.nrrd, .seg.nrrd), NIfTI (.nii, .nii.gz) "
+                    "or a DICOM segmentation");
   }
   image.labels = labels_in(image.sets);
-  if (image.labels.empty())
-    fail_label_file(file, "it holds none of the structures known here: " + known_label_names());
+  if (image.labels.empty()) fail_label_file(file, "it holds none of the structures known here: " + known_label_names());
   return image;
 }
 

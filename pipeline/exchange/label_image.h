@@ -24,9 +24,9 @@ struct LabelImage {
 inline std::uint16_t bit_of(std::uint8_t label) { return static_cast<std::uint16_t>(1U << label); }
 
 /// The format is told by the file's contents. Names are matched by label_of_name, then by SNOMED code; what has none of
-/// our names is left out and counted. A file without names (NIfTI, a plain NRRD) is read by `values` (value in the file to
-/// label), or when that is empty by the values of kLabelNames. Throws LabelMapError: what is wrong with the file and how
-/// to mend it, also when it holds none of our structures.
+/// our names is left out and counted. A file without names (NIfTI, a plain NRRD) is read by `values` (value in the file
+/// to label), or when that is empty by the values of kLabelNames. Throws LabelMapError: what is wrong with the file and
+/// how to mend it, also when it holds none of our structures.
 LabelImage read_label_image(const std::filesystem::path& file, const std::map<int, std::uint8_t>& values = {});
 
 /// Nearest neighbour, where two labels hold a voxel the finer structure (epiglottis before tongue ... skin last). Exact

@@ -31,12 +31,9 @@ bool is_vertebra(const std::string& name) {
 std::optional<std::uint8_t> label_of_name(const std::string& name) {
   static const std::map<std::string, std::uint8_t> kWords = [] {
     std::map<std::string, std::uint8_t> words = {
-        {"head", kSkin},           {"skull", kSkull},
-        {"cranium", kSkull},       {"boneskull", kSkull},
-        {"mandible", kMandible},   {"lowerjaw", kMandible},
-        {"upperairway", kAirway},  {"esophagus", kOesophagus},
-        {"vertebrae", kSpine},     {"vertebralcolumn", kSpine},
-        {"cervicalspine", kSpine}, {"velum", kSoftPalate}};
+        {"head", kSkin},         {"skull", kSkull},           {"cranium", kSkull},       {"boneskull", kSkull},
+        {"mandible", kMandible}, {"lowerjaw", kMandible},     {"upperairway", kAirway},  {"esophagus", kOesophagus},
+        {"vertebrae", kSpine},   {"vertebralcolumn", kSpine}, {"cervicalspine", kSpine}, {"velum", kSoftPalate}};
     for (const auto& label : kLabelNames) words[plain(label.name)] = label.value;
     return words;
   }();

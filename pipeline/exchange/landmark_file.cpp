@@ -101,7 +101,8 @@ void read_markup(const YAML::Node& markup, const std::filesystem::path& file, Fo
 void write_landmark_file(const PatientPackage& package, const std::filesystem::path& file) {
   std::ofstream out(file, std::ios::binary);
   if (!out) fail(file, "cannot be created; is the folder writable?");
-  out << "{\n  \"@schema\": \"https://raw.githubusercontent.com/slicer/slicer/master/Modules/Loadable/Markups/Resources/"
+  out << "{\n  \"@schema\": "
+         "\"https://raw.githubusercontent.com/slicer/slicer/master/Modules/Loadable/Markups/Resources/"
          "Schema/markups-schema-v1.0.3.json#\",\n  \"markups\": [\n    {\n      \"type\": \"Fiducial\",\n"
          "      \"coordinateSystem\": \"LPS\",\n      \"coordinateUnits\": \"mm\",\n      \"locked\": false,\n"
          "      \"fixedNumberOfControlPoints\": false,\n      \"labelFormat\": \"%N-%d\",\n      \"controlPoints\": [";
@@ -123,8 +124,8 @@ void write_landmark_file(const PatientPackage& package, const std::filesystem::p
       description += "placed after mouth or neck were moved, so it may lie beside the scan's own place; ";
     description += kFoundAt + numbers(p, " ");
     ++id;
-    out << (id > 1 ? "," : "") << "\n        {\n          \"id\": \"" << id << "\",\n          \"label\": "
-        << quoted(name) << ",\n          \"description\": " << quoted(description)
+    out << (id > 1 ? "," : "") << "\n        {\n          \"id\": \"" << id
+        << "\",\n          \"label\": " << quoted(name) << ",\n          \"description\": " << quoted(description)
         << ",\n          \"associatedNodeID\": \"\",\n          \"position\": [" << numbers(p, ", ")
         << "],\n          \"orientation\": [-1.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0, 0.0, 1.0],\n"
         << "          \"selected\": true,\n          \"locked\": false,\n          \"visibility\": true,\n"

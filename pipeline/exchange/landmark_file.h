@@ -16,10 +16,10 @@ class LandmarkFileError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// One fiducial list in LPS mm, a point a landmark; "glottis_normal" is the point 10 mm from glottis_centre along it. Each
-/// point's description says how it came about and where it was found, by which moved ones are told later. Points of the
-/// package's frame are taken back to the scan's by the inverse of `pose.scan_to_package`; what was moved beyond that (a
-/// mouth opened, a neck extended) is said in the descriptions. Throws LandmarkFileError.
+/// One fiducial list in LPS mm, a point a landmark; "glottis_normal" is the point 10 mm from glottis_centre along it.
+/// Each point's description says how it came about and where it was found, by which moved ones are told later. Points
+/// of the package's frame are taken back to the scan's by the inverse of `pose.scan_to_package`; what was moved beyond
+/// that (a mouth opened, a neck extended) is said in the descriptions. Throws LandmarkFileError.
 void write_landmark_file(const PatientPackage& package, const std::filesystem::path& file);
 
 struct GivenLandmarks {
@@ -28,8 +28,8 @@ struct GivenLandmarks {
   int left_out = 0;                    ///< points with none of our names
 };
 
-/// LPS or RAS. A point that was written by write_landmark_file and not moved since is no edit. Throws LandmarkFileError,
-/// also when no point has a name of kLandmarks.
+/// LPS or RAS. A point that was written by write_landmark_file and not moved since is no edit. Throws
+/// LandmarkFileError, also when no point has a name of kLandmarks.
 GivenLandmarks read_landmark_file(const std::filesystem::path& file);
 
 }  // namespace vallecula::pipeline

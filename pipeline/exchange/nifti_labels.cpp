@@ -14,8 +14,7 @@ class Header {
   template <class T>
   T at(std::size_t offset) const {
     std::array<char, sizeof(T)> raw{};
-    for (std::size_t i = 0; i < sizeof(T); ++i)
-      raw[swapped_ ? sizeof(T) - 1 - i : i] = bytes_[offset + i];
+    for (std::size_t i = 0; i < sizeof(T); ++i) raw[swapped_ ? sizeof(T) - 1 - i : i] = bytes_[offset + i];
     T value;
     std::memcpy(&value, raw.data(), sizeof(T));
     return value;

@@ -21,8 +21,8 @@ int whole_number(const std::string& text, int low, int high, const std::string& 
   char* end = nullptr;
   const long value = std::strtol(text.c_str(), &end, 10);
   if (end == text.c_str() || *end != '\0' || value < low || value > high) {
-    fail_label_file(file, "\"" + key + "\" is not a whole number from " + std::to_string(low) + " to " +
-                              std::to_string(high));
+    fail_label_file(
+        file, "\"" + key + "\" is not a whole number from " + std::to_string(low) + " to " + std::to_string(high));
   }
   return static_cast<int>(value);
 }

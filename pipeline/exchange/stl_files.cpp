@@ -26,7 +26,8 @@ void write_stl(const Surface& surface, const fs::path& file) {
   if (writer->Write() == 1) fs::rename(aside, file, failed);
   if (writer->GetErrorCode() == 0 && !failed && fs::exists(file)) return;
   fs::remove(aside, failed);
-  throw PackageError("file " + file.filename().string() + ": cannot be written; is the folder writable and the disk not "
+  throw PackageError("file " + file.filename().string() +
+                     ": cannot be written; is the folder writable and the disk not "
                      "full?");
 }
 

@@ -152,6 +152,15 @@ void check_placement(const Placement& place, int layers, const std::filesystem::
   }
 }
 
+void check_enough_bytes(const std::filesystem::path& file, const VoxelLayout& layout, std::size_t count) {
+  std::error_code failed;
+  const auto there = static_cast<double>(std::filesystem::file_size(file, failed));
+  const double wanted = static_cast<double>(layout.skip) + static_cast<double>(count) * bytes_of(layout.element);
+  constexpr double kMostPacking = 1032.0;  // deflate's own limit
+  const double most = (there - static_cast<double>(layout.at)) * (layout.gzip ? kMostPacking : 1.0);
+  if (failed || most < wanted) fail_label_file(file, "the voxel data is cut short; write the file again");
+}
+
 void read_voxels(const std::filesystem::path& file, const VoxelLayout& layout, std::size_t count,
                  const std::function<void(const double*, std::size_t)>& take) {
   ByteSource source(file, layout.at, layout.gzip);

@@ -18,9 +18,9 @@ int bytes_of(Element element);
 struct VoxelLayout {
   Element element = Element::u8;
   bool big_endian = false;
-  bool gzip = false;        ///< what stands from `at` on is packed
-  std::uint64_t at = 0;     ///< byte of the file
-  std::uint64_t skip = 0;   ///< bytes to leave out after unpacking
+  bool gzip = false;       ///< what stands from `at` on is packed
+  std::uint64_t at = 0;    ///< byte of the file
+  std::uint64_t skip = 0;  ///< bytes to leave out after unpacking
 };
 
 /// What the file is called in messages: its name alone, never its folders.
@@ -30,6 +30,9 @@ std::string label_file_name(const std::filesystem::path& file);
 
 /// Throws LabelMapError when a size is none or more than this program holds, or the steps span no volume.
 void check_placement(const Placement& place, int layers, const std::filesystem::path& file);
+
+/// Throws LabelMapError when the file cannot hold so many values: asked before memory is taken for them.
+void check_enough_bytes(const std::filesystem::path& file, const VoxelLayout& layout, std::size_t count);
 
 /// Calls take(values, n) with runs of the next values until `count` are done. Throws LabelMapError when they are fewer.
 void read_voxels(const std::filesystem::path& file, const VoxelLayout& layout, std::size_t count,

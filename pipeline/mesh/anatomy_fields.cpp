@@ -40,12 +40,10 @@ AnatomyFields fields_of(const Segmentation& s) {
       labels, [](std::uint8_t v) { return v != kTongue && v != kEpiglottis && v != kAirway && v != kBackground; });
   f.soft = between(soft, rest, 0.6 * s.frame.scale);
 
-  f.airway_side = Volume<float>(g, -1.0F);
   const auto box = bounds_of(s.airway.lumen, 6.0 * s.frame.scale);
   const auto lumen = cropped(s.airway.lumen, box);
   const auto outer = inverted(cropped(s.head.inside, box));
-  paste(count(outer) > 0 ? between(lumen, outer, 0.5 * s.frame.scale) : Volume<float>(lumen.grid, 1.0F), box,
-        f.airway_side);
+  f.airway_side = count(outer) > 0 ? between(lumen, outer, 0.5 * s.frame.scale) : Volume<float>(lumen.grid, 1.0F);
   return f;
 }
 
@@ -63,7 +61,8 @@ Volume<float> bone_field(const Segmentation& s, std::uint8_t label, const Mask& 
   Volume<float> grey(hu.grid);
   for (std::size_t i = 0; i < grey.voxels.size(); ++i)
     grey.voxels[i] = std::clamp((hu.voxels[i] - border) / kHuPerMm, -1.0F, 1.0F);
-  if (s.replaced.count(label) != 0) grey = with_border_of(grey, here);
+  if (s.replaced.count(label) != 0)
+    grey = with_border_of(grey, where(cropped(s.labels, box), [label](std::uint8_t v) { return v == label; }));
   for (std::size_t i = 0; i < field.voxels.size(); ++i)
     field.voxels[i] = near.voxels[i] > reach ? -1.0F : std::min(grey.voxels[i], field.voxels[i]);
   return smoothed(field, 0.35 * s.frame.scale);

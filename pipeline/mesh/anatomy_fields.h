@@ -12,7 +12,7 @@ namespace vallecula::pipeline {
 struct AnatomyFields {
   Volume<float> solid;  ///< the patient's tissue against airway and outer air; gas that is not airway counts as tissue
   Volume<float> soft;   ///< on the throat: tongue and epiglottis against all other tissue
-  Volume<float> airway_side;  ///< on the cropped grid: airway against outer air (the lips' and nostrils' planes)
+  Volume<float> airway_side;  ///< on the airway's box: airway against outer air (the lips' and nostrils' planes)
 };
 
 AnatomyFields fields_of(const Segmentation& s);

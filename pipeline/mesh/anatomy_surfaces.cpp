@@ -1,11 +1,19 @@
 #include "pipeline/mesh/anatomy_surfaces.h"
 
+#include <vtkIdList.h>
+#include <vtkNew.h>
+#include <vtkPoints.h>
+#include <vtkPolygon.h>
+
 #include <algorithm>
 #include <cmath>
 
 #include "pipeline/mesh/face_tissue.h"
+#include "pipeline/mesh/inflate.h"
 #include "pipeline/mesh/isosurface.h"
+#include "pipeline/mesh/mend.h"
 #include "pipeline/mesh/remesh.h"
+#include "pipeline/mesh/self_intersection.h"
 #include "pipeline/mesh/surface_check.h"
 #include "pipeline/mesh/vector3.h"
 #include "pipeline/parallel.h"
@@ -56,9 +64,25 @@ double outside_of(const Grid& box, const Point& p) {
 }
 
 Surface finished(const Surface& rough, const RemeshOptions& options, const char* name) {
-  auto out = largest_part(remeshed(largest_part(rough), options));
-  require_solid(out, name);
-  return out;
+  const auto whole = largest_part(rough);
+  const double volume = facts_of(whole).volume_mm3;
+  Surface best;
+  std::size_t fewest = 0;
+  // Where a sheet is thinner than the triangles are long, two sides may cross: smaller triangles part them.
+  for (const double factor : {1.0, 0.8, 0.64}) {
+    auto finer = options;
+    finer.edge_mm = [&options, factor](const Point& p) { return factor * options.edge_mm(p); };
+    const auto even = largest_part(remeshed(whole, finer));
+    auto out = mended(inflated(even, inflation_to(even, volume)));
+    const auto left = self_intersections(out).size();
+    if (best.triangles.empty() || left < fewest) {
+      best = std::move(out);
+      fewest = left;
+    }
+    if (fewest == 0) break;
+  }
+  require_solid(best, name);
+  return best;
 }
 
 Surface face_surface(const Segmentation& s, const AnatomyFields& f) {
@@ -97,6 +121,7 @@ Surface face_surface(const Segmentation& s, const AnatomyFields& f) {
   auto face = finished(rough, options, "the face");
   face.tissue = face_tissue(face, s);
   smooth_tissue_borders(face, rough, 8);
+  face = mended(face);
   require_solid(face, "the face");
   return face;
 }
@@ -137,7 +162,18 @@ Mask maxilla_of(const Segmentation& s) {
 Surface glottis_surface(const Segmentation& s) {
   Surface out;
   out.points = s.airway.glottis_outline;
-  for (int i = 1; i + 1 < static_cast<int>(out.points.size()); ++i) out.triangles.push_back({0, i, i + 1});
+  // By ears: the outline is not convex, so a fan would lie on itself.
+  vtkNew<vtkPolygon> polygon;
+  for (std::size_t i = 0; i < out.points.size(); ++i) {
+    polygon->GetPointIds()->InsertNextId(static_cast<vtkIdType>(i));
+    polygon->GetPoints()->InsertNextPoint(out.points[i].data());
+  }
+  vtkNew<vtkIdList> corners;
+  polygon->Triangulate(corners);
+  for (vtkIdType i = 0; i + 2 < corners->GetNumberOfIds(); i += 3) {
+    out.triangles.push_back({static_cast<int>(corners->GetId(i)), static_cast<int>(corners->GetId(i + 1)),
+                             static_cast<int>(corners->GetId(i + 2))});
+  }
   return out;
 }
 
@@ -193,7 +229,10 @@ SoftSurface soft_surface(const Segmentation& s, const AnatomyFields& f, double e
   RemeshOptions options;
   options.rounds = 8;
   options.edge_mm = out.edge_mm;
-  out.mesh = largest_part(remeshed(out.fine, options));
+  const auto even = largest_part(remeshed(out.fine, options));
+  const double by = inflation_to(even, facts_of(out.fine).volume_mm3);
+  out.mesh = mended(inflated(even, by));
+  out.track = inflated(out.fine, by);
   return out;
 }
 

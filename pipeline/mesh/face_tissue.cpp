@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <map>
 
-#include "pipeline/mesh/projector.h"
+#include "pipeline/mesh/triangle_tree.h"
 #include "pipeline/mesh/vector3.h"
 
 namespace vallecula::pipeline {
@@ -107,7 +107,7 @@ std::vector<std::uint8_t> face_tissue(const Surface& face, const Segmentation& s
 }
 
 void smooth_tissue_borders(Surface& face, const Surface& reference, int rounds) {
-  const Projector projector(reference);
+  const TriangleTree tree(reference);
   std::map<std::pair<int, int>, std::array<int, 2>> edges;
   std::vector<std::vector<int>> around(face.points.size());
   for (std::size_t t = 0; t < face.triangles.size(); ++t) {
@@ -153,7 +153,7 @@ void smooth_tissue_borders(Surface& face, const Surface& reference, int rounds) 
     normal = unit(normal);
     const Point start = face.points[v];
     const Vector3 step = target - start;
-    face.points[v] = projector.nearest(start + 0.5 * (step - dot(step, normal) * normal));
+    face.points[v] = tree.nearest(start + 0.5 * (step - dot(step, normal) * normal)).point;
     for (std::size_t i = 0; i < around[v].size(); ++i) {
       const auto after = normal_of(around[v][i]);
       if (dot(unit(after), unit(before[i])) < 0.9 || norm(after) < 0.5 * norm(before[i])) {

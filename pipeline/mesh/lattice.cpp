@@ -1,12 +1,9 @@
 #include "pipeline/mesh/lattice.h"
 
-#include <vtkImplicitPolyDataDistance.h>
-#include <vtkNew.h>
-
 #include <algorithm>
 #include <unordered_map>
 
-#include "pipeline/mesh/to_vtk.h"
+#include "pipeline/mesh/triangle_tree.h"
 #include "pipeline/mesh/vector3.h"
 
 namespace vallecula::pipeline {
@@ -51,9 +48,7 @@ class Buckets {
 }  // namespace
 
 std::vector<Point> lattice_inside(const Surface& surface, const std::function<double(const Point&)>& edge_mm) {
-  const auto data = to_vtk(surface);
-  vtkNew<vtkImplicitPolyDataDistance> inside;
-  inside->SetInput(data);
+  const TriangleTree border(surface);
   Point low = surface.points.front();
   Point high = low;
   double finest = 1e300;
@@ -83,7 +78,7 @@ std::vector<Point> lattice_inside(const Surface& surface, const std::function<do
             const Point p{x, y, z};
             const double wanted = edge_mm(p);
             if (wanted > level * 1.001 * 1.5 || (wanted < level / 1.5 && level > finest)) continue;
-            if (-inside->FunctionValue(x, y, z) < 0.6 * wanted || taken.any_within(p, 0.8 * wanted)) continue;
+            if (-border.signed_distance(p) < 0.6 * wanted || taken.any_within(p, 0.8 * wanted)) continue;
             points.push_back(p);
             taken.add(p);
           }

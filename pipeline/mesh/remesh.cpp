@@ -5,9 +5,10 @@
 
 #include <algorithm>
 
-#include "pipeline/mesh/projector.h"
 #include "pipeline/mesh/to_vtk.h"
+#include "pipeline/mesh/triangle_tree.h"
 #include "pipeline/mesh/vector3.h"
+#include "pipeline/parallel.h"
 
 namespace vallecula::pipeline {
 namespace {
@@ -70,28 +71,13 @@ class Mesh {
     }
   }
 
-  void relax(const Projector& reference) {
-    std::vector<Point> moved = points_;
-    for (std::size_t v = 0; v < points_.size(); ++v) {
-      if (around_[v].empty()) continue;
-      Vector3 normal{};
-      Vector3 centre{};
-      double weight = 0.0;
-      for (const int t : around_[v]) {
-        const auto n = area_normal(t);
-        normal = normal + n;
-        // Area over the wanted area: evens out the sizes in proportion to what is wanted there.
-        const double w = norm(n) / (target_[v] * target_[v]);
-        const auto& c = triangles_[t];
-        centre = centre + (w / 3.0) * (points_[c[0]] + points_[c[1]] + points_[c[2]]);
-        weight += w;
-      }
-      if (!(weight > 0.0)) continue;
-      normal = unit(normal);
-      Vector3 step = (1.0 / weight) * centre - points_[v];
-      step = step - dot(step, normal) * normal;
-      moved[v] = reference.nearest(points_[v] + 0.6 * step);
-    }
+  void relax(const TriangleTree& reference) {
+    std::vector<Point> moved(points_.size());
+    constexpr std::size_t kChunk = 1024;
+    parallel_for(static_cast<int>((points_.size() + kChunk - 1) / kChunk), [&](int chunk) {
+      const std::size_t first = chunk * kChunk;
+      for (std::size_t v = first; v < std::min(points_.size(), first + kChunk); ++v) moved[v] = relaxed(v, reference);
+    });
     for (std::size_t v = 0; v < points_.size(); ++v) {
       if (around_[v].empty() || !keeps_normals(static_cast<int>(v), moved[v])) continue;
       points_[v] = moved[v];
@@ -125,6 +111,27 @@ class Mesh {
   Vector3 area_normal(int t) const {
     const auto& c = triangles_[t];
     return cross(points_[c[1]] - points_[c[0]], points_[c[2]] - points_[c[0]]);
+  }
+
+  /// Moved along the surface towards the middle of its triangles.
+  Point relaxed(std::size_t v, const TriangleTree& reference) const {
+    Vector3 normal{};
+    Vector3 centre{};
+    double weight = 0.0;
+    for (const int t : around_[v]) {
+      const auto n = area_normal(t);
+      normal = normal + n;
+      // Area over the wanted area: evens out the sizes in proportion to what is wanted there.
+      const double w = norm(n) / (target_[v] * target_[v]);
+      const auto& c = triangles_[t];
+      centre = centre + (w / 3.0) * (points_[c[0]] + points_[c[1]] + points_[c[2]]);
+      weight += w;
+    }
+    if (!(weight > 0.0)) return points_[v];
+    normal = unit(normal);
+    Vector3 step = (1.0 / weight) * centre - points_[v];
+    step = step - dot(step, normal) * normal;
+    return reference.nearest(points_[v] + 0.6 * step).point;
   }
 
   std::vector<int> neighbours(int v) const {
@@ -303,7 +310,7 @@ class Mesh {
 }  // namespace
 
 Surface remeshed(const Surface& surface, const RemeshOptions& options) {
-  const Projector reference(surface);
+  const TriangleTree reference(surface);
   Mesh mesh(surface, options);
   for (int round = 0; round < options.rounds; ++round) {
     mesh.split_long();

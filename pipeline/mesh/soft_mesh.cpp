@@ -1,8 +1,10 @@
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "pipeline/mesh/anatomy_surfaces.h"
-#include "pipeline/mesh/surface_check.h"
+#include "pipeline/mesh/inflate.h"
+#include "pipeline/mesh/self_intersection.h"
 #include "pipeline/mesh/tet_optimize.h"
 #include "pipeline/mesh/tet_quality.h"
 #include "pipeline/mesh/tetrahedralize.h"
@@ -29,21 +31,20 @@ void name_tissue(const Segmentation& s, TetMesh& mesh) {
   }
 }
 
-/// Unit normals of the points, area weighted.
-std::vector<Vector3> normals_of(const Surface& surface, const std::vector<Point>& points) {
-  std::vector<Vector3> normals(surface.points.size(), Vector3{});
-  for (const auto& t : surface.triangles) {
-    const auto n = cross(points[t[1]] - points[t[0]], points[t[2]] - points[t[0]]);
-    for (const int v : t) normals[v] = normals[v] + n;
+/// Against tissue the border comes from the partition (soft is zero there), against air from the grey values.
+void name_contacts(const Segmentation& s, const AnatomyFields& f, std::size_t surface_points, TetMesh& mesh) {
+  mesh.contact.assign(mesh.points.size(), static_cast<std::uint8_t>(Contact::inside));
+  for (std::size_t v = 0; v < surface_points; ++v) {
+    const auto& p = mesh.points[v];
+    const bool against_tissue = value_at(f.soft, p) < 0.35 * s.frame.scale && value_at(f.solid, p) > 0.25;
+    mesh.contact[v] = static_cast<std::uint8_t>(against_tissue ? Contact::tissue : Contact::free);
   }
-  for (auto& n : normals) n = unit(n);
-  return normals;
 }
 
 /// Nodes of the underside that lie against tissue are held: by the hyoid near it, by the larynx at the leaf's foot,
 /// else by the jaw. Nodes that border air are free, and so is the back of a tongue that only lies against the palate of
 /// a closed mouth.
-void name_anchors(const Segmentation& s, const AnatomyFields& f, const Surface& surface, TetMesh& mesh) {
+void name_anchors(const Segmentation& s, const Surface& border, TetMesh& mesh) {
   const double k = s.frame.scale;
   const Point hyoid = s.landmarks.at("hyoid");
   std::vector<std::uint8_t> in_leaf(mesh.points.size(), 0);
@@ -55,19 +56,18 @@ void name_anchors(const Segmentation& s, const AnatomyFields& f, const Surface& 
   for (std::size_t v = 0; v < mesh.points.size(); ++v) {
     if (in_leaf[v] != 0) foot = std::min(foot, mesh.points[v][2]);
   }
-  const auto normals = normals_of(surface, mesh.points);
+  const auto normals = point_normals(border);
   std::vector<std::pair<double, std::size_t>> held;  // by distance from the hyoid
-  for (std::size_t v = 0; v < surface.points.size(); ++v) {
+  for (std::size_t v = 0; v < border.points.size(); ++v) {
     const auto& p = mesh.points[v];
     if (in_leaf[v] != 0 && p[2] < foot + 2.0 * k) {
       mesh.anchor[v] = static_cast<std::uint8_t>(Anchor::larynx);
       continue;
     }
     if (in_tongue[v] == 0) continue;
-    // Against tissue the border comes from the partition (soft is zero there), against air from the grey values.
-    const bool against_tissue = value_at(f.soft, p) < 0.35 * k && value_at(f.solid, p) > 0.25;
+    if (mesh.contact[v] != static_cast<std::uint8_t>(Contact::tissue)) continue;
     const bool upper_side = normals[v][2] > 0.2 || (normals[v][2] > -0.3 && normals[v][1] > 0.5);
-    if (against_tissue && !upper_side) held.emplace_back(distance(p, hyoid), v);
+    if (!upper_side) held.emplace_back(distance(p, hyoid), v);
   }
   std::sort(held.begin(), held.end());
   // The hyoid holds what lies within its reach; a tongue whose root was not grown that far hangs on it by the nearest
@@ -79,25 +79,95 @@ void name_anchors(const Segmentation& s, const AnatomyFields& f, const Surface& 
   }
 }
 
+struct Filled {
+  SoftSurface soft;
+  TetMesh mesh;
+};
+
+/// With the edges that give the wanted count. Their number goes with about the inverse cube of the edge; how exactly is
+/// measured on the way.
+Filled filled_to_count(const Segmentation& s, const AnatomyFields& f, int tetrahedra) {
+  constexpr int kAttempts = 8;
+  constexpr double kNear = 0.04;
+  const double wanted = std::log(static_cast<double>(tetrahedra));
+  std::optional<Filled> best;
+  double best_off = 0.0;
+  std::vector<std::array<double, 2>> tried;  // logarithms of factor and count
+  double factor = std::cbrt(4000.0 / tetrahedra);
+  for (int attempt = 0;; ++attempt) {
+    try {
+      Filled now;
+      now.soft = soft_surface(s, f, factor);
+      TetrahedralizeOptions options;
+      options.edge_mm = [&](const Point& p) { return 1.1 * now.soft.edge_mm(p); };
+      now.mesh = tetrahedralized(now.soft.mesh, options);
+      const double count = std::log(static_cast<double>(now.mesh.tets.size()));
+      tried.push_back({std::log(factor), count});
+      if (!best || std::abs(count - wanted) < best_off) {
+        best = std::move(now);
+        best_off = std::abs(count - wanted);
+      }
+    } catch (const TetrahedralizeError&) {
+      // A surface that crosses itself somewhere on the thin leaf does not with other sizes.
+      if (attempt + 1 == kAttempts && !best) throw;
+      factor *= 0.96;
+      if (attempt + 1 == kAttempts) return std::move(*best);
+      continue;
+    }
+    if (best_off < kNear || attempt + 1 == kAttempts) return std::move(*best);
+    double slope = -3.0;
+    if (tried.size() > 1) {
+      const auto& a = tried[tried.size() - 2];
+      const auto& b = tried.back();
+      slope = std::clamp((b[1] - a[1]) / (b[0] - a[0]), -4.0, -1.5);
+    }
+    factor = std::exp(tried.back()[0] + (wanted - tried.back()[1]) / slope);
+  }
+}
+
+/// The border with the points as they are in the mesh, where they come first.
+Surface border_of(const TetMesh& mesh, const Surface& surface) {
+  Surface border = surface;
+  std::copy_n(mesh.points.begin(), border.points.size(), border.points.begin());
+  return border;
+}
+
+/// Filled and improved; tissue, anchors and contacts not yet named.
+Filled well_shaped(const Segmentation& s, const AnatomyFields& f, int tetrahedra) {
+  auto filled = filled_to_count(s, f, tetrahedra);
+  auto& [soft, mesh] = filled;
+  constexpr int kRounds = 20;
+  const auto surface_points = soft.mesh.points.size();
+  const auto as_filled = mesh;
+  optimize_points(mesh, surface_points, soft.track, kRounds);
+  if (!self_intersections(border_of(mesh, soft.mesh)).empty()) {
+    mesh = as_filled;  // whose border the mesh generator has accepted
+    optimize_points(mesh, surface_points, soft.track, kRounds, false);
+  }
+  return filled;
+}
+
 }  // namespace
 
-TetMesh soft_mesh(const Segmentation& s, const AnatomyFields& f) {
-  // A surface that crosses itself somewhere on the thin leaf does not with other sizes.
-  constexpr std::array<double, 5> kFactors{1.0, 0.94, 0.88, 1.08, 0.8};
-  for (std::size_t attempt = 0;; ++attempt) {
-    try {
-      const auto soft = soft_surface(s, f, kFactors[attempt]);
-      TetrahedralizeOptions options;
-      options.edge_mm = [&](const Point& p) { return 1.1 * soft.edge_mm(p); };
-      auto mesh = tetrahedralized(soft.mesh, options);
-      optimize_points(mesh, soft.mesh.points.size(), soft.fine, 20);
-      name_tissue(s, mesh);
-      name_anchors(s, f, soft.mesh, mesh);
-      return mesh;
-    } catch (const TetrahedralizeError&) {
-      if (attempt + 1 == kFactors.size()) throw;
+TetMesh soft_mesh(const Segmentation& s, const AnatomyFields& f, int tetrahedra) {
+  // A thin tetrahedron that could not be helped is not there with other sizes.
+  constexpr double kGoodAngle = 10.0;
+  Filled best;
+  double best_angle = -1.0;
+  for (const double share : {1.0, 0.97, 1.03, 0.95}) {
+    auto now = well_shaped(s, f, static_cast<int>(std::lround(share * tetrahedra)));
+    const double angle = quality_of(now.mesh).smallest_dihedral_deg;
+    if (angle > best_angle) {
+      best = std::move(now);
+      best_angle = angle;
     }
+    if (best_angle > kGoodAngle) break;
   }
+  auto& mesh = best.mesh;
+  name_tissue(s, mesh);
+  name_contacts(s, f, best.soft.mesh.points.size(), mesh);
+  name_anchors(s, border_of(mesh, best.soft.mesh), mesh);
+  return std::move(mesh);
 }
 
 }  // namespace vallecula::pipeline

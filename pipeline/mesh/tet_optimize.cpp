@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
-#include "pipeline/mesh/projector.h"
 #include "pipeline/mesh/tet_quality.h"
+#include "pipeline/mesh/triangle_tree.h"
 #include "pipeline/mesh/vector3.h"
 
 namespace vallecula::pipeline {
@@ -65,7 +65,7 @@ class Optimizer {
     Point best = start;
     double best_quality = before;
     const auto attempt = [&](Point p) {
-      if (static_cast<std::size_t>(v) < surface_points_) p = reference_.nearest(p);
+      if (static_cast<std::size_t>(v) < surface_points_) p = reference_.nearest(p).point;
       mesh_.points[v] = p;
       const double q = worst_at(v);
       if (q > best_quality + 1e-4) {
@@ -102,12 +102,12 @@ class Optimizer {
   TetMesh& mesh_;
   std::size_t surface_points_;
   std::vector<std::vector<int>> around_;
-  Projector reference_;
+  TriangleTree reference_;
 };
 
 }  // namespace
 
-void optimize_points(TetMesh& mesh, std::size_t surface_points, const Surface& surface, int rounds) {
+void optimize_points(TetMesh& mesh, std::size_t surface_points, const Surface& surface, int rounds, bool slide) {
   Optimizer optimizer(mesh, surface_points, surface);
   std::vector<int> order(mesh.points.size());
   std::iota(order.begin(), order.end(), 0);
@@ -117,6 +117,7 @@ void optimize_points(TetMesh& mesh, std::size_t surface_points, const Surface& s
     std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return worst[a] < worst[b]; });
     bool any = false;
     for (const int v : order) {
+      if (!slide && static_cast<std::size_t>(v) < surface_points) continue;
       if (worst[v] > 0.5) break;  // 30 degrees: nothing to gain for the stiffness
       any = optimizer.improve(v) || any;
     }

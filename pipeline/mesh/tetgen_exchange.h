@@ -1,4 +1,4 @@
-// What passes between the program and its TetGen helper: two small binary files in one temporary folder, same machine,
+// What passes between the program and its TetGen helper: two small binary files in memory, same machine,
 // same build.
 #pragma once
 

@@ -2,6 +2,8 @@
 
 #include <fcntl.h>
 #include <signal.h>
+#include <sys/mman.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -21,32 +23,29 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A private folder for the exchange, removed on every way out.
-class TemporaryFolder {
+/// A file in memory that the helper is handed: nothing is left on the disk, whoever is killed.
+class MemoryFile {
  public:
-  TemporaryFolder() {
-    std::string name = (fs::temp_directory_path() / "vallecula-tetgen-XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr) {
-      throw TetrahedralizeError("mesh generator: no temporary folder can be made in " +
-                                fs::temp_directory_path().string() + "; is it writable?");
-    }
-    path_ = name;
+  MemoryFile() : descriptor_(::memfd_create("vallecula-tetgen", MFD_CLOEXEC)) {
+    if (descriptor_ < 0)
+      throw TetrahedralizeError(std::string("mesh generator: no memory for its files (") + std::strerror(errno) + ")");
   }
-  ~TemporaryFolder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  std::string file(const char* name) const { return (path_ / name).string(); }
+  ~MemoryFile() { ::close(descriptor_); }
+  MemoryFile(const MemoryFile&) = delete;
+  MemoryFile& operator=(const MemoryFile&) = delete;
+  int descriptor() const { return descriptor_; }
+  /// The same for this process and, once it may keep the descriptor, for the helper.
+  std::string name() const { return "/proc/self/fd/" + std::to_string(descriptor_); }
 
  private:
-  fs::path path_;
+  int descriptor_;
 };
 
 /// Runs the helper under its limits; returns the wait status.
-int run_helper(const fs::path& helper, const std::string& input, const std::string& output,
+int run_helper(const fs::path& helper, const MemoryFile& input_file, const MemoryFile& output_file,
                const TetrahedralizeOptions& options) {
+  const auto input = input_file.name();
+  const auto output = output_file.name();
   const std::string program = helper.string();
   char* const arguments[] = {const_cast<char*>(program.c_str()), const_cast<char*>(input.c_str()),
                              const_cast<char*>(output.c_str()), nullptr};
@@ -58,6 +57,9 @@ int run_helper(const fs::path& helper, const std::string& input, const std::stri
     throw TetrahedralizeError(std::string("mesh generator: no new process (") + std::strerror(errno) + ")");
   if (child == 0) {
     // Between fork and exec only calls that are safe in a program with threads.
+    ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // it must not go on for a program that was killed
+    ::fcntl(input_file.descriptor(), F_SETFD, 0);
+    ::fcntl(output_file.descriptor(), F_SETFD, 0);
     ::setrlimit(RLIMIT_CPU, &cpu);
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
     ::setrlimit(RLIMIT_AS, &memory);  // sanitizers reserve terabytes of addresses
@@ -144,13 +146,13 @@ TetMesh tetrahedralized(const Surface& surface, const TetrahedralizeOptions& opt
   // p: fill the surface, Y: keep the surface as it is, i: with these inner points, Q: silent
   input.switches = input.inner_points.empty() ? "pYQ" : "pYiQ";
 
-  const TemporaryFolder folder;
-  if (!exchange::write(input, folder.file("in")))
-    throw TetrahedralizeError("mesh generator: its input cannot be written; is the disk full?");
-  check_status(run_helper(options.helper.empty() ? find_tetgen_helper() : options.helper, folder.file("in"),
-                          folder.file("out"), options));
+  const MemoryFile in;
+  const MemoryFile out;
+  if (!exchange::write(input, in.name()))
+    throw TetrahedralizeError("mesh generator: its input cannot be written; is there enough memory?");
+  check_status(run_helper(options.helper.empty() ? find_tetgen_helper() : options.helper, in, out, options));
   TetgenOutput output;
-  if (!exchange::read(folder.file("out"), output))
+  if (!exchange::read(out.name(), output))
     throw TetrahedralizeError("mesh generator: its result cannot be read");
 
   TetMesh mesh;

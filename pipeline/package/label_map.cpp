@@ -115,6 +115,7 @@ Labels read_label_map(const std::filesystem::path& file) {
     if (!(grid.spacing[a] > 0.0))
       fail_label_file(file, "an axis runs backwards; expected axes to left, posterior, superior");
   }
+  check_enough_bytes(file, from.layout, grid.count());
   Labels labels(grid);
   std::size_t at = 0;
   read_voxels(file, from.layout, grid.count(), [&](const double* values, std::size_t n) {

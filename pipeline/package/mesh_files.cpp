@@ -3,6 +3,7 @@
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkCommand.h>
+#include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
@@ -41,12 +42,27 @@ vtkNew<vtkUnsignedCharArray> to_vtk(const std::vector<std::uint8_t>& values, con
   return out;
 }
 
+void say_words(vtkDataObject* data, const char* name, std::initializer_list<const char*> words) {
+  vtkNew<vtkStringArray> array;
+  array->SetName(name);
+  for (const char* word : words) array->InsertNextValue(word);
+  data->GetFieldData()->AddArray(array);
+}
+
 void say_unit_and_frame(vtkDataObject* data) {
-  for (const auto& [name, value] : {std::pair{"unit", "mm"}, std::pair{"frame", "LPS"}}) {
-    vtkNew<vtkStringArray> word;
-    word->SetName(name);
-    word->InsertNextValue(value);
-    data->GetFieldData()->AddArray(word);
+  say_words(data, "unit", {"mm"});
+  say_words(data, "frame", {"LPS"});
+}
+
+/// By the number in the array "tissue". For other programs: patient.yaml says what the trainer uses.
+void say_materials(vtkDataObject* data, const std::map<std::string, Material>& materials) {
+  const std::array<std::pair<const char*, double Material::*>, 3> kinds{
+      {{"young_pa", &Material::young_pa}, {"poisson", &Material::poisson}, {"density_kg_m3", &Material::density_kg_m3}}};
+  for (const auto& [name, member] : kinds) {
+    vtkNew<vtkDoubleArray> array;
+    array->SetName(name);
+    for (const char* tissue : {"tongue", "epiglottis"}) array->InsertNextValue(materials.at(tissue).*member);
+    data->GetFieldData()->AddArray(array);
   }
 }
 
@@ -153,7 +169,8 @@ void write_surface(const Surface& surface, const std::filesystem::path& file) {
   write<vtkXMLPolyDataWriter>(data.Get(), file);
 }
 
-void write_tet_mesh(const TetMesh& mesh, const std::filesystem::path& file) {
+void write_tet_mesh(const TetMesh& mesh, const std::map<std::string, Material>& materials,
+                    const std::filesystem::path& file) {
   vtkNew<vtkUnstructuredGrid> data;
   data->SetPoints(to_vtk(mesh.points));
   vtkNew<vtkCellArray> cells;
@@ -164,7 +181,12 @@ void write_tet_mesh(const TetMesh& mesh, const std::filesystem::path& file) {
   data->SetCells(VTK_TETRA, cells);
   data->GetCellData()->AddArray(to_vtk(mesh.tissue, "tissue"));
   data->GetPointData()->AddArray(to_vtk(mesh.anchor, "anchor"));
+  if (!mesh.contact.empty()) data->GetPointData()->AddArray(to_vtk(mesh.contact, "contact"));
   say_unit_and_frame(data);
+  say_words(data, "tissue_names", {"tongue", "epiglottis"});
+  say_words(data, "anchor_names", {"free", "mandible", "hyoid", "larynx"});
+  say_words(data, "contact_names", {"inside", "free", "tissue"});
+  say_materials(data, materials);
   write<vtkXMLUnstructuredGridWriter>(data.Get(), file);
 }
 
@@ -194,6 +216,10 @@ TetMesh read_tet_mesh(const std::filesystem::path& file) {
   mesh.tets = cells_of<4>(data->GetCells(), mesh.points.size(), file);
   mesh.tissue = values_of(data->GetCellData(), "tissue", mesh.tets.size(), 1, file);
   mesh.anchor = values_of(data->GetPointData(), "anchor", mesh.points.size(), static_cast<int>(Anchor::larynx), file);
+  if (data->GetPointData()->HasArray("contact")) {
+    mesh.contact =
+        values_of(data->GetPointData(), "contact", mesh.points.size(), static_cast<int>(Contact::tissue), file);
+  }
   for (const auto& t : mesh.tets) {
     if (!(six_volumes(mesh, t) > 0.0)) fail(file, "holds a flat or inverted tetrahedron");
   }

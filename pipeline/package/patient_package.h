@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "pipeline/package/origin.h"
+#include "pipeline/volume.h"
 
 namespace vallecula::pipeline {
 
@@ -27,11 +28,15 @@ struct Surface {
 /// To what a node of the tongue mesh is fastened.
 enum class Anchor : std::uint8_t { free = 0, mandible = 1, hyoid = 2, larynx = 3 };
 
+/// Where a node of the tongue mesh lies: what a blade can touch is `free`.
+enum class Contact : std::uint8_t { inside = 0, free = 1, tissue = 2 };
+
 struct TetMesh {
   std::vector<Point> points;             ///< mm, LPS, rest
   std::vector<std::array<int, 4>> tets;  ///< positively oriented: (b-a)x(c-a).(d-a) > 0
   std::vector<std::uint8_t> tissue;      ///< per tet: 0 tongue, 1 epiglottis
   std::vector<std::uint8_t> anchor;      ///< per node (Anchor)
+  std::vector<std::uint8_t> contact;     ///< per node (Contact); empty in packages of before it was written
 };
 
 struct Material {
@@ -78,9 +83,12 @@ class PackageError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Writes DIR aside and renames it when whole; `label_map` (an NRRD already written by the caller) is moved in, and the
-/// thumbnail is drawn from it. A package already at DIR is replaced; anything else there is left alone. Throws
+/// Writes DIR aside and puts it in its place when whole, in one step: a process killed at any moment leaves the package
+/// that was there, the new one or none, and what it left aside goes with the next write. The thumbnail is drawn from the
+/// labels, which lie on the scan's grid. A package already at DIR is replaced; anything else there is left alone. Throws
 /// PackageError.
+void write_package(const PatientPackage& package, const Labels& labels, const std::filesystem::path& dir);
+/// The same with a label map in a file, which is moved in.
 void write_package(const PatientPackage& package, const std::filesystem::path& label_map,
                    const std::filesystem::path& dir);
 /// Reads and checks (schema, landmarks, materials, sha256 of every file and of patient.yaml itself, meshes). Throws

@@ -1,4 +1,5 @@
-#include <unistd.h>
+#include <fcntl.h>
+#include <stdio.h>
 #include <yaml-cpp/yaml.h>
 
 #include <cmath>
@@ -6,6 +7,7 @@
 #include <system_error>
 
 #include "pipeline/exchange/landmark_file.h"
+#include "pipeline/package/aside.h"
 #include "pipeline/package/digest.h"
 #include "pipeline/package/label_map.h"
 #include "pipeline/package/mesh_files.h"
@@ -98,12 +100,10 @@ std::string described(const PatientPackage& package, const std::map<std::string,
   return text + "sha256: " + sha256_of_text(text) + "\n";
 }
 
-void fill_folder(const PatientPackage& package, const fs::path& label_map, const fs::path& folder) {
+void fill_folder(const PatientPackage& package, const Labels& labels, const fs::path& folder) {
   std::map<std::string, std::string> hashes;
   const auto listed = [&](const std::string& file) { hashes[file] = sha256_of_file(folder / file); };
 
-  const auto labels = read_label_map(label_map);
-  fs::copy_file(label_map, folder / "labels.nrrd");
   listed("labels.nrrd");
   write_landmark_file(package, folder / "landmarks.mrk.json");
   listed("landmarks.mrk.json");
@@ -111,7 +111,7 @@ void fill_folder(const PatientPackage& package, const fs::path& label_map, const
     write_surface(surface, folder / (name + ".vtp"));
     listed(name + ".vtp");
   }
-  write_tet_mesh(package.tongue, folder / "tongue.vtu");
+  write_tet_mesh(package.tongue, package.materials, folder / "tongue.vtu");
   listed("tongue.vtu");
   write_thumbnail(labels, package.landmarks.at("upper_gum_midline")[0], folder / "thumbnail.png");
   listed("thumbnail.png");
@@ -122,43 +122,69 @@ void fill_folder(const PatientPackage& package, const fs::path& label_map, const
   if (!out) throw PackageError("package file patient.yaml: cannot be written; is there space on the disk?");
 }
 
-}  // namespace
+/// Puts the whole folder in the place of what is there, which is then at `aside`; in one step where the file system can.
+void exchange(const fs::path& aside, const fs::path& target, const fs::path& old) {
+  if (::renameat2(AT_FDCWD, aside.c_str(), AT_FDCWD, target.c_str(), RENAME_EXCHANGE) == 0) return;
+  fs::rename(target, old);
+  std::error_code error;
+  fs::rename(aside, target, error);
+  if (!error) return;
+  std::error_code ignored;
+  fs::rename(old, target, ignored);
+  throw fs::filesystem_error("rename", target, error);
+}
 
-void write_package(const PatientPackage& package, const fs::path& label_map, const fs::path& dir) {
+/// `put_labels(folder)` leaves labels.nrrd there and returns what is in it.
+template <class PutLabels>
+void write_aside(const PatientPackage& package, const fs::path& dir, const PutLabels& put_labels) {
   check_complete(package);
-  const auto target = fs::absolute(dir).lexically_normal();
-  const auto final_dir = target.filename().empty() ? target.parent_path() : target;
-  const bool replaces = fs::exists(final_dir);
-  if (replaces && !fs::exists(final_dir / "patient.yaml")) {
-    throw PackageError("package " + final_dir.filename().string() +
+  const auto target = package_folder(dir);
+  if (fs::exists(target) && !fs::exists(target / "patient.yaml")) {
+    throw PackageError("package " + target.filename().string() +
                        ": a file or folder of this name exists and is not a patient package; choose another name");
   }
-  const auto tag = "." + final_dir.filename().string() + "." + std::to_string(::getpid());
-  const auto aside = final_dir.parent_path() / (tag + ".part");
-  const auto old = final_dir.parent_path() / (tag + ".old");
+  const auto [aside, old] = asides_of(target);
   std::error_code ignored;
   try {
-    fs::create_directories(final_dir.parent_path());
+    fs::create_directories(target.parent_path());
+    clean_asides(target);
     fs::remove_all(aside);
     fs::create_directory(aside);
-    fill_folder(package, label_map, aside);
-    if (replaces) fs::rename(final_dir, old);
-    try {
-      fs::rename(aside, final_dir);
-    } catch (...) {
-      if (replaces) fs::rename(old, final_dir, ignored);
-      throw;
+    fill_folder(package, put_labels(aside), aside);
+    if (fs::exists(target)) {
+      exchange(aside, target, old);
+    } else {
+      fs::rename(aside, target);
     }
   } catch (const fs::filesystem_error& e) {
     fs::remove_all(aside, ignored);
-    throw PackageError("package " + final_dir.filename().string() + ": cannot be written into " +
-                       final_dir.parent_path().string() + " (" + e.code().message() +
+    throw PackageError("package " + target.filename().string() + ": cannot be written into " +
+                       target.parent_path().string() + " (" + e.code().message() +
                        "); choose a folder you may write to");
   } catch (const std::exception& e) {
     fs::remove_all(aside, ignored);
     throw PackageError(e.what());
   }
+  fs::remove_all(aside, ignored);
   fs::remove_all(old, ignored);
+}
+
+}  // namespace
+
+void write_package(const PatientPackage& package, const Labels& labels, const fs::path& dir) {
+  write_aside(package, dir, [&](const fs::path& folder) -> const Labels& {
+    write_label_map(labels, folder / "labels.nrrd");
+    return labels;
+  });
+}
+
+void write_package(const PatientPackage& package, const fs::path& label_map, const fs::path& dir) {
+  write_aside(package, dir, [&](const fs::path& folder) {
+    auto labels = read_label_map(label_map);
+    fs::copy_file(label_map, folder / "labels.nrrd");
+    return labels;
+  });
+  std::error_code ignored;
   fs::remove(label_map, ignored);
 }
 

@@ -162,7 +162,60 @@ Section find_glottis(const Volume<float>& air, const std::vector<Section>& cours
     const auto section = section_of(air, course[i].centre, axis, 0.2 * s, 14.0 * s);
     if (section.found && section.area_mm2 < best.area_mm2) best = section;
   }
+  if (!best.found) return best;
+  // The narrowest cut lies within the cords' thickness; the glottis is their upper border, where the lumen is an eighth
+  // wider.
+  const double narrow = best.area_mm2;
+  const double step = 0.1 * s;
+  for (int k = 1; k <= 20; ++k) {
+    const auto above = section_of(air, best.centre + step * axis, axis, 0.2 * s, 14.0 * s);
+    if (!above.found || above.area_mm2 > 1.125 * narrow) break;
+    best = above;
+  }
   return best;
+}
+
+/// Where the cords meet: the slit's width, carried forwards in a straight line from its wide part to nothing. The
+/// scanner's blur hides the narrow end.
+Vector3 where_cords_meet(const Volume<float>& air, const Section& glottis, const Vector3& seen_front,
+                         const Vector3& back, double s) {
+  const auto [aside, unused] = across(glottis.normal);
+  (void)unused;
+  const auto forwards = unit(seen_front - back);
+  const double length = distance(seen_front, back);
+  const double step = 0.05 * s;
+  std::vector<std::array<double, 2>> widths;  // way from the back, width
+  double widest = 0.0;
+  for (double way = 0.0; way < length; way += 0.1 * s) {
+    const auto middle = back + way * forwards;
+    double width = 0.0;
+    for (const double side : {-1.0, 1.0}) {
+      double off = 0.0;
+      while (off < 6.0 * s && value_at(air, middle + (side * off) * aside) > 0.0) off += step;
+      width += off;
+    }
+    widths.push_back({way, width});
+    widest = std::max(widest, width);
+  }
+  double n = 0.0;
+  double x = 0.0;
+  double y = 0.0;
+  double xx = 0.0;
+  double xy = 0.0;
+  for (const auto& [way, width] : widths) {
+    if (way < 0.25 * length || width < 0.3 * widest || width > 0.85 * widest) continue;
+    n += 1.0;
+    x += way;
+    y += width;
+    xx += way * way;
+    xy += way * width;
+  }
+  const double spread = n * xx - x * x;
+  if (n < 4.0 || !(spread > 0.0)) return seen_front;
+  const double slope = (n * xy - x * y) / spread;
+  if (!(slope < 0.0)) return seen_front;
+  const double meet = x / n - y / n / slope;
+  return back + std::clamp(meet, length, length + 1.6 * s) * forwards;
 }
 
 }  // namespace
@@ -183,6 +236,7 @@ void outline_glottis(Airway& airway, const Volume<float>& air, double s) {
   // The centre lies half way between the front and the back commissure, not at the centroid of a triangle.
   const auto by_y = [](const Vector3& a, const Vector3& b) { return a[1] < b[1]; };
   const auto [front, back] = std::minmax_element(airway.glottis_outline.begin(), airway.glottis_outline.end(), by_y);
+  *front = where_cords_meet(air, airway.glottis, *front, *back, s);
   airway.front_commissure = *front;
   airway.glottis.centre = 0.5 * (*front + *back);
 }

@@ -191,9 +191,12 @@ Bones find_bones(const Hounsfield& hu, const Thresholds& t, const Frame& frame, 
     bones.mandible_free = true;
   }
 
-  Volume<float> cost(g);
-  for (std::size_t i = 0; i < cost.voxels.size(); ++i) cost.voxels[i] = -hu.voxels[i];
-  auto shares = flooded(cost, markers, bone);
+  Volume<std::uint8_t> shares;
+  {
+    Volume<float> cost(g);
+    for (std::size_t i = 0; i < cost.voxels.size(); ++i) cost.voxels[i] = -hu.voxels[i];
+    shares = flooded(cost, markers, bone);
+  }
 
   // Pieces that hold no marker: by where they lie.
   Mask left(g);

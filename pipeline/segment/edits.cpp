@@ -32,7 +32,8 @@ void check_threshold(const std::string& name, const std::array<double, 2>& hu) {
     throw EditError("threshold " + name + ": no structure of this name; known are " + names);
   }
   if (!(std::isfinite(hu[0]) && std::isfinite(hu[1]) && hu[0] < hu[1]))
-    throw EditError("threshold " + name + ": expected the lowest, then the highest Hounsfield value, " + name + "=LO,HI");
+    throw EditError("threshold " + name + ": expected the lowest, then the highest Hounsfield value, " + name +
+                    "=LO,HI");
   // The border between air and tissue; outside of these there is nothing on one side of it.
   const double border = name == "airway" ? hu[1] : name == "skin" ? hu[0] : -500.0;
   if (!(border > -1000.0 && border < 0.0))
@@ -66,17 +67,22 @@ void check_edits(const Edits& edits) {
 }
 
 void check_edits_in(const Edits& edits, const Grid& scan) {
-  for (const auto& [name, point] : edits.seeds) {
-    const auto low = scan.position(-0.5, -0.5, -0.5);
-    const auto high = scan.position(scan.size[0] - 0.5, scan.size[1] - 0.5, scan.size[2] - 0.5);
+  const auto low = scan.position(-0.5, -0.5, -0.5);
+  const auto high = scan.position(scan.size[0] - 0.5, scan.size[1] - 0.5, scan.size[2] - 0.5);
+  const auto check = [&](const std::string& what, const Point& point, double beyond_mm) {
     for (int a = 0; a < 3; ++a) {
-      if (point[a] >= low[a] && point[a] <= high[a]) continue;
+      if (point[a] >= low[a] - beyond_mm && point[a] <= high[a] + beyond_mm) continue;
       std::ostringstream text;
-      text << "seed " << name << ": the point lies outside the scan (x " << low[0] << " to " << high[0] << ", y "
-           << low[1] << " to " << high[1] << ", z " << low[2] << " to " << high[2]
+      text << what << ": the point lies outside the scan (x " << low[0] << " to " << high[0] << ", y " << low[1]
+           << " to " << high[1] << ", z " << low[2] << " to " << high[2]
            << " mm); coordinates are LPS (x to the left, y to the back, z to the head)";
       throw EditError(text.str());
     }
+  };
+  constexpr double kBelowTheScanMm = 100.0;  // an adult's carina when the scan ends at the larynx
+  for (const auto& [name, point] : edits.seeds) check("seed " + name, point, 0.0);
+  for (const auto& [name, point] : edits.landmarks) {
+    if (name != "glottis_normal" && name != "operator_eye") check("landmark " + name, point, kBelowTheScanMm);
   }
 }
 

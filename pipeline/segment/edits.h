@@ -30,7 +30,7 @@ class EditError : public std::runtime_error {
 
 /// Are the names known and the numbers sensible (finite, lowest below highest)? Throws EditError. Needs no scan.
 void check_edits(const Edits& edits);
-/// Do the seeds lie in the scan? Throws EditError.
+/// Do the seeds lie in the scan, and the landmarks no further from it than a carina below its end? Throws EditError.
 void check_edits_in(const Edits& edits, const Grid& scan);
 
 /// The edits in another frame, for a scan that is put upright before it is segmented: points and normals moved by the

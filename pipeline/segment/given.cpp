@@ -7,6 +7,9 @@
 namespace vallecula::pipeline {
 namespace {
 
+/// Half of the epiglottis of the smallest infant.
+constexpr double kSmallestStructureMm3 = 15.0;
+
 /// The label of `from` at each voxel of `onto`, of the replaced ones only.
 Labels replaced_on(const Edits& edits, const Grid& onto) {
   Labels out(onto);
@@ -29,6 +32,17 @@ Labels replaced_on(const Edits& edits, const Grid& onto) {
     }
   }
   return out;
+}
+
+/// Holes large enough for a structure that the map does not have; a hole of a few voxels is as it was drawn.
+Mask structures_left_out(const Mask& drawn) {
+  auto holes = without(with_holes_filled(drawn), drawn);
+  const auto parts = components(holes);
+  for (std::size_t i = 0; i < holes.voxels.size(); ++i) {
+    const auto voxels = parts.sizes[static_cast<std::size_t>(parts.id.voxels[i])];
+    if (static_cast<double>(voxels) * drawn.grid.voxel_mm3() < kSmallestStructureMm3) holes.voxels[i] = 0;
+  }
+  return holes;
 }
 
 std::string in_words(const std::array<double, 2>& hu) {
@@ -87,10 +101,11 @@ std::optional<Vector3> Given::landmark(const char* name) const {
 void Given::put_into(Head& head, const Hounsfield& hu, double air) const {
   if (edits_.replaced.empty()) return;
   if (replaces(kSkin)) {
-    auto inside = with_holes_filled(where(map_, [](std::uint8_t v) { return v != kBackground; }));
+    const auto gas = without(head.inside, head.body);
+    const auto drawn = where(map_, [](std::uint8_t v) { return v != kBackground; });
+    head.inside = any_of(drawn, structures_left_out(drawn));
     // Mouth and nose open to the outside: their air is no hole of the skin.
-    if (!replaces(kAirway)) inside = any_of(inside, without(head.inside, head.body));
-    head.inside = std::move(inside);
+    if (!replaces(kAirway)) head.inside = any_of(head.inside, gas);
     for (std::size_t i = 0; i < hu.voxels.size(); ++i)
       head.body.voxels[i] = head.inside.voxels[i] != 0 && hu.voxels[i] > air ? 1 : 0;
   }
@@ -105,9 +120,9 @@ void Given::put_into(Head& head, const Hounsfield& hu, double air) const {
 void Given::put_into(Bones& bones, const Hounsfield& hu, const Thresholds& usual) const {
   if (!any() && edits_.thresholds.empty()) return;
   const auto claims = any() ? claimed() : Mask(hu.grid);
-  for (const auto& [label, name, bone] : {std::tuple{kSkull, "bone_skull", &bones.skull},
-                                          std::tuple{kMandible, "bone_mandible", &bones.mandible},
-                                          std::tuple{kSpine, "spine", &bones.spine}}) {
+  for (const auto& [label, name, bone] :
+       {std::tuple{kSkull, "bone_skull", &bones.skull}, std::tuple{kMandible, "bone_mandible", &bones.mandible},
+        std::tuple{kSpine, "spine", &bones.spine}}) {
     if (replaces(label)) {
       *bone = mask(label);
       continue;

@@ -27,8 +27,9 @@ class Given {
   /// grey values; a given skin bounds the head.
   void put_into(Head& head, const Hounsfield& hu, double air) const;
   void put_into(Bones& bones, const Hounsfield& hu, const Thresholds& usual) const;
-  /// Of what was found: not what another given structure claims, and within the thresholds given (`hu` on the same grid;
-  /// tissue is smoothed first, or noise would riddle it); of several pieces the one with the seed, else the largest.
+  /// Of what was found: not what another given structure claims, and within the thresholds given (`hu` on the same
+  /// grid; tissue is smoothed first, or noise would riddle it); of several pieces the one with the seed, else the
+  /// largest.
   void trim(const char* name, const Hounsfield& hu, const Mask& claimed, double scale, Mask& found) const;
   /// Each given structure exactly as given; where one was found beyond it, what is left over.
   void put_into(Labels& labels, const Mask& inside) const;

@@ -15,6 +15,7 @@ struct Thresholds {
   double fat = -25.0;  ///< half way between fat and soft tissue
   double bone = 250.0;
   double soft = 40.0;  ///< the commonest soft-tissue value
+  double noise = 0.0;  ///< standard deviation in soft tissue
 };
 Thresholds thresholds_of(const Hounsfield& hu);
 

@@ -21,6 +21,51 @@ void near_middle(const Segmentation& s, double half_mm, const Visit& visit) {
   }
 }
 
+/// Height of the tissue's border between a voxel and its neighbour `step` above or below, to a part of a voxel: where the
+/// grey value passes through the threshold of air.
+double border_height(const Segmentation& s, int x, int y, int z, int step) {
+  const auto& g = s.hu.grid;
+  const int next = std::clamp(z + step, 0, g.size[2] - 1);
+  const double here = s.hu.at(x, y, z);
+  const double there = s.hu.at(x, y, next);
+  const double part = here > there ? std::clamp((here - s.thresholds.air) / (here - there), 0.0, 1.0) : 0.5;
+  return g.origin[2] + (z + step * part) * g.spacing[2];
+}
+
+/// Mean over the middle's columns of a border's height, for each y that has one.
+class Ridge {
+ public:
+  explicit Ridge(const Grid& g) : grid_(g), sum_(g.size[1], 0.0), columns_(g.size[1], 0) {}
+  void add(int y, double height) {
+    sum_[y] += height;
+    ++columns_[y];
+  }
+  bool empty() const {
+    return std::all_of(columns_.begin(), columns_.end(), [](int n) { return n == 0; });
+  }
+  /// Its highest (`up`) or lowest stretch, all within `flat` mm of the extreme: the y of its two ends and the height.
+  std::array<double, 3> crest(bool up, double flat) const {
+    double best = up ? -1e30 : 1e30;
+    for (std::size_t y = 0; y < sum_.size(); ++y) {
+      if (columns_[y] > 0) best = up ? std::max(best, sum_[y] / columns_[y]) : std::min(best, sum_[y] / columns_[y]);
+    }
+    double front = 1e30;
+    double back = -1e30;
+    for (std::size_t y = 0; y < sum_.size(); ++y) {
+      if (columns_[y] == 0 || std::abs(sum_[y] / columns_[y] - best) > flat) continue;
+      const double py = grid_.origin[1] + static_cast<double>(y) * grid_.spacing[1];
+      front = std::min(front, py);
+      back = std::max(back, py);
+    }
+    return {front, back, best};
+  }
+
+ private:
+  const Grid& grid_;
+  std::vector<double> sum_;
+  std::vector<int> columns_;
+};
+
 /// Foremost bone of the upper jaw near the middle: the incisive bone between the nose and the mouth.
 bool front_of_maxilla(const Segmentation& s, double low_z, double high_z, double back_y, Vector3& front) {
   double best = 1e30;
@@ -33,7 +78,7 @@ bool front_of_maxilla(const Segmentation& s, double low_z, double high_z, double
 }
 
 /// The ridge of the upper gum: in the middle, the tissue that hangs lowest under the foremost bone of the upper jaw; of
-/// equals the foremost.
+/// what is as low the foremost.
 Vector3 upper_gum(Segmentation& s) {
   const double k = s.frame.scale;
   // The level: about the lips when they are open, else directly above the chin's bone.
@@ -60,20 +105,22 @@ Vector3 upper_gum(Segmentation& s) {
                                        "no upper jaw seen; placed over the glottis by the term infant's proportions"};
     return s.airway.glottis.centre + k * Vector3{0.0, -33.0, 48.0};
   }
-  double best = 1e30;
   Vector3 gum = front;
+  Ridge ridge(s.labels.grid);
   near_middle(s, 1.2 * k, [&](int x, int y, int z, const Vector3& p) {
     const auto label = s.labels.at(x, y, z);
     if (is_air(label) || label == kTongue || p[1] < front[1] - 2.5 * k || p[1] > front[1] + 5.0 * k ||
         std::abs(p[2] - front[2]) > 7.0 * k)
       return;
     if (z == 0 || !is_air(s.labels.at(x, y, z - 1))) return;
-    const double score = p[2] + 0.3 * p[1];
-    if (score >= best) return;
-    best = score;
-    gum = p;
+    ridge.add(y, border_height(s, x, y, z, -1));
   });
-  if (best > 1e29) {
+  if (!ridge.empty()) {
+    // The ridge is flat behind its edge: the edge is meant, past which one looks.
+    const auto crest = ridge.crest(false, 0.15 * k);
+    gum[1] = crest[0];
+    gum[2] = crest[2];
+  } else {
     s.findings["upper_gum_midline"] = {Origin::inferred,
                                        "the mouth is closed; the lower edge of the upper jaw's bone was taken"};
     near_middle(s, 2.0 * k, [&](int x, int y, int z, const Vector3& p) {
@@ -100,12 +147,18 @@ Vector3 lower_gum(Segmentation& s, const Vector3& upper) {
     return upper + k * Vector3{0.0, 3.2, -20.8};
   }
   Vector3 gum = bone;
+  Ridge ridge(s.labels.grid);
   near_middle(s, 1.2 * k, [&](int x, int y, int z, const Vector3& p) {
-    if (s.labels.at(x, y, z) != kSkin || std::abs(p[1] - bone[1]) > 2.5 * k || p[2] < bone_top - k ||
-        p[2] > bone_top + 4.0 * k)
-      return;
-    if (is_air(s.labels.at(x, y, std::min(z + 1, s.labels.grid.size[2] - 1))) && p[2] > gum[2]) gum = p;
+    const int above = std::min(z + 1, s.labels.grid.size[2] - 1);
+    if (s.labels.at(x, y, z) == kSkin && std::abs(p[1] - bone[1]) < 3.5 * k && p[2] > bone_top - k &&
+        p[2] < bone_top + 4.0 * k && is_air(s.labels.at(x, y, above)))
+      ridge.add(y, border_height(s, x, y, z, 1));
   });
+  if (!ridge.empty()) {
+    const auto crest = ridge.crest(true, 0.15 * k);
+    gum[1] = 0.5 * (crest[0] + crest[1]);
+    gum[2] = crest[2];
+  }
   gum[0] = s.frame.mid_x;
   return gum;
 }
@@ -114,6 +167,7 @@ Vector3 lower_gum(Segmentation& s, const Vector3& upper) {
 Vector3 condyles(Segmentation& s, const Vector3& upper) {
   const double k = s.frame.scale;
   const auto& g = s.labels.grid;
+  constexpr double kHalfHeight = 2.2;  // of the condyle's head as the threshold shows it, term
   Vector3 sum{};
   for (const double side : {-1.0, 1.0}) {
     double back = -1e30;
@@ -139,11 +193,14 @@ Vector3 condyles(Segmentation& s, const Vector3& upper) {
     for (std::size_t i = 0; i < g.count(); ++i) {
       if (s.labels.voxels[i] != kMandible) continue;
       const auto p = g.position(i);
-      if (!hind(p) || p[2] < top - 5.0 * k) continue;
+      // The upper half of its head; below, the neck leans forwards.
+      if (!hind(p) || p[2] < top - kHalfHeight * k) continue;
       mean = mean + p;
       n += 1.0;
     }
-    sum = sum + (0.5 / n) * mean;
+    mean = (1.0 / n) * mean;
+    mean[2] = top - kHalfHeight * k;
+    sum = sum + 0.5 * mean;
   }
   sum[0] = s.frame.mid_x;
   return sum;

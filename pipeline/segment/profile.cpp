@@ -139,8 +139,8 @@ Fit refined(const std::vector<Pixel>& design, const Picture& picture, Fit fit) {
 
 }  // namespace
 
-double nod_of(const Hounsfield& hu, const Mask& body, const Transform& straight_to_scan, const Point& middle,
-              const Frame& frame) {
+Nod nod_of(const Hounsfield& hu, const Mask& body, const Transform& straight_to_scan, const Point& middle,
+           const Frame& frame) {
   static const auto design = design_profile();
   const auto picture = picture_of(hu, body, straight_to_scan, middle, frame.scale);
   std::vector<Fit> fits;
@@ -164,8 +164,7 @@ double nod_of(const Hounsfield& hu, const Mask& body, const Transform& straight_
     const auto fit = refined(design, picture, fits[k]);
     if (fit.cost < best.cost) best = fit;
   }
-  if (getenv("NOD")) printf("[nod %.1f y %.1f z %.1f size %.2f cost %.4f] ", best.nod, best.y, best.z, best.size, best.cost);
-  return best.nod;
+  return {best.nod, best.cost};
 }
 
 }  // namespace vallecula::pipeline

@@ -6,6 +6,8 @@
 #include "pipeline/segment/border_field.h"
 #include "pipeline/segment/given.h"
 #include "pipeline/segment/landmarks.h"
+#include "pipeline/segment/noise.h"
+#include "pipeline/segment/resting_epiglottis.h"
 #include "pipeline/segment/throat.h"
 #include "pipeline/segment/tongue.h"
 #include "pipeline/segment/upright.h"
@@ -19,10 +21,15 @@ Box throat_of(const Segmentation& s, const Given& given) {
   const auto lumen = bounds_of(s.airway.lumen);
   const auto jaw = bounds_of(s.bones.mandible);
   double front = g.origin[1] + lumen.low[1] * g.spacing[1];
-  if (!jaw.empty()) front = std::min(front, g.origin[1] + jaw.low[1] * g.spacing[1]);
   const auto& c = s.airway.glottis.centre;
+  double high = c[2] + 66.0 * k;
+  if (!jaw.empty()) {
+    front = std::min(front, g.origin[1] + jaw.low[1] * g.spacing[1]);
+    // A grown-up's larynx lies lower: the roof of the mouth is about as high as the jaw's joints.
+    high = std::max(high, g.origin[2] + jaw.high[2] * g.spacing[2] + 8.0 * k);
+  }
   auto box = box_between(g, {s.frame.mid_x - 34.0 * k, front - 4.0 * k, c[2] - 60.0 * k},
-                         {s.frame.mid_x + 34.0 * k, c[1] + 22.0 * k, c[2] + 66.0 * k});
+                         {s.frame.mid_x + 34.0 * k, c[1] + 22.0 * k, high});
   // The mesh of tongue and epiglottis is cut here, so all of a given one must lie within.
   for (const auto label : {kTongue, kEpiglottis}) {
     if (given.replaces(label)) box = united(box, bounds_of(given.mask(label), 5.0 * k));
@@ -63,14 +70,29 @@ void label_throat(Segmentation& s, const Given& given, const std::function<void(
     s.epiglottis = measured_epiglottis(crop(given.mask(kEpiglottis)), lumen, s.frame);
   } else {
     s.epiglottis = find_epiglottis(body, lumen, s.airway, s.frame, given.seed("epiglottis"));
+    if (!s.epiglottis.seen) {
+      s.epiglottis = rest_epiglottis(hu, body, lumen, hyoid, s.airway, s.frame);
+      if (s.epiglottis.seen) {
+        const Finding resting{
+            Origin::inferred,
+            "its leaf lies against the tongue: taken as 1.7 mm (term) of the airway's front wall, from the "
+            "cords to 10 mm (term) above the lowest gas in the vallecula, or above the hyoid"};
+        for (const auto* name : {"epiglottis", "epiglottis_tip", "vallecula"}) s.findings[name] = resting;
+      }
+    }
     given.trim("epiglottis", hu, claimed, s.frame.scale, s.epiglottis.mask);
   }
   s.epiglottis.tip = given.landmark("epiglottis_tip").value_or(s.epiglottis.tip);
   s.epiglottis.vallecula = given.landmark("vallecula").value_or(s.epiglottis.vallecula);
   progress(0.2);
+  const auto bounds = bound_mouth(body, lumen, skull, mandible, hyoid, s.airway, s.frame);
+  bool resting = false;  // does the tongue fill the mouth, with no air over it?
   const auto tongue = structure(kTongue, "tongue", [&] {
-    return find_tongue({hu, body, inside, lumen, skull, mandible, hyoid, s.epiglottis, s.airway, s.thresholds, s.frame,
-                        tongue_seed});
+    auto found = find_tongue({hu, body, inside, lumen, skull, mandible, hyoid, s.epiglottis, s.airway, s.thresholds,
+                              s.frame, tongue_seed, s.head.lips.empty()},
+                             bounds);
+    resting = found.mouth_closed;
+    return std::move(found.mask);
   });
   if (count(tongue) == 0) {
     throw std::runtime_error(
@@ -78,12 +100,25 @@ void label_throat(Segmentation& s, const Given& given, const std::function<void(
             ? "no tongue could be grown from the seed given; is it inside the tongue (x to the left, y to the back, z "
               "to "
               "the head, mm)?"
-            : "the tongue was not found (is the mouth closed?); give a point inside it: --seed tongue=x,y,z (LPS mm)");
+            : "the tongue was not found: no air lies over it and no jaw or palate bounds it; give a point inside it: "
+              "--seed tongue=x,y,z (LPS mm)");
+  }
+  if (resting) {
+    s.findings["tongue"] = {Origin::inferred,
+                            bounds.found ? "the mouth is closed: bounded by palate, jaws, hyoid and throat; where the "
+                                           "grey values show no border, by the usual course of the muscles of the floor"
+                                         : "the mouth is closed: grown from the point given, to half way to bone"};
   }
   progress(0.7);
+  const bool against = resting && bounds.found;
   const auto palate = structure(kSoftPalate, "soft_palate", [&] {
+    if (against) return without(bounds.soft_palate, any_of(tongue, s.epiglottis.mask));
     return find_soft_palate(body, lumen, skull, s.epiglottis, s.airway, s.frame, given.seed("soft_palate"));
   });
+  if (against) {
+    s.findings["soft_palate"] = {Origin::inferred,
+                                 "it lies against the tongue: taken as 3.6 mm (term) of what lies before the airway"};
+  }
   auto taken = any_of(any_of(tongue, s.epiglottis.mask), any_of(palate, any_of(skull, any_of(mandible, spine))));
   const auto larynx =
       structure(kLarynx, "larynx", [&] { return find_larynx(body, lumen, taken, s.airway, s.frame); });
@@ -179,6 +214,7 @@ Segmentation segment(const Hounsfield& series, const Edits& edits_on_scan,
       here = find_body(s.hu, s.thresholds);
       s.frame = frame_of(s.hu, here, s.thresholds);
     }
+    s.thresholds.noise = noise_of(s.hu, here, s.thresholds);
     say("head", 0.25);
     s.head = find_head(s.hu, here, s.thresholds, s.frame);
   }
@@ -225,7 +261,7 @@ Segmentation segment(const Hounsfield& series, const Edits& edits_on_scan,
 }
 
 Labels on_series_grid(const Segmentation& s, const Grid& series) {
-  if (s.pose.moved()) return read_onto(series, s.pose.scan_to_package, s.labels);
+  if (s.pose.moved()) return read_onto(series, s.pose.scan_to_package, s.labels, s.hu, s.thresholds);
   Labels out(series);
   paste(s.labels, s.box, out);
   return out;

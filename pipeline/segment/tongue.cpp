@@ -110,23 +110,35 @@ Mask seed_under_dorsum(const TongueSearch& in, const Volume<float>& tissue, cons
 
 }  // namespace
 
-Mask find_tongue(const TongueSearch& in) {
+Tongue find_tongue(const TongueSearch& in, const MouthBounds& bounds) {
   const auto& g = in.body.grid;
   const double s = in.frame.scale;
-  const auto tissue = smoothed_tissue(in.hu, in.body, in.t, std::max(0.45, 0.5 * s));
+  // A dose as low as for an infant makes grain in which the fat plane drowns unless it is smoothed more.
+  constexpr double kGrainy = 25.0;
+  const double grain = std::clamp(in.t.noise / kGrainy, 1.0, 2.0);
+  const auto tissue = smoothed_tissue(in.hu, in.body, in.t, grain * std::max(0.45, 0.5 * s));
   const auto bone = any_of(in.skull, in.mandible);
   const auto to_bone = distance_to(bone);
   const auto to_air = distance_to(in.lumen);
-  Mask seed(g);
+  const auto enough = [&](const Mask& mask) { return count(mask) * g.voxel_mm3() >= 5.0 * s * s * s; };
+  Tongue out;
+  out.mask = Mask(g);
+  auto seed = seed_under_dorsum(in, tissue, to_air, to_bone);
+  out.mouth_closed = in.lips_closed || !enough(seed);
+  const bool bounded = out.mouth_closed && bounds.found;
+  Mask outside(g);
+  if (out.mouth_closed) seed = Mask(g);
+  if (bounded) {
+    seed = eroded(bounds.tongue, 2.6 * s);
+    outside = any_of(inverted(dilated(bounds.tongue, 0.8 * s)), bounds.soft_palate);
+  }
   if (in.seed) {
     for (std::size_t i = 0; i < seed.voxels.size(); ++i) {
-      seed.voxels[i] =
-          distance(g.position(i), *in.seed) < 7.0 * s && in.body.voxels[i] != 0 && to_bone.voxels[i] > 2.0 * s ? 1 : 0;
+      if (distance(g.position(i), *in.seed) < 7.0 * s && in.body.voxels[i] != 0 && to_bone.voxels[i] > 2.0 * s)
+        seed.voxels[i] = 1;
     }
-  } else {
-    seed = seed_under_dorsum(in, tissue, to_air, to_bone);
   }
-  if (count(seed) * g.voxel_mm3() < 5.0 * s * s * s) return Mask(g);
+  if (!enough(seed)) return out;
   const auto seed_box = bounds_of(seed);
   const double seed_top = g.origin[2] + seed_box.high[2] * g.spacing[2];
   Vector3 centre{};
@@ -144,6 +156,7 @@ Mask find_tongue(const TongueSearch& in) {
   Mask allowed(g);
   for (std::size_t i = 0; i < markers.voxels.size(); ++i) {
     if (in.body.voxels[i] == 0 || in.epiglottis.mask.voxels[i] != 0 || in.hyoid.voxels[i] != 0) continue;
+    if (bounded && in.hu.voxels[i] > in.t.bone) continue;  // teeth and what is thinner than bone's own pieces
     allowed.voxels[i] = 1;
     if (seed.voxels[i] != 0) {
       markers.voxels[i] = kTongueMarker;
@@ -157,7 +170,8 @@ Mask find_tongue(const TongueSearch& in) {
     const bool far = distance(p, centre) > 32.0 * s || std::abs(p[0] - in.frame.mid_x) > 20.0 * s;
     // The palate: further above the seed than a tongue is thick, with air between or not.
     const bool high = p[2] > seed_top + 14.0 * s;
-    if (near_bone || near_skin || low || behind || far || high) markers.voxels[i] = kOtherMarker;
+    const bool other = bounded ? outside.voxels[i] != 0 : near_skin || low || behind || far || high;
+    if (near_bone || other) markers.voxels[i] = kOtherMarker;
   }
   // Both the dark fat plane and the bright rim of the hyoid, which lies in it, are ridges; to cross one costs as much
   // as a way of tens of mm.
@@ -173,14 +187,18 @@ Mask find_tongue(const TongueSearch& in) {
   auto tongue = where(shares, [](std::uint8_t v) { return v == kTongueMarker; });
   // Fat is not tongue: trim the half of the plane that the watershed gave to it.
   for (std::size_t i = 0; i < tongue.voxels.size(); ++i) {
-    if (tissue.voxels[i] < in.t.fat + 0.5 * (in.t.soft - in.t.fat) && to_air.voxels[i] > 1.2 * s) tongue.voxels[i] = 0;
+    const bool fat = tissue.voxels[i] < in.t.fat + 0.5 * (in.t.soft - in.t.fat) && to_air.voxels[i] > 1.2 * s;
+    // The middle of a real tongue has fat between its muscles.
+    if (fat && !(bounded && seed.voxels[i] != 0)) tongue.voxels[i] = 0;
   }
   // Strands that leaked through a gap of the plane are thinner than the tongue.
-  if (in.seed)
-    tongue = all_of(closed(tongue, 2.0 * s), allowed);  // grown by hand, it has the holes that noise and streaks leave
-  const auto core = opened(tongue, in.seed ? 2.0 * s : 0.8 * s);
+  const bool ragged = out.mouth_closed;  // without a border all round it has the holes that noise and streaks leave
+  if (ragged) tongue = without(all_of(closed(tongue, 2.0 * s), allowed), outside);
+  const auto core = opened(tongue, ragged ? 2.0 * s : 0.8 * s);
   tongue = largest_component(all_of(tongue, dilated(largest_component(core), 1.0 * s)));
-  return with_holes_filled(tongue);
+  out.mask = with_holes_filled(tongue);
+  if (out.mouth_closed) out.mask = all_of(out.mask, in.body);  // gas between tongue and leaf is no hole of the tongue
+  return out;
 }
 
 }  // namespace vallecula::pipeline

@@ -1,10 +1,16 @@
 // The command line itself: what it lists, and what it answers to wrong usage and to bad input.
 #include <gtest/gtest.h>
 
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <cstdlib>
 #include <sstream>
 
 #include "gui/commands/number_options.h"
 #include "pipeline/dicom/write_series.h"
+#include "pipeline/package/label_map.h"
+#include "pipeline/package/patient_package.h"
 #include "tests/gui/block_patient.h"
 #include "tests/gui/program.h"
 
@@ -27,7 +33,7 @@ TEST(CommandLine, HelpListsTheCommandsOwedNowAndEachHasItsOwn) {
   const Outcome help = box.run({"--help"});
   EXPECT_EQ(help.exit_code, 0);
   EXPECT_EQ(help.err, "");
-  for (const std::string command : {"demo", "manikin", "import", "trial", "replay", "score", "curriculum", "lab"}) {
+  for (const std::string command : {"demo", "manikin", "import", "compare", "export", "trial", "replay", "score", "curriculum", "lab"}) {
     EXPECT_NE(help.out.find("\n  " + command + " "), std::string::npos) << command << "\n" << help.out;
     EXPECT_EQ(box.run({command, "--help"}).exit_code, 0) << command;
   }
@@ -54,6 +60,8 @@ TEST(CommandLine, WrongUsageIsTwo) {
   expect_refused(box.run({"curriculum", "eat", "a"}), 2, "eat");
   expect_refused(box.run({"import", "series"}), 2, "--out");
   expect_refused(box.run({"import", "series", "--out", "a.patient", "--seed", "tongue=1,2"}), 2, "tongue=1,2");
+  expect_refused(box.run({"compare", "a.nrrd"}), 2, "B is required");
+  expect_refused(box.run({"export", "a.patient"}), 2, "--stl");
   expect_refused(box.run({"import", "series", "--window", "--out", "a.patient"}), 2, "--out");
   expect_refused(box.run({"import", "series", "--window", "--generic-face"}), 2, "--generic-face");
   expect_refused(box.run({"import", "series", "--window"}), 1, "no window can be opened");
@@ -68,6 +76,80 @@ TEST(CommandLine, WrongUsageIsTwo) {
   expect_refused(with({"scripted"}), 2, "scripted");
   expect_refused(with({"mouse", "--headless"}), 2, "mouse");
   expect_refused(with({"mouse", "--asap"}), 2, "--asap");
+}
+
+TEST(ImportCommand, EditsThatCannotBeMeantAreWrongUsage) {
+  const Sandbox box;
+  const auto refused = [&](const std::vector<std::string>& edits, const std::string& naming) {
+    std::vector<std::string> all = {"import", "series", "--out", "a.patient"};
+    all.insert(all.end(), edits.begin(), edits.end());
+    expect_refused(box.run(all), 2, naming);
+  };
+  refused({"--seed", "tongue=1,2"}, "tongue=1,2");
+  refused({"--seed", "tongue=1,2,3,4"}, "tongue=1,2,3,4");
+  refused({"--seed", "tongue=1,nan,3"}, "tongue");
+  refused({"--seed", "toe=1,2,3"}, "toe");
+  refused({"--seed", "tongue=1,2,3", "--seed", "tongue=1,2,4"}, "twice");
+  refused({"--threshold", "bone_skull=300"}, "bone_skull=300");
+  refused({"--threshold", "bone_skull=300,200"}, "bone_skull");
+  refused({"--threshold", "liver=1,2"}, "liver");
+  refused({"--labels", "l.nii", "--label-value", "tongue=1.5"}, "tongue=1.5");
+  refused({"--labels", "l.nii", "--label-value", "liver=1"}, "liver");
+  refused({"--labels", "l.nii", "--label-value", "tongue=1", "--label-value", "airway=1"}, "twice");
+  refused({"--label-value", "tongue=1"}, "--labels");
+}
+
+TEST(CompareCommand, PrintsATableAndJson) {
+  const Sandbox box;
+  pipeline::Grid grid;
+  grid.size = {10, 10, 10};
+  pipeline::Labels a(grid), b(grid);
+  for (int z = 2; z < 6; ++z) {
+    for (int y = 2; y < 6; ++y) {
+      for (int x = 2; x < 6; ++x) a.at(x, y, z) = b.at(x + 1, y, z) = pipeline::kTongue;
+    }
+  }
+  b.at(0, 0, 0) = pipeline::kAirway;
+  pipeline::write_label_map(a, box / "a.nrrd");
+  pipeline::write_label_map(b, box / "b.nrrd");
+  const std::string first = (box / "a.nrrd").string();
+  const std::string second = (box / "b.nrrd").string();
+  const Outcome table = box.run({"compare", first, second});
+  EXPECT_EQ(table.exit_code, 0) << table.err;
+  EXPECT_NE(table.out.find("0.7500"), std::string::npos) << "3 of 4 layers overlap\n" << table.out;
+  EXPECT_NE(table.out.find("only in B"), std::string::npos) << table.out;
+  const Outcome json = box.run({"compare", first, second, "--json"});
+  const auto root = QJsonDocument::fromJson(QByteArray::fromStdString(json.out)).object();
+  const auto structures = root["structures"].toArray();
+  ASSERT_EQ(structures.size(), 2) << json.out;
+  EXPECT_EQ(structures[0].toObject()["name"].toString(), "tongue");
+  EXPECT_EQ(structures[0].toObject()["dice"].toDouble(), 0.75);
+  EXPECT_EQ(structures[0].toObject()["hausdorff_mm"].toDouble(), 1.0);
+  EXPECT_TRUE(structures[1].toObject()["hausdorff_mm"].isNull());
+  expect_refused(box.run({"compare", first, (box / "none.nrrd").string()}), 1, "none.nrrd");
+  write_text(box / "letters.nrrd", "not a label map");
+  expect_refused(box.run({"compare", (box / "letters.nrrd").string(), first}), 1, "letters.nrrd");
+}
+
+TEST(ExportCommand, WritesSurfacesAndLeavesThePackage) {
+  const Sandbox box;
+  write_block_patient(box.folder());
+  const Outcome outcome = box.run({"export", (box / "block.patient").string(), "--stl", (box / "stl").string()});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("tongue.stl"), std::string::npos);
+  EXPECT_TRUE(fs::exists(box / "stl" / "face.stl"));
+  EXPECT_NO_THROW(pipeline::read_package(box / "block.patient"));
+  expect_refused(box.run({"export", (box / "none.patient").string(), "--stl", (box / "stl").string()}), 1, "none.patient");
+}
+
+/// The same files read and measured by SimpleITK, nibabel, pydicom and scipy (the recipe in tests/truth).
+TEST(CompareCommand, AgreesWithOtherPrograms) {
+  const char* python = std::getenv("VALLECULA_PYTHON");
+  if (python == nullptr)
+    GTEST_SKIP() << "VALLECULA_PYTHON names no Python with SimpleITK, nibabel, pydicom, scipy and meshio";
+  const std::string command = std::string(python) + " " VALLECULA_SOURCE_DIR "/tests/truth/exchange_formats.py " +
+                              VALLECULA_BINARY_DIR "/vallecula";
+  EXPECT_EQ(std::system(command.c_str()), 0);
 }
 
 TEST(CommandLine, WhatIsMissingIsNamed) {

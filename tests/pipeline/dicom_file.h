@@ -120,4 +120,24 @@ inline std::string decimal_string(const std::vector<double>& values) {
   return t.str();
 }
 
+/// The slices as one Enhanced CT, a frame each in the given order: position and rescale of each frame its own.
+inline std::string enhanced_bytes(const std::vector<DicomSlice>& slices) {
+  std::vector<Elements> frames;
+  std::string pixels;
+  for (const auto& s : slices) {
+    frames.push_back(
+        {{0x00209113, {"SQ", items({{{0x00200032, {"DS", s.position}}}})}},
+         {0x00289145, {"SQ", items({{{0x00281052, {"DS", s.intercept}}, {0x00281053, {"DS", s.slope}}}})}}});
+    for (const auto v : s.stored) pixels += bytes_of(v, 2);
+  }
+  auto d = slices.front();
+  d.extra[0x00280008] = {"IS", std::to_string(slices.size())};
+  d.extra[0x52009229] = {"SQ", items({{{0x00209116, {"SQ", items({{{0x00200037, {"DS", d.orientation}}}})}},
+                                       {0x00289110, {"SQ", items({{{0x00280030, {"DS", d.spacing}}}})}}}})};
+  d.extra[0x52009230] = {"SQ", items(frames)};
+  d.extra[0x7fe00010] = {"OW", pixels};
+  for (auto* own : {&d.position, &d.orientation, &d.spacing, &d.slope, &d.intercept}) own->clear();
+  return with_meta(written(elements_of(d)), "1.2.840.10008.5.1.4.1.1.2.1");
+}
+
 }  // namespace vallecula::pipeline::test

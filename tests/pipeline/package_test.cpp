@@ -111,7 +111,7 @@ TEST_F(Package, AnyChangedByteIsRefusedByName) {
   const auto dir = written();
   std::vector<fs::path> files;
   for (const auto& entry : fs::directory_iterator(dir)) files.push_back(entry.path());
-  ASSERT_EQ(files.size(), kSurfaces.size() + 4);  // patient.yaml, labels.nrrd, tongue.vtu, thumbnail.png
+  ASSERT_EQ(files.size(), kSurfaces.size() + 5);  // patient.yaml, labels.nrrd, landmarks.mrk.json, tongue.vtu, thumbnail
   std::mt19937 random(11);
   for (const auto& file : files) {
     for (int trial = 0; trial < 5; ++trial) {
