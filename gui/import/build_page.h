@@ -24,6 +24,7 @@ class BuildPage : public QWidget {
   void show_writing();
   void show_written(const QString& package);
   void show_message(const QString& message);
+  bool built() const { return built_; }
 
  signals:
   void back_wanted();

@@ -2,6 +2,7 @@
 
 #include <QComboBox>
 #include <QFileDialog>
+#include <QFrame>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -35,14 +36,23 @@ CheckPage::CheckPage(ImportWork& work, QWidget* parent) : QWidget(parent), work_
     slices_[static_cast<std::size_t>(planes[i])] = slice;
     views->addWidget(slice, i / 2, i % 2);
     connect(slice, &SliceView::alone_wanted, this, [this, slice] {
-      const bool alone = view_3d_->isVisible();
+      const bool alone = frame_3d_->isVisible();
       for (QWidget* view : {static_cast<QWidget*>(slices_[0]), static_cast<QWidget*>(slices_[1]),
-                            static_cast<QWidget*>(slices_[2]), static_cast<QWidget*>(view_3d_)})
+                            static_cast<QWidget*>(slices_[2]), static_cast<QWidget*>(frame_3d_)})
         view->setVisible(!alone || view == slice);
     });
   }
-  view_3d_ = new LabelView(scene_, this);
-  views->addWidget(view_3d_, 1, 1);
+  frame_3d_ = new QFrame(this);
+  view_3d_ = new LabelView(scene_, frame_3d_);
+  auto* in_frame = new QVBoxLayout(frame_3d_);
+  in_frame->setContentsMargins(1, 1, 1, 1);
+  in_frame->addWidget(view_3d_);
+  const auto show_focus = [this](bool has) {
+    frame_3d_->setStyleSheet(QString("background: %1;").arg((has ? theme::kDevice : theme::kTrack).name()));
+  };
+  show_focus(false);
+  connect(view_3d_, &LabelView::focus_changed, this, show_focus);
+  views->addWidget(frame_3d_, 1, 1);
   for (int i = 0; i < 2; ++i) {
     views->setRowStretch(i, 1);
     views->setColumnStretch(i, 1);
@@ -245,6 +255,7 @@ void CheckPage::show_segmentation(const SegmentedScan& scan) {
     scene_.set_crosshair(vallecula->second);
   else if (first && glottis != scan.landmarks.end())
     scene_.set_crosshair(glottis->second);
+  if (first) slice(SlicePlane::sagittal).setFocus();
   show_state();
 }
 

@@ -8,7 +8,7 @@
 #include "gui/import/import_work.h"
 #include "gui/views/slice_scene.h"
 
-class QComboBox;
+class QFrame;
 class QLabel;
 class QPushButton;
 class QTabWidget;
@@ -69,6 +69,7 @@ class CheckPage : public QWidget {
   SegmentedScan found_;
   std::array<SliceView*, 3> slices_{};
   LabelView* view_3d_;
+  QFrame* frame_3d_;  ///< shows that the view has the keyboard
   QTabWidget* tabs_;
   StructurePanel* structures_;
   LandmarkPanel* landmarks_;

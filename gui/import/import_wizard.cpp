@@ -154,6 +154,8 @@ void ImportWizard::job_cancelled() {
     check_->clear();
     show_page(source_);
     source_->show_message("");
+  } else if (page == build_ && build_->built()) {
+    build_->show_message("Cancelled; nothing was saved.");
   } else {
     show_page(check_);
     check_->show_message("Cancelled.");

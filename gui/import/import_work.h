@@ -80,7 +80,8 @@ class ImportWork : public QObject {
   void report(const std::string& stage, double fraction);
   std::shared_ptr<pipeline::Import> import_;
   SegmentedScan last_;
-  bool stale_ = false;  ///< the import's segmentation may no longer be last_: begun anew, or with the generic face in it
+  bool stale_ =
+      false;  ///< the import's segmentation may no longer be last_: begun anew, or with the generic face in it
   QPointer<QThread> worker_;
   std::atomic<bool> cancelled_{false};
   std::atomic<double> from_{0.0}, to_{1.0};  ///< the job's part of the whole import

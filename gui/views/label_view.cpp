@@ -53,6 +53,16 @@ void LabelView::showEvent(QShowEvent* event) {
   draw_soon();
 }
 
+void LabelView::focusInEvent(QFocusEvent* event) {
+  GlView::focusInEvent(event);
+  emit focus_changed(true);
+}
+
+void LabelView::focusOutEvent(QFocusEvent* event) {
+  GlView::focusOutEvent(event);
+  emit focus_changed(false);
+}
+
 void LabelView::labels_changed() {
   if (scene_.labels() == shown_) {
     show_visible();

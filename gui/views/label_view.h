@@ -27,8 +27,13 @@ class LabelView : public GlView {
   /// Where a point of the scan stands on the widget.
   QPointF pixel_of(const pipeline::Point& at) const;
 
+ signals:
+  void focus_changed(bool has);
+
  protected:
   void showEvent(QShowEvent* event) override;
+  void focusInEvent(QFocusEvent* event) override;
+  void focusOutEvent(QFocusEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;

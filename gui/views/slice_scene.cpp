@@ -121,6 +121,8 @@ void SliceScene::put_point(SlicePlane plane, const Point& at) {
   }
   if (tool_ != SliceTool::ruler && tool_ != SliceTool::angle) return;
   if (measuring_ && measures_.back().plane != plane) remove_last_measure();
+  // The second click of a double one is not another point.
+  if (measuring_ && length_mm(measures_.back().points.back(), at) < 1e-6) return;
   if (!measuring_) {
     measures_.push_back({plane, {}});
     measuring_ = true;
