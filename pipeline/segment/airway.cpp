@@ -219,18 +219,6 @@ Airway find_airway(const Hounsfield& hu, const Volume<float>& air, const Head& h
   const auto gas = without(head.inside, head.body);
   const auto parts = components(gas);
   Airway airway;
-  const auto& g = hu.grid;
-  if (parts.sizes.size() >= 2) {
-    // A term infant's airway is 110 mm high. A throat that is open at the top of the scan is taken for the outside.
-    const auto box = bounds_of(parts.mask(1));
-    const double height = (box.high[2] - box.low[2]) * g.spacing[2];
-    const auto open = holes_of_slice(head.body, bounds_of(head.body).high[2]);
-    if (height < 40.0 * s && static_cast<double>(count(open)) * g.spacing[0] * g.spacing[1] > 3.0 * s * s) {
-      throw std::runtime_error(
-          "the series begins below the palate: nose and mouth are missing; name a CT that reaches from above the palate "
-          "to below the larynx");
-    }
-  }
   if (parts.sizes.size() < 2 || parts.sizes[1] * hu.grid.voxel_mm3() < 300.0 * s * s * s) {
     throw std::runtime_error(
         "no airway was found: nose and mouth, throat or windpipe are missing (the series may show the brain alone or "
@@ -241,11 +229,11 @@ Airway find_airway(const Hounsfield& hu, const Volume<float>& air, const Head& h
   airway.other_gas = without(gas, airway.lumen);
   const auto extent = bounds_of(airway.lumen);
   // What is missing when the course cannot be made out: said once, for both ways in which it may fail.
-  const std::string unseen =
-      extent.low[2] == 0
-          ? "the series ends above the glottis or just below it; name a CT that reaches 1 cm below the larynx or further"
-          : "the windpipe cannot be followed up to the larynx (is a tube, or what was swallowed, in the way?); name a CT "
-            "that shows the whole airway";
+  const std::string unseen = extent.low[2] == 0 ? "the series ends above the glottis or just below it; name a CT that "
+                                                  "reaches 1 cm below the larynx or further"
+                                                : "the windpipe cannot be followed up to the larynx (is a tube, or "
+                                                  "what was swallowed, in the way?); name a CT "
+                                                  "that shows the whole airway";
   const auto trachea = follow_trachea(airway.lumen, s);
   if (trachea.spots.size() < 4) throw std::runtime_error(unseen);
   airway.course = follow_upwards(air, trachea, s);
