@@ -241,7 +241,7 @@ void outline_glottis(Airway& airway, const Volume<float>& air, double s) {
   airway.glottis.centre = 0.5 * (*front + *back);
 }
 
-Mask lumen_of(const Mask& gas, const Mask& body, const AirwayHints& hints, double s) {
+Mask lumen_of(const Mask& gas, const AirwayHints& hints, double s) {
   if (hints.lumen) return *hints.lumen;
   const auto& g = gas.grid;
   const auto parts = components(gas);
@@ -251,17 +251,6 @@ Mask lumen_of(const Mask& gas, const Mask& body, const AirwayHints& hints, doubl
     if (piece == 0) throw std::runtime_error("the airway's seed lies in tissue; give a point in its air");
   }
   const auto id = static_cast<std::size_t>(piece);
-  if (parts.sizes.size() > id) {
-    // A term infant's airway is 110 mm high. A throat that is open at the top of the scan is taken for the outside.
-    const auto box = bounds_of(parts.mask(piece));
-    const double height = (box.high[2] - box.low[2]) * g.spacing[2];
-    const auto open = holes_of_slice(body, bounds_of(body).high[2]);
-    if (height < 40.0 * s && static_cast<double>(count(open)) * g.spacing[0] * g.spacing[1] > 3.0 * s * s) {
-      throw std::runtime_error(
-          "the series begins below the palate: nose and mouth are missing; name a CT that reaches from above the palate "
-          "to below the larynx");
-    }
-  }
   if (parts.sizes.size() <= id || parts.sizes[id] * g.voxel_mm3() < 300.0 * s * s * s) {
     throw std::runtime_error(
         "no airway was found: nose and mouth, throat or windpipe are missing (the series may show the brain alone or "
@@ -288,15 +277,15 @@ Airway find_airway(const Volume<float>& air, const Head& head, const Frame& fram
   const double s = frame.scale;
   const auto gas = without(head.inside, head.body);
   Airway airway;
-  airway.lumen = lumen_of(gas, head.body, hints, s);
+  airway.lumen = lumen_of(gas, hints, s);
   airway.other_gas = without(gas, airway.lumen);
   const auto extent = bounds_of(airway.lumen);
   // What is missing when the course cannot be made out: said once, for both ways in which it may fail.
-  const std::string unseen =
-      extent.low[2] == 0
-          ? "the series ends above the glottis or just below it; name a CT that reaches 1 cm below the larynx or further"
-          : "the windpipe cannot be followed up to the larynx (is a tube, or what was swallowed, in the way?); name a CT "
-            "that shows the whole airway";
+  const std::string unseen = extent.low[2] == 0 ? "the series ends above the glottis or just below it; name a CT that "
+                                                  "reaches 1 cm below the larynx or further"
+                                                : "the windpipe cannot be followed up to the larynx (is a tube, or "
+                                                  "what was swallowed, in the way?); name a CT "
+                                                  "that shows the whole airway";
   const auto trachea = follow_trachea(airway.lumen, s);
   if (trachea.spots.size() < 4) throw std::runtime_error(unseen);
   airway.course = follow_upwards(air, trachea, s);

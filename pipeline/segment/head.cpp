@@ -342,8 +342,15 @@ Frame frame_of(const Hounsfield& hu, const Mask& body, const Thresholds& t) {
     breadth = std::max(breadth, slices[z].high - slices[z].low);
     middles.push_back(g.origin[0] + 0.5 * (slices[z].low + slices[z].high));
   }
+  // The smallest infant's skull is 0.6 of the term infant's.
+  if (breadth < 0.5 * 83.6) {
+    throw std::runtime_error(
+        "no skull was found, only narrower bones: the series begins below the palate or shows another part of the "
+        "body; "
+        "name a CT that reaches from above the palate to below the larynx");
+  }
   Frame frame;
-  frame.scale = std::clamp(breadth / 83.6, 0.45, 2.4);
+  frame.scale = std::min(breadth / 83.6, 2.4);
   std::nth_element(middles.begin(), middles.begin() + middles.size() / 2, middles.end());
   frame.mid_x = middles[middles.size() / 2];
   frame.skull_top = g.origin[2] + top * g.spacing[2];

@@ -21,8 +21,8 @@ void near_middle(const Segmentation& s, double half_mm, const Visit& visit) {
   }
 }
 
-/// Height of the tissue's border between a voxel and its neighbour `step` above or below, to a part of a voxel: where the
-/// grey value passes through the threshold of air.
+/// Height of the tissue's border between a voxel and its neighbour `step` above or below, to a part of a voxel: where
+/// the grey value passes through the threshold of air.
 double border_height(const Segmentation& s, int x, int y, int z, int step) {
   const auto& g = s.hu.grid;
   const int next = std::clamp(z + step, 0, g.size[2] - 1);
@@ -150,7 +150,7 @@ Vector3 lower_gum(Segmentation& s, const Vector3& upper) {
   Ridge ridge(s.labels.grid);
   near_middle(s, 1.2 * k, [&](int x, int y, int z, const Vector3& p) {
     const int above = std::min(z + 1, s.labels.grid.size[2] - 1);
-    if (s.labels.at(x, y, z) == kSkin && std::abs(p[1] - bone[1]) < 3.5 * k && p[2] > bone_top - k &&
+    if (s.labels.at(x, y, z) == kSkin && p[1] > bone[1] - 2.0 * k && p[1] < bone[1] + 2.5 * k && p[2] > bone_top - k &&
         p[2] < bone_top + 4.0 * k && is_air(s.labels.at(x, y, above)))
       ridge.add(y, border_height(s, x, y, z, 1));
   });

@@ -80,8 +80,7 @@ Picture picture_of(const Hounsfield& hu, const Mask& body, const Transform& stra
         const auto v = g.index(c[0], c[1], c[2]);
         if (body.voxels[v] != 0) sum += grey_of(hu.voxels[v]);
       }
-      out.grey[static_cast<std::size_t>(j) * out.side + i] =
-          known ? static_cast<float>(sum / kAside.size()) : -1.0F;
+      out.grey[static_cast<std::size_t>(j) * out.side + i] = known ? static_cast<float>(sum / kAside.size()) : -1.0F;
     }
   });
   return out;

@@ -24,7 +24,8 @@ float between_voxels(const Hounsfield& hu, const std::array<double, 3>& index) {
     const double v = std::clamp(index[a], 0.0, g.size[a] - 1.0);
     const int i = static_cast<int>(v);
     const auto f = static_cast<float>(v - i);
-    for (int k = 0; k < 4; ++k) at[a][k] = static_cast<std::size_t>(std::clamp(i + k - 1, 0, g.size[a] - 1)) * stride[a];
+    for (int k = 0; k < 4; ++k)
+      at[a][k] = static_cast<std::size_t>(std::clamp(i + k - 1, 0, g.size[a] - 1)) * stride[a];
     w[a] = {f * (-0.5F + f * (1.0F - 0.5F * f)), 1.0F + f * f * (1.5F * f - 2.5F), f * (0.5F + f * (2.0F - 1.5F * f)),
             f * f * (0.5F * f - 0.5F)};
   }
@@ -79,10 +80,11 @@ bool shares_at(const Labels& labels, const Point& p, Shares& out) {
   }
   out.count = 0;
   for (int c = 0; c < 8; ++c) {
-    const auto label = labels.at(std::min(i[0] + (c & 1), g.size[0] - 1), std::min(i[1] + ((c >> 1) & 1), g.size[1] - 1),
-                                 std::min(i[2] + ((c >> 2) & 1), g.size[2] - 1));
-    const double weight = ((c & 1) != 0 ? f[0] : 1.0 - f[0]) * ((c & 2) != 0 ? f[1] : 1.0 - f[1]) *
-                          ((c & 4) != 0 ? f[2] : 1.0 - f[2]);
+    const auto label =
+        labels.at(std::min(i[0] + (c & 1), g.size[0] - 1), std::min(i[1] + ((c >> 1) & 1), g.size[1] - 1),
+                  std::min(i[2] + ((c >> 2) & 1), g.size[2] - 1));
+    const double weight =
+        ((c & 1) != 0 ? f[0] : 1.0 - f[0]) * ((c & 2) != 0 ? f[1] : 1.0 - f[1]) * ((c & 4) != 0 ? f[2] : 1.0 - f[2]);
     int k = 0;
     while (k < out.count && out.label[k] != label) ++k;
     if (k == out.count) {
@@ -169,8 +171,8 @@ Hounsfield put_upright(const Hounsfield& hu, const Mask& body, const Thresholds&
   const double most = std::max(20e6, 1.2 * static_cast<double>(from.count()));
   g.spacing = from.spacing;
   const double volume = (high[0] - low[0]) * (high[1] - low[1]) * (high[2] - low[2]);
-  g.spacing[2] = std::clamp(volume / (most * g.spacing[0] * g.spacing[1]),
-                            std::min(g.spacing[0], g.spacing[2]), g.spacing[2]);
+  g.spacing[2] =
+      std::clamp(volume / (most * g.spacing[0] * g.spacing[1]), std::min(g.spacing[0], g.spacing[2]), g.spacing[2]);
   constexpr double kMargin = 6.0;
   for (int a = 0; a < 3; ++a) {
     // Below the neck nothing is added: the lowest slice must be the one that is cut.
@@ -210,7 +212,8 @@ Hounsfield put_upright(const Hounsfield& hu, const Mask& body, const Thresholds&
 }
 
 Labels read_onto(const Grid& grid, const Transform& grid_to_labels, const Labels& labels) {
-  return read_labels(grid, grid_to_labels, labels, [](const Shares& shares, const Point&) { return by_weight(shares); });
+  return read_labels(grid, grid_to_labels, labels,
+                     [](const Shares& shares, const Point&) { return by_weight(shares); });
 }
 
 Labels read_onto(const Grid& grid, const Transform& grid_to_labels, const Labels& labels, const Hounsfield& hu,

@@ -13,8 +13,8 @@ namespace {
 
 constexpr double kDegree = 3.14159265358979323846 / 180.0;
 constexpr double kLeastAskew = 2.0;  ///< degrees of tilt and turn: below, the search's own error and a head's asymmetry
-// A nod is told by the likeness to the shipped infant. An adult's profile is another: there the likeness is believed only
-// when it is far off, for a head that looks straight up is already 14 degrees from the infant's sniffing position.
+// A nod is told by the likeness to the shipped infant. An adult's profile is another: there the likeness is believed
+// only when it is far off, for a head that looks straight up is already 14 degrees from the infant's sniffing position.
 constexpr double kLeastNod = 6.0;  ///< degrees
 constexpr double kLeastNodOfOther = 25.0;
 constexpr double kLike = 0.04;

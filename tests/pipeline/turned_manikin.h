@@ -77,8 +77,9 @@ inline ManikinScan scan_askew(const ManikinOptions& options, const Askew& pose, 
   Vector3 high{-1e9, -1e9, -1e9};
   const auto body = bounds_of(where(upright.labels, [](std::uint8_t v) { return v != 0; }), 6.0);
   for (int c = 0; c < 8; ++c) {
-    const auto corner = from.position((c & 1) != 0 ? body.high[0] : body.low[0], (c & 2) != 0 ? body.high[1] : body.low[1],
-                                      (c & 4) != 0 ? body.high[2] : body.low[2]);
+    const auto corner =
+        from.position((c & 1) != 0 ? body.high[0] : body.low[0], (c & 2) != 0 ? body.high[1] : body.low[1],
+                      (c & 4) != 0 ? body.high[2] : body.low[2]);
     const auto p = pose.to_scan(corner);
     for (int a = 0; a < 3; ++a) {
       low[a] = std::min(low[a], p[a]);
