@@ -16,8 +16,8 @@ using InflationShare = std::function<double(const Point&)>;
 /// Every point moved outwards along its normal, mm.
 Surface inflated(const Surface& surface, double by_mm, const InflationShare& share = {});
 
-/// How far a closed surface must be inflated to hold `volume_mm3`, mm; meant for what its triangles lost, which is a small
-/// part of their size.
+/// How far a closed surface must be inflated to hold `volume_mm3`, mm; meant for what its triangles lost, which is a
+/// small part of their size.
 double inflation_to(const Surface& surface, double volume_mm3, const InflationShare& share = {});
 
 }  // namespace vallecula::pipeline

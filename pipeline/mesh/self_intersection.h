@@ -8,8 +8,8 @@
 
 namespace vallecula::pipeline {
 
-/// Pairs of triangles that have more in common than their common corners or edge: they cross, touch, or lie on each other
-/// (a fold flat onto itself too). A triangle without area is a pair with itself. In order, each pair once.
+/// Pairs of triangles that have more in common than their common corners or edge: they cross, touch, or lie on each
+/// other (a fold flat onto itself too). A triangle without area is a pair with itself. In order, each pair once.
 ///
 /// Decided exactly, for the points rounded to 2^-40 of the surface's extent (1e-10 mm on a head): two sheets that far
 /// apart are told apart. 73,000 triangles take about a tenth of a second.

@@ -75,7 +75,8 @@ TriangleTree::TriangleTree(const Surface& surface) : surface_(surface) {
     centres[t] = (1.0 / 3.0) * (p[0] + p[1] + p[2]);
     normals[t] = unit(cross(p[1] - p[0], p[2] - p[0]));
     for (int k = 0; k < 3; ++k) {
-      const double angle = std::acos(std::clamp(dot(unit(p[(k + 1) % 3] - p[k]), unit(p[(k + 2) % 3] - p[k])), -1.0, 1.0));
+      const double angle =
+          std::acos(std::clamp(dot(unit(p[(k + 1) % 3] - p[k]), unit(p[(k + 2) % 3] - p[k])), -1.0, 1.0));
       point_normals_[c[k]] = point_normals_[c[k]] + angle * normals[t];
       owner[directed(c[k], c[(k + 1) % 3])] = static_cast<int>(t);
     }
@@ -124,10 +125,9 @@ void TriangleTree::build(int node, int first, int count, const std::vector<Point
     if (centre_high[a] - centre_low[a] > centre_high[axis] - centre_low[axis]) axis = a;
   }
   const int half = count / 2;
-  std::nth_element(order_.begin() + first, order_.begin() + first + half, order_.begin() + first + count,
-                   [&](int a, int b) {
-                     return centres[a][axis] != centres[b][axis] ? centres[a][axis] < centres[b][axis] : a < b;
-                   });
+  std::nth_element(
+      order_.begin() + first, order_.begin() + first + half, order_.begin() + first + count,
+      [&](int a, int b) { return centres[a][axis] != centres[b][axis] ? centres[a][axis] < centres[b][axis] : a < b; });
   const int child = static_cast<int>(nodes_.size());
   nodes_.emplace_back();
   nodes_.emplace_back();

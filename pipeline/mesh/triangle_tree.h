@@ -14,13 +14,13 @@ class TriangleTree {
 
   struct Nearest {
     Point point{};
-    int triangle = -1;    ///< -1: the surface has none
+    int triangle = -1;       ///< -1: the surface has none
     double distance2 = 0.0;  ///< mm^2
   };
   Nearest nearest(const Point& p) const;
 
-  /// Distance of a point from the surface, mm: negative inside of a closed one that looks outwards (by the angle-weighted
-  /// normal at the nearest point, Baerentzen and Aanaes 2005).
+  /// Distance of a point from the surface, mm: negative inside of a closed one that looks outwards (by the
+  /// angle-weighted normal at the nearest point, Baerentzen and Aanaes 2005).
   double signed_distance(const Point& p) const;
 
   /// Calls visit(triangle) for every triangle whose box meets the closed box.

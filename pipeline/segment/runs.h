@@ -1,5 +1,5 @@
-// Rows of a mask as runs of ones: most rows of a head are one or two runs, so what walks over runs is done in a fraction
-// of the time of what walks over voxels.
+// Rows of a mask as runs of ones: most rows of a head are one or two runs, so what walks over runs is done in a
+// fraction of the time of what walks over voxels.
 #pragma once
 
 #include <cstring>

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
-#include <cstdlib>
 #include <random>
 
 #include "pipeline/dicom/write_series.h"
@@ -20,7 +19,8 @@ namespace {
 namespace fs = std::filesystem;
 using namespace vallecula::pipeline;
 
-/// The scan on another grid over the same field; the noise is put on afterwards, for interpolation would smooth it away.
+/// The scan on another grid over the same field; the noise is put on afterwards, for interpolation would smooth it
+/// away.
 Hounsfield on_grid(const Hounsfield& scan, const std::array<int, 3>& size) {
   Grid g;
   g.size = size;
@@ -100,6 +100,6 @@ int main(int argc, char** argv) {
     std::fflush(stdout);
     failures += status == 0 ? 0 : 1;
   }
-  if (std::getenv("KEEP") == nullptr) fs::remove_all(work);
+  fs::remove_all(work);
   return failures == 0 ? 0 : 1;
 }

@@ -54,7 +54,8 @@ TEST(KilledImport, LeavesAWholePackageOrNone) {
   }
   ASSERT_EQ(box.run(arguments, environment).exit_code, 0);
   EXPECT_NO_THROW(pipeline::read_package(package));
-  EXPECT_EQ(box.names("").size(), 3u + (fs::exists(box.home()) ? 1u : 0u)) << "the series, the package, the temporary folder";
+  EXPECT_EQ(box.names("").size(), 3u + (fs::exists(box.home()) ? 1u : 0u))
+      << "the series, the package, the temporary folder";
 }
 
 TEST(KilledImport, APackageIsReplacedOnlyWhenAsked) {

@@ -46,7 +46,8 @@ Surface together(const Surface& a, Surface b, const Vector3& moved) {
 TEST(SelfIntersection, CleanShapesHaveNone) {
   EXPECT_TRUE(self_intersections({}).empty());
   EXPECT_TRUE(self_intersections(sphere(7.0)).empty());
-  const auto torus = surface_of(14.0, 0.7, [](const Point& p) { return 3.0 - std::hypot(std::hypot(p[0], p[1]) - 9.0, p[2]); });
+  const auto torus =
+      surface_of(14.0, 0.7, [](const Point& p) { return 3.0 - std::hypot(std::hypot(p[0], p[1]) - 9.0, p[2]); });
   EXPECT_TRUE(self_intersections(torus).empty());
   // One inside the other, and two beside each other a nanometre apart: nothing is common.
   EXPECT_TRUE(self_intersections(together(sphere(7.0), sphere(4.0), {})).empty());
@@ -92,9 +93,8 @@ TEST(SelfIntersection, TouchingAndFoldsCount) {
   EXPECT_EQ(at_corner({0.5, 0.5, 1}, {0.5, 0.6, 0.5}), 0u);
   // A tip that stands exactly on another triangle, a hair above it, and a hair through it.
   const auto tip_at = [](double z) {
-    return self_intersections({{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, 1, z}, {1, 2, 3}, {2, 1, 3}},
-                               {{0, 1, 2}, {3, 4, 5}},
-                               {}})
+    return self_intersections(
+               {{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, 1, z}, {1, 2, 3}, {2, 1, 3}}, {{0, 1, 2}, {3, 4, 5}}, {}})
         .size();
   };
   EXPECT_EQ(tip_at(0.0), 1u);
@@ -114,11 +114,15 @@ TEST(SelfIntersection, TouchingAndFoldsCount) {
 /// Does the segment pierce the triangle? By solving for the point, in long double.
 bool pierces(const Point& p, const Point& q, const Point& a, const Point& b, const Point& c) {
   using L = long double;
-  const auto sub = [](const Point& u, const Point& v) { return std::array<L, 3>{L(u[0]) - v[0], L(u[1]) - v[1], L(u[2]) - v[2]}; };
+  const auto sub = [](const Point& u, const Point& v) {
+    return std::array<L, 3>{L(u[0]) - v[0], L(u[1]) - v[1], L(u[2]) - v[2]};
+  };
   const auto crossed = [](const std::array<L, 3>& u, const std::array<L, 3>& v) {
     return std::array<L, 3>{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
   };
-  const auto times = [](const std::array<L, 3>& u, const std::array<L, 3>& v) { return u[0] * v[0] + u[1] * v[1] + u[2] * v[2]; };
+  const auto times = [](const std::array<L, 3>& u, const std::array<L, 3>& v) {
+    return u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
+  };
   const auto d = sub(q, p), e1 = sub(b, a), e2 = sub(c, a), s = sub(p, a);
   const auto h = crossed(d, e2);
   const L det = times(e1, h);

@@ -1,5 +1,5 @@
-// The tongue's tetrahedra on a manikin: as many as asked for, of the right volume, well shaped, and marked where they are
-// held and where they can be touched.
+// The tongue's tetrahedra on a manikin: as many as asked for, of the right volume, well shaped, and marked where they
+// are held and where they can be touched.
 #include <gtest/gtest.h>
 
 #include <algorithm>
