@@ -77,7 +77,7 @@ void BuildPage::show_writing() {
 void BuildPage::show_written(const QString& package) {
   written_ = true;
   verdict_->setText("The patient is saved.");
-  message_->setText(package);
+  message_->setText("In " + package);
   show_state();
   practise_->setFocus();
 }

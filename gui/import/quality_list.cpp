@@ -33,6 +33,7 @@ QualityList::QualityList(QWidget* parent) : QTreeWidget(parent) {
   setAccessibleName("Quality report");
   header()->setSectionResizeMode(QHeaderView::ResizeToContents);
   header()->setSectionResizeMode(3, QHeaderView::Stretch);
+  connect(header(), &QHeaderView::sectionResized, this, &QualityList::fit_rows);
 }
 
 void QualityList::show_items(const std::vector<pipeline::QualityItem>& items) {
@@ -51,6 +52,23 @@ void QualityList::show_items(const std::vector<pipeline::QualityItem>& items) {
     row->setForeground(0, look ? theme::kOver : theme::kWithin);
     if (look) row->setForeground(1, theme::kOver);
     row->setToolTip(3, note);
+  }
+  fit_rows();
+}
+
+void QualityList::resizeEvent(QResizeEvent* event) {
+  QTreeWidget::resizeEvent(event);
+  fit_rows();
+}
+
+/// A tree does not grow its rows with wrapped text by itself, and a remark cut off says nothing.
+void QualityList::fit_rows() {
+  constexpr int kMargin = 8;  // pixels: the style's padding
+  for (int i = 0; i < topLevelItemCount(); ++i) {
+    QTreeWidgetItem* row = topLevelItem(i);
+    const QRect room(0, 0, std::max(40, columnWidth(3) - 2 * kMargin), 10000);
+    const int high = fontMetrics().boundingRect(room, Qt::TextWordWrap, row->text(3)).height();
+    row->setSizeHint(3, QSize(0, high + kMargin));
   }
 }
 

@@ -15,7 +15,11 @@ class QualityList : public QTreeWidget {
   void show_items(const std::vector<pipeline::QualityItem>& items);
   int to_look_at() const { return to_look_at_; }
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
+  void fit_rows();
   int to_look_at_ = 0;
 };
 
