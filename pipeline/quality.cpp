@@ -36,7 +36,11 @@ std::vector<QualityItem> quality_report(const Segmentation& s, const PatientPack
   std::vector<QualityItem> items;
   const double k = s.frame.scale;
   const double k3 = k * k * k;
-  items.push_back(plain("head size", k, "of term", "breadth of the skull over that of a term infant"));
+  items.push_back(plain("head size", k / s.pose.scale, "of term", "breadth of the skull over that of a term infant"));
+  if (s.pose.scale != 1.0) {
+    items.push_back({"scaled", s.pose.scale, "times", false,
+                     "a larger patient's head at a newborn's size, as was asked for: an adult's proportions are others"});
+  }
   items.push_back(volume_item("tongue volume", millilitres(s.labels, kTongue), 2.5 * k3, 22.0 * k3));
   items.push_back(volume_item("epiglottis volume", millilitres(s.labels, kEpiglottis), 0.05 * k3, 1.0 * k3));
   items.push_back(volume_item("airway volume", millilitres(s.labels, kAirway), 4.0 * k3, 80.0 * k3));
@@ -44,6 +48,12 @@ std::vector<QualityItem> quality_report(const Segmentation& s, const PatientPack
   const bool open = !s.head.lips.empty();
   items.push_back({"mouth open", open ? 1.0 : 0.0, "", open,
                    open ? "" : "the mouth is closed: good for pressing on the tongue, not for a view"});
+  const auto moved = [&](const char* name, double degrees, const char* how) {
+    if (degrees != 0.0) items.push_back({name, degrees, "degrees", false, how});
+  };
+  moved("mouth opened", s.pose.mouth_opened_deg,
+        "closed in the scan: the jaw was turned about its joints, the lips drawn back, the tongue taken off the palate");
+  moved("head extended", s.pose.extension_deg, "not extended in the scan: neck and larynx were turned under the head");
   const double gap = norm(Vector3(s.landmarks.at("upper_gum_midline")) - Vector3(s.landmarks.at("lower_gum_midline")));
   // CLINICAL.md; how far a mouth is open is the position's doing, so it is told and not judged.
   items.push_back(

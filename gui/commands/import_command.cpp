@@ -32,7 +32,7 @@ void add_import_command(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("import", "Make a patient package from a CT series");
   struct Options {
     std::string series, out, choose;
-    bool generic_face = false;
+    bool generic_face = false, keep_position = false, newborn_size = false;
   };
   auto options = std::make_shared<Options>();
   command->add_option("SERIES", options->series, "Folder with a CT series (DICOM), or a NIfTI, NRRD or MetaImage file")->required();
@@ -40,6 +40,10 @@ void add_import_command(CLI::App& app, int& exit_code) {
   command->add_option("--out", options->out, "The package to write: NAME.patient")->required();
   command->add_flag("--generic-face", options->generic_face,
                     "The shipped infant's face instead of the patient's, which can be recognised");
+  command->add_flag("--keep-position", options->keep_position,
+                    "Leave a closed mouth closed and the neck as it lies; else the patient is put into the position of an intubation");
+  command->add_flag("--scale-to-newborn", options->newborn_size,
+                    "Scale all lengths so that the head has a term newborn's size");
   const EditOptions edits(*command);
   command->callback([options, edits, &exit_code] {
     pipeline::ImportOptions import;
@@ -47,6 +51,8 @@ void add_import_command(CLI::App& app, int& exit_code) {
     import.choose = options->choose;
     import.out = options->out;
     import.generic_face = options->generic_face;
+    import.keep_position = options->keep_position;
+    import.to_newborn_size = options->newborn_size;
     import.check = check_by_playing;
     edits.put_into(import);
     watch_for_interruption();

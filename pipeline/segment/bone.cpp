@@ -164,7 +164,9 @@ Bones find_bones(const Hounsfield& hu, const Thresholds& t, const Frame& frame, 
   // Of the lumen behind the palate only: the nose's own ceiling is higher.
   double naso_top = airway.glottis.centre[2] + 57.0 * s;
   naso_top = std::min(naso_top, g.origin[2] + lumen_box.high[2] * g.spacing[2]);
-  const double skull_from = frame.skull_top - 0.55 * 83.6 * s;
+  // A scan that ends below the vertex: the jaw's joints lie well below the ceiling of nose and sinuses.
+  const double ceiling = g.origin[2] + lumen_box.high[2] * g.spacing[2];
+  const double skull_from = std::max(frame.skull_top - 0.55 * 83.6 * s, ceiling - 12.0 * s);
   Volume<std::uint8_t> markers(g);
   for (int z = 0; z < g.size[2]; ++z) {
     const double pz = g.origin[2] + z * g.spacing[2];

@@ -85,7 +85,9 @@ class Arches {
     const double f = (std::atan2(dx, dy) / kOpening + 1.0) * 0.5 * (kRays - 1);
     if (f < 0.0 || f > kRays - 1) return kNone;  // behind: the arches do not bound it
     const int ray = static_cast<int>(std::lround(f));
-    const double wall = std::min(hits_[static_cast<std::size_t>(z) * kRays + ray], usual_[ray] + over_gum);
+    // What stands well inside of the arch is the roof, which is asked for elsewhere.
+    const double hit = hits_[static_cast<std::size_t>(z) * kRays + ray];
+    const double wall = hit < 0.6 * usual_[ray] ? usual_[ray] + over_gum : std::min(hit, usual_[ray] + over_gum);
     return wall - std::hypot(dx, dy);
   }
 
@@ -204,7 +206,8 @@ MouthBounds bound_mouth(const Mask& body, const Mask& lumen, const Mask& skull, 
           underside(skull, x, y, chin.crest_z + 1.0, roof.front[2] + 14.0 * k);
   }
   for (int z = 0; z < g.size[2]; ++z) {
-    const double back = wall[z];
+    // Over the bone's end the lumen is that of the nose.
+    const double back = wall_at(std::min(g.origin[2] + z * g.spacing[2], roof.back[2] - g.spacing[2]));
     for (int y = 0; y < g.size[1]; ++y) {
       for (int x = 0; x < g.size[0]; ++x) {
         const auto i = g.index(x, y, z);
