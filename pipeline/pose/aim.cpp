@@ -12,7 +12,8 @@ constexpr double kDegree = 3.14159265358979323846 / 180.0;
 // The design of the manikin, whose head is extended by 25 degrees, measured as a scan is.
 constexpr double kExtendedDeg = 115.0;
 constexpr double kWellExtended = 8.0;    ///< degrees short of that are let be: infants vary
-constexpr double kMostExtension = 30.0;  ///< degrees added at most (assumed: a neck's own range from neutral)
+constexpr double kSightDeg = 43.0;       ///< of its palate against the way from glottis to gum, measured alike
+constexpr double kMostExtension = 35.0;  ///< degrees added at most (assumed: within a neck's range from neutral)
 // CLINICAL, mouth opening below one month; and what counts as open.
 constexpr double kOpenMm = 22.0;
 constexpr double kOpenEnough = 0.75;
@@ -51,6 +52,12 @@ Vector3 neck_pivot(const Segmentation& s, const Roof& roof) {
   }
   if (front < 1e29) pivot[1] = front + 5.0 * k;
   return pivot;
+}
+
+/// Between the palate and the way from the glottis, turned with the neck, past the upper jaw: what the operator needs.
+double sight_angle(const Segmentation& s, const Roof& roof, const Turn& neck) {
+  const auto sight = unit(roof.front - neck(s.airway.glottis.centre));
+  return std::acos(std::clamp(dot(unit(roof.front - roof.back), sight), -1.0, 1.0)) / kDegree;
 }
 
 double angle_of(const Segmentation& s, const Roof& roof) {
@@ -98,9 +105,14 @@ Aim aim_of(const Segmentation& s) {
   }
   const auto roof = find_roof(s.bones.skull, s.bones.mandible, s.frame);
   const double now = angle_of(s, roof);
-  if (now >= 0.0 && now < kExtendedDeg - kWellExtended) {
+  const bool bent = now >= 0.0 && now < kExtendedDeg - kWellExtended;
+  if (bent || (now >= 0.0 && sight_angle(s, roof, {}) > kSightDeg + kWellExtended)) {
+    // A grown-up's larynx lies so much lower that the neck's angle alone gives no line of sight.
     aim.neck.pivot = neck_pivot(s, roof);
-    aim.neck.angle_rad = std::min(kExtendedDeg - now, kMostExtension) * kDegree;
+    aim.neck.angle_rad = std::max(kExtendedDeg - now, 0.0) * kDegree;
+    while (aim.neck.angle_rad < kMostExtension * kDegree && sight_angle(s, roof, aim.neck) > kSightDeg)
+      aim.neck.angle_rad += 0.25 * kDegree;
+    aim.neck.angle_rad = std::min(aim.neck.angle_rad, kMostExtension * kDegree);
   }
   return aim;
 }

@@ -102,15 +102,15 @@ Mask lower_lip(const Segmentation& s, const Mouth& mouth) {
   return lip;
 }
 
-/// Does the lower sheet come free of its neighbour `q` at voxel `p`?
-bool comes_free(const Segmentation& s, const Mouth& mouth, std::size_t p, std::size_t q) {
+/// Does the lower sheet come free of its neighbour `q` at voxel `p`? `bare` is what lies by the soft palate or the airway.
+bool comes_free(const Segmentation& s, const Mouth& mouth, const Mask& bare, std::size_t p, std::size_t q) {
   const double k = s.frame.scale;
   const auto at = s.hu.grid.position(p);
   const auto beyond = s.hu.grid.position(q);
   if (s.labels.voxels[p] != kTongue) return beyond[2] > at[2] && beyond[2] > mouth.line_z - 0.01;
   const auto label = s.labels.voxels[q];
-  if (label == kAirway || label == kSoftPalate || s.hu.voxels[q] < s.thresholds.air) return true;
   if (label == kEpiglottis) return at[2] > Vector3(s.landmarks.at("vallecula"))[2] + 1.0 * k;
+  if (bare.voxels[q] != 0 || s.hu.voxels[q] < s.thresholds.air) return true;
   // In front of the throat: down to the groove beside the lower gum. Behind, folds hold the tongue to the walls.
   return at[2] > mouth.lower[2] - 4.0 * k && at[1] < mouth.palate_end_y - 1.0 * k;
 }
@@ -118,6 +118,8 @@ bool comes_free(const Segmentation& s, const Mouth& mouth, std::size_t p, std::s
 void find_cut(const Segmentation& s, const Mouth& mouth, Parts& parts) {
   const auto& g = s.hu.grid;
   const auto box = bounds_of(parts.lower);
+  const auto bare = dilated(where(s.labels, [](std::uint8_t v) { return v == kAirway || v == kSoftPalate; }),
+                            1.5 * s.frame.scale);
   for (int z = std::max(1, box.low[2]); z <= std::min(box.high[2], g.size[2] - 2); ++z) {
     for (int y = std::max(1, box.low[1]); y <= std::min(box.high[1], g.size[1] - 2); ++y) {
       for (int x = std::max(1, box.low[0]); x <= std::min(box.high[0], g.size[0] - 2); ++x) {
@@ -126,10 +128,28 @@ void find_cut(const Segmentation& s, const Mouth& mouth, Parts& parts) {
         constexpr int kSteps[6][3] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
         for (const auto& d : kSteps) {
           const auto q = g.index(x + d[0], y + d[1], z + d[2]);
-          if (parts.lower.voxels[q] == 0 && comes_free(s, mouth, p, q))
+          if (parts.lower.voxels[q] == 0 && comes_free(s, mouth, bare, p, q))
             parts.cut.push_back(g.position(x + 0.5 * d[0], y + 0.5 * d[1], z + 0.5 * d[2]));
         }
       }
+    }
+  }
+}
+
+/// The tongue in the open mouth (ANATOMY): its tip lies behind the lower gum and little above it, its back off the soft
+/// palate by some 4 mm.
+void pull_tongue(const Segmentation& s, const Aim& aim, const Mouth& mouth, Parts& parts) {
+  const double k = s.frame.scale;
+  const auto& g = s.hu.grid;
+  const auto beside = dilated(where(s.labels, [](std::uint8_t v) { return v == kSoftPalate; }), 2.0 * k);
+  for (std::size_t i = 0; i < parts.cut.size(); i += 7) {  // a few of the faces will do
+    const auto& p = parts.cut[i];
+    const auto c = g.nearest(p);
+    const double over_gum = p[2] - mouth.lower[2];
+    if (beside.at(c[0], c[1], c[2]) != 0) {
+      parts.lower_pulls.push_back({p, 0.6 * (aim.jaw(p) - p) + k * Vector3{0.0, -4.5, -2.5}, 3.0 * k, 0.3F});
+    } else if (over_gum > 0.0 && p[1] < mouth.lower[1] + 12.0 * k) {
+      parts.lower_pulls.push_back({p, aim.jaw(p) - p + Vector3{0.0, 2.0 * k, -0.5 * over_gum}, 3.0 * k, 0.1F});
     }
   }
 }
@@ -139,7 +159,7 @@ void pull_lips(const Segmentation& s, const Aim& aim, const Mouth& mouth, Parts&
   const double k = s.frame.scale;
   const auto& g = s.hu.grid;
   const double up = std::clamp(mouth.upper[2] + 4.1 * k - mouth.line_z, 0.0, 14.0 * k);
-  const double down = std::clamp(mouth.line_z - (mouth.lower[2] - 0.7 * k), 0.0, 8.0 * k);
+  const double down = std::clamp(mouth.line_z - (mouth.lower[2] - 0.7 * k), 0.0, 10.0 * k);
   const auto skin_y = [&](double x, double z) {
     const auto c = g.nearest({x, mouth.upper[1] - 20.0 * k, z});
     int y = std::max(0, c[1]);
@@ -203,12 +223,13 @@ Parts parts_of(const Segmentation& s, const Aim& aim) {
       pull_lips(s, aim, mouth, parts);
     }
     find_cut(s, mouth, parts);
+    pull_tongue(s, aim, mouth, parts);
   }
 
   parts.ties = Volume<std::uint8_t>(g, static_cast<std::uint8_t>(Tie::none));
   parts.stiffness = Volume<float>(g, kAir);
   const Vector3 hyoid = s.landmarks.at("hyoid");
-  const double neck_below = aim.neck.angle_rad != 0.0 ? aim.neck.pivot[2] - 12.0 * k : s.airway.glottis.centre[2];
+  const double neck_below = aim.neck.angle_rad != 0.0 ? aim.neck.pivot[2] - 26.0 * k : s.airway.glottis.centre[2];
   const auto skull = largest_component(s.bones.skull);
   const auto& cords = s.airway.glottis.centre;
   const auto in_larynx = [&](const Vector3& p) {
@@ -218,7 +239,10 @@ Parts parts_of(const Segmentation& s, const Aim& aim) {
   for (std::size_t i = 0; i < g.count(); ++i) {
     const auto p = g.position(i);
     auto tie = Tie::none;
-    if (in_larynx(p) || (s.bones.spine.voxels[i] != 0 && p[2] < neck_below)) tie = Tie::neck;
+    // The arches of the upper vertebrae stand close under the skull: they follow, but are not tied.
+    const bool vertebra = s.bones.spine.voxels[i] != 0 && p[2] < neck_below &&
+                          (p[1] < aim.neck.pivot[1] + 12.0 * k || p[2] < neck_below - 25.0 * k);
+    if (in_larynx(p) || (vertebra && aim.neck.angle_rad != 0.0)) tie = Tie::neck;
     if (s.bones.hyoid.voxels[i] != 0 || (!s.bones.hyoid_seen && distance(p, hyoid) < 3.0 * k)) tie = Tie::hyoid;
     if (s.bones.mandible.voxels[i] != 0) tie = Tie::jaw;
     if (skull.voxels[i] != 0) tie = Tie::skull;

@@ -13,6 +13,7 @@ struct Pull {
   Vector3 at{};
   Vector3 way{};
   double radius_mm = 0.0;
+  float weight = 1.0F;  ///< against the tissue's own springs; of several on a node the strongest counts
 };
 
 struct Parts {

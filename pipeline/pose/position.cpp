@@ -68,8 +68,17 @@ Head head_of(const Carried& carried, std::vector<LipGap> lips, double air) {
   const auto& g = carried.hu.grid;
   Head head;
   head.inside = where(carried.labels, [](std::uint8_t v) { return v != kBackground; });
+  // Beside the scan nothing was carried either; that is no mouth.
+  Mask rim(g);
   for (std::size_t i = 0; i < g.count(); ++i) {
-    if (carried.opened.voxels[i] == 0) continue;
+    const auto c = g.cell(i);
+    for (int a = 0; a < 3; ++a) {
+      if (c[a] == 0 || c[a] == g.size[a] - 1) rim.voxels[i] = carried.opened.voxels[i];
+    }
+  }
+  const auto beside = grown(rim, carried.opened);
+  for (std::size_t i = 0; i < g.count(); ++i) {
+    if (carried.opened.voxels[i] == 0 || beside.voxels[i] != 0) continue;
     const auto p = g.position(i);
     const int x = g.cell(i)[0];
     const auto lip = std::find_if(lips.begin(), lips.end(), [x](const LipGap& l) { return l.x == x; });
@@ -128,6 +137,7 @@ PositionFacts put_into_position(Segmentation& s, const std::function<void(double
   const Sheets sheets(parts, aim, s.frame.scale);
   say(0.5);
   facts.smallest_jacobian = sheets.smallest_jacobian();
+  facts.folded_mm3 = sheets.folded_mm3();
   facts.lower_volume_ratio = sheets.lower_volume_ratio();
   auto carried = carry(s, aim, parts, sheets);
   facts.overlap_mm3 = carried.overlap_mm3;

@@ -10,7 +10,8 @@ namespace vallecula::pipeline {
 /// What was done, for tests and for the report.
 struct PositionFacts {
   Aim aim;
-  double smallest_jacobian = 1.0;  ///< of the map of any tetrahedron of tissue: positive, so nothing is turned inside out
+  double smallest_jacobian = 1.0;  ///< of the map of any tetrahedron of tissue: where it is negative tissue is folded
+  double folded_mm3 = 0.0;         ///< how much is
   double lower_volume_ratio = 1.0;  ///< tongue and lower lip
   double overlap_mm3 = 0.0;
 };

@@ -238,12 +238,25 @@ class Carrier {
   bool put_lower(std::size_t i, const Vector3& from) {
     const double w = lower_.at(from);
     if (w < 0.01) return false;
-    const auto label = s_.labels.voxels[nearest(from)];
     // At the rim the grey values of what it lay against are not its own.
     const double hu = std::clamp(grey_at(s_.hu, from), s_.thresholds.soft - 150.0, s_.thresholds.soft + 120.0);
-    const bool tongue = label == kTongue || (label != kSkin && parts_.lower.voxels[nearest(from)] == 0);
-    put(i, w, hu, tongue ? kTongue : kSkin);
+    put(i, w, hu, lower_label(from));
     return true;
+  }
+
+  /// Tongue or lip; at the rim what the nearest of them is.
+  std::uint8_t lower_label(const Vector3& from) const {
+    const auto i = nearest(from);
+    if (parts_.lower.voxels[i] != 0) return s_.labels.voxels[i];
+    const auto& spacing = s_.hu.grid.spacing;
+    for (int a = 0; a < 3; ++a) {
+      for (const double side : {-1.0, 1.0}) {
+        Vector3 p = from;
+        p[a] += side * spacing[a];
+        if (s_.labels.voxels[nearest(p)] == kTongue) return kTongue;
+      }
+    }
+    return kSkin;
   }
 
   bool put_upper(std::size_t i, const Vector3& from) {

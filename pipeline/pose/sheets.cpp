@@ -11,7 +11,6 @@ namespace {
 constexpr double kNodeMm = 1.7;   ///< between nodes (term)
 constexpr double kBelowMm = 16.0; ///< the lattice goes on below the scan's end (term)
 constexpr float kFaint = 2e-3F;   ///< what a cell without the sheet still resists: so a sheet goes on smoothly beyond it
-constexpr float kPullWeight = 1.0F;
 
 /// One voxel per point, the border's going on outside.
 template <class T>
@@ -162,6 +161,7 @@ struct Sheets::Level {
   }
 
   void fill_pulls(const std::vector<Pull>& pulls, int sheet) {
+    std::vector<float> sum(grid.count(), 0.0F);
     for (const auto& pull_to : pulls) {
       std::array<int, 3> low{};
       std::array<int, 3> high{};
@@ -176,12 +176,13 @@ struct Sheets::Level {
             const double d = distance(grid.position(x, y, z), pull_to.at) / pull_to.radius_mm;
             if (d >= 1.0) continue;
             const auto i = grid.index(x, y, z);
-            const float w = kPullWeight * static_cast<float>(1.0 - d * d);
-            const float before = pull[sheet][i];
-            pull[sheet][i] += w;
+            const float w = pull_to.weight * static_cast<float>(1.0 - d * d);
+            const float before = sum[i];
+            sum[i] += w;
+            pull[sheet][i] = std::max(pull[sheet][i], w);
             for (int a = 0; a < 3; ++a) {
               auto& to = aim[sheet][a][i];
-              to = (before * to + w * static_cast<float>(pull_to.way[a])) / pull[sheet][i];
+              to = (before * to + w * static_cast<float>(pull_to.way[a])) / sum[i];
             }
           }
         }
@@ -273,6 +274,7 @@ Sheets::Sheets(const Parts& parts, const Aim& aim, double scale) {
   lattice_ = fine.grid;
   content_ = fine.content;
   split_ = fine.split;
+  tie_ = fine.tie;
   shift_ = fine.shift;
   if (!parts.cut.empty()) keep_volume(coarse, fine);
 }
@@ -311,6 +313,24 @@ void Sheets::keep_volume(Level& coarse, Level& fine) {
     before_ratio = ratio;
     times = next;
   }
+}
+
+bool Sheets::slides(std::size_t node) const {
+  bool jaw = false;
+  bool skull = false;
+  // A step farther than the cell: the wedge between two bones is squeezed as a whole.
+  const auto c = lattice_.cell(node);
+  for (int z = c[2] - 1; z <= c[2] + 2; ++z) {
+    for (int y = c[1] - 1; y <= c[1] + 2; ++y) {
+      for (int x = c[0] - 1; x <= c[0] + 2; ++x) {
+        if (!lattice_.contains(x, y, z)) continue;
+        const auto tie = static_cast<Tie>(tie_[lattice_.index(x, y, z)]);
+        jaw = jaw || tie == Tie::jaw;
+        skull = skull || tie == Tie::skull;
+      }
+    }
+  }
+  return jaw && skull;
 }
 
 Vector3 Sheets::displacement(Sheet sheet, std::size_t node) const {
@@ -369,8 +389,22 @@ void each_tet(const Sheets& sheets, Sheet sheet, const Visit& visit) {
 
 double Sheets::smallest_jacobian() const {
   double least = 1.0;
-  for (const auto sheet : {kUpper, kLower}) each_tet(*this, sheet, [&](std::size_t, double v) { least = std::min(least, v); });
+  for (const auto sheet : {kUpper, kLower}) {
+    each_tet(*this, sheet, [&](std::size_t i, double v) {
+      if (v < least && !slides(i)) least = v;
+    });
+  }
   return least;
+}
+
+double Sheets::folded_mm3() const {
+  double folded = 0.0;
+  for (const auto sheet : {kUpper, kLower}) {
+    each_tet(*this, sheet, [&](std::size_t i, double v) {
+      if (v <= 0.0 && !slides(i)) folded += content(sheet, i) * lattice_.voxel_mm3() / 6.0;
+    });
+  }
+  return folded;
 }
 
 double Sheets::lower_volume_ratio() const {

@@ -17,11 +17,15 @@ class Sheets {
   const Grid& lattice() const { return lattice_; }
   /// How much of a cell is tissue, or air, of the sheet, 0..1. Cells are counted by their lowest node.
   double content(Sheet sheet, std::size_t node) const { return content_[sheet][node] / 8.0; }
+  bool slides(std::size_t node) const;  ///< the cell of this lowest node reaches from jaw to skull
   Vector3 displacement(Sheet sheet, std::size_t node) const;
   Vector3 moved(Sheet sheet, const Vector3& p) const;
 
-  /// Of all tetrahedra that hold any of their sheet: smallest volume over volume at rest.
+  /// Of all tetrahedra that hold any of their sheet: smallest volume over volume at rest. Left out are the cells that
+  /// reach from jaw to skull (joints, teeth, the gap beside the coronoid): there tissue slides, which no lattice shows.
   double smallest_jacobian() const;
+  /// Of tissue in those tetrahedra that are turned inside out, mm3.
+  double folded_mm3() const;
   /// What the tongue and lower lip's volume becomes over what it was.
   double lower_volume_ratio() const;
 
@@ -31,6 +35,7 @@ class Sheets {
   Grid lattice_;
   std::array<std::vector<std::uint8_t>, 2> content_;
   std::vector<std::uint8_t> split_;
+  std::vector<std::uint8_t> tie_;
   std::array<std::array<std::vector<float>, 3>, 2> shift_;
 };
 

@@ -159,7 +159,7 @@ Roof find_roof(const Mask& skull, const Mask& mandible, const Frame& frame) {
 }
 
 MouthBounds bound_mouth(const Mask& body, const Mask& lumen, const Mask& skull, const Mask& mandible, const Mask& hyoid,
-                        const Airway& airway, const Frame& frame) {
+                        const Airway& airway, const Epiglottis& epiglottis, const Frame& frame) {
   const auto& g = body.grid;
   const double k = frame.scale;
   MouthBounds out;
@@ -231,7 +231,13 @@ MouthBounds bound_mouth(const Mask& body, const Mask& lumen, const Mask& skull, 
         const double root = std::clamp((chin.crest_z - p[2]) / std::max(1.0, chin.crest_z - hyoid_top[2]), 0.0, 1.0);
         const double half = (13.0 - 3.0 * root) * k * std::sqrt(1.0 - rounding * rounding);
         if (side > half || arches.depth(p, z, 2.0 * k) < 0.8 * k) continue;
-        const double floor = p[1] < hyoid_top[1] ? spine[2] + slope * (p[1] - spine[1]) : hyoid_top[2] + 2.0 * k;
+        double floor = hyoid_top[2] + 2.0 * k;
+        if (p[1] < hyoid_top[1]) {
+          floor = spine[2] + slope * (p[1] - spine[1]);
+        } else if (epiglottis.seen) {
+          // Behind the hyoid down to where the leaf is held: tongue and leaf are one body there.
+          floor = std::min(floor, epiglottis.vallecula[2] - 3.0 * k);
+        }
         if (p[2] < floor + 1.1 * std::max(0.0, side - 4.0 * k)) continue;
         out.tongue.voxels[i] = 1;
       }

@@ -72,7 +72,7 @@ void label_throat(Segmentation& s, const Given& given, const std::function<void(
   s.epiglottis.tip = given.landmark("epiglottis_tip").value_or(s.epiglottis.tip);
   s.epiglottis.vallecula = given.landmark("vallecula").value_or(s.epiglottis.vallecula);
   progress(0.2);
-  const auto bounds = bound_mouth(body, lumen, skull, mandible, hyoid, s.airway, s.frame);
+  const auto bounds = bound_mouth(body, lumen, skull, mandible, hyoid, s.airway, s.epiglottis, s.frame);
   bool resting = false;  // does the tongue fill the mouth, with no air over it?
   const auto tongue = structure(kTongue, "tongue", [&] {
     auto found = find_tongue({hu, body, inside, lumen, skull, mandible, hyoid, s.epiglottis, s.airway, s.thresholds,
