@@ -13,6 +13,7 @@
 #include "pipeline/mesh/tetrahedralize.h"
 #include "pipeline/package/aside.h"
 #include "pipeline/package/label_map.h"
+#include "pipeline/pose/position.h"
 #include "pipeline/quality.h"
 
 namespace vallecula::pipeline {
@@ -121,6 +122,8 @@ struct Import::Work {
   Stages stages{report, progress};
   CtSeries series;
   Segmentation segmentation;
+  bool positioned = false;   ///< since the last segment()
+  Labels measured;           ///< on the scan, once `segmentation` has been moved away from it
   PatientPackage package;
   std::vector<QualityItem> played;
   std::vector<std::string> edit_remarks;
@@ -161,7 +164,10 @@ ImportOptions& Import::options() { return work_->options; }
 const ImportOptions& Import::options() const { return work_->options; }
 const CtSeries& Import::series() const { return work_->series; }
 const Segmentation& Import::segmentation() const { return work_->segmentation; }
-Labels Import::labels_on_scan() const { return on_series_grid(work_->segmentation, work_->series.hu.grid); }
+Labels Import::labels_on_scan() const {
+  if (!work_->measured.voxels.empty()) return work_->measured;
+  return on_series_grid(work_->segmentation, work_->series.hu.grid);
+}
 const PatientPackage& Import::package() const { return work_->package; }
 
 std::vector<QualityItem> Import::quality() const {
@@ -182,7 +188,9 @@ void Import::read() {
 void Import::segment() {
   auto& w = *work_;
   w.guarded([&] {
-    w.stages.begin("segment", 0.1, 0.5);
+    w.stages.begin("segment", 0.1, 0.45);
+    w.positioned = false;
+    w.measured = Labels();
     auto edits = w.options.edits;
     w.edit_remarks = add_edit_files(w.options.edit_files, w.series.hu.grid, edits);
     w.segmentation = pipeline::segment(w.series.hu, edits, [&](const std::string&, double f) { w.stages.say(f); });
@@ -190,8 +198,24 @@ void Import::segment() {
   });
 }
 
+void Import::position() {
+  auto& w = *work_;
+  w.guarded([&] {
+    w.stages.begin("position", 0.45, 0.5);
+    if (!w.positioned) {
+      const bool moves = !w.options.keep_position && aim_of(w.segmentation).any();
+      if (moves || w.options.to_newborn_size) w.measured = on_series_grid(w.segmentation, w.series.hu.grid);
+      if (moves) put_into_position(w.segmentation, [&](double f) { w.stages.say(f); });
+      if (w.options.to_newborn_size) scale_lengths(w.segmentation, 1.0 / w.segmentation.frame.scale);
+      w.positioned = true;
+    }
+    w.stages.end();
+  });
+}
+
 void Import::mesh() {
   auto& w = *work_;
+  if (!w.positioned) position();
   w.guarded([&] {
     check_count(w.options.tetrahedra);
     w.package = PatientPackage();
@@ -204,6 +228,7 @@ void Import::mesh() {
     w.stages.end();
     w.package.provenance = provenance_of(w.series);
     w.package.provenance["face"] = w.options.generic_face ? "the shipped generic one" : "the patient's own";
+    if (w.segmentation.pose.scale != 1.0) w.package.provenance["size"] = "scaled to a term newborn's";
     w.package.landmarks = w.segmentation.landmarks;
     w.package.findings = w.segmentation.findings;
     w.package.pose = w.segmentation.pose;
@@ -254,6 +279,7 @@ ImportReport import_series(const ImportOptions& options, const ImportProgress& p
   import.read();
   import.segment();
   import.forget_scan();
+  import.position();
   import.mesh();
   import.check();
   return import.write();

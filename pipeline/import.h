@@ -29,6 +29,8 @@ struct ImportOptions {
   Edits edits;
   bool generic_face = false;  ///< the shipped face for the patient's; taken at mesh(), taken back by segment() again
   EditFiles edit_files;  ///< read anew by each segment(); `edits` go before them
+  bool keep_position = false;    ///< leave a closed mouth closed and an unextended head as it lies
+  bool to_newborn_size = false;  ///< scale all lengths so that the skull is as broad as a term newborn's
   PackageCheck check;  ///< the last stage before writing; empty: left out
 };
 
@@ -69,6 +71,9 @@ class Import {
   void segment();  ///< with options().edits and edit_files
   /// Gives back the memory of series().hu's voxels, when nobody looks at them any more.
   void forget_scan();
+  /// Opens a closed mouth, extends the head, scales when asked for; segmentation() is then the moved one, and
+  /// labels_on_scan() stays what was measured. To do it otherwise segment() again. mesh() does it when it was left out.
+  void position();
   void mesh();     ///< surfaces and tetrahedra
   void check();    ///< options().check
   /// Writes the package and returns the report. Until then nothing lies on the disk.

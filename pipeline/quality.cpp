@@ -132,12 +132,16 @@ std::vector<QualityItem> segmentation_quality(const Segmentation& s) {
   std::vector<QualityItem> items;
   const double k = s.frame.scale;
   const double k3 = k * k * k;
-  items.push_back(size_item(k));
+  items.push_back(size_item(k / s.pose.scale));
   if (s.pose.tilt_deg != 0.0 || s.pose.turn_deg != 0.0 || s.pose.nod_deg != 0.0) {
     items.push_back(plain("position corrected", largest_of(s.pose), "degrees",
                           "the head lay askew: tilt " + degrees(s.pose.tilt_deg) + ", turn " +
                               degrees(s.pose.turn_deg) + ", nod " + degrees(s.pose.nod_deg) +
                               "; labels.nrrd lies as scanned, all else upright"));
+  }
+  if (s.pose.scale != 1.0) {
+    items.push_back({"scaled", s.pose.scale, "times", false,
+                     "a larger patient's head at a newborn's size, as was asked for: an adult's proportions are others"});
   }
   items.push_back(volume_item("tongue volume", millilitres(s.labels, kTongue), 2.5 * k3, 22.0 * k3));
   items.push_back(volume_item("epiglottis volume", millilitres(s.labels, kEpiglottis), 0.05 * k3, 1.0 * k3));
@@ -146,6 +150,12 @@ std::vector<QualityItem> segmentation_quality(const Segmentation& s) {
   const bool open = !s.head.lips.empty();
   items.push_back({"mouth open", open ? 1.0 : 0.0, "", open,
                    open ? "" : "the mouth is closed: good for pressing on the tongue, not for a view"});
+  const auto moved = [&](const char* name, double degrees, const char* how) {
+    if (degrees != 0.0) items.push_back({name, degrees, "degrees", false, how});
+  };
+  moved("mouth opened", s.pose.mouth_opened_deg,
+        "closed in the scan: the jaw was turned about its joints, the lips drawn back, the tongue taken off the palate");
+  moved("head extended", s.pose.extension_deg, "not extended in the scan: neck and larynx were turned under the head");
   const double gap = norm(Vector3(s.landmarks.at("upper_gum_midline")) - Vector3(s.landmarks.at("lower_gum_midline")));
   // CLINICAL.md; how far a mouth is open is the position's doing, so it is told and not judged.
   items.push_back(

@@ -45,6 +45,7 @@ void add_import_command(CLI::App& app, int& exit_code) {
     std::string series, out, choose;
     bool generic_face = false, replace = false, window = false;
     int tetrahedra = pipeline::ImportOptions().tetrahedra;
+    bool keep_position = false, newborn_size = false;
   };
   auto options = std::make_shared<Options>();
   command->add_option("SERIES", options->series, "Folder with a CT series (DICOM), or a NIfTI, NRRD or MetaImage file")->required();
@@ -58,6 +59,10 @@ void add_import_command(CLI::App& app, int& exit_code) {
       ->check(CLI::Range(1000, 100000))
       ->capture_default_str();
   command->add_flag("--window", options->window, "Open the trainer's window on this import instead, to do it step by step");
+  command->add_flag("--keep-position", options->keep_position,
+                    "Leave a closed mouth closed and the neck as it lies; else the patient is put into the position of an intubation");
+  command->add_flag("--scale-to-newborn", options->newborn_size,
+                    "Scale all lengths so that the head has a term newborn's size");
   const EditOptions edits(*command);
   command->callback([options, edits, command, &exit_code] {
     if (options->window) {
@@ -73,6 +78,8 @@ void add_import_command(CLI::App& app, int& exit_code) {
     import.choose = options->choose;
     import.out = options->out;
     import.generic_face = options->generic_face;
+    import.keep_position = options->keep_position;
+    import.to_newborn_size = options->newborn_size;
     import.check = check_by_playing;
     import.replace = options->replace;
     import.tetrahedra = options->tetrahedra;

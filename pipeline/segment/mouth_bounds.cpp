@@ -85,7 +85,9 @@ class Arches {
     const double f = (std::atan2(dx, dy) / kOpening + 1.0) * 0.5 * (kRays - 1);
     if (f < 0.0 || f > kRays - 1) return kNone;  // behind: the arches do not bound it
     const int ray = static_cast<int>(std::lround(f));
-    const double wall = std::min(hits_[static_cast<std::size_t>(z) * kRays + ray], usual_[ray] + over_gum);
+    // What stands well inside of the arch is the roof, which is asked for elsewhere.
+    const double hit = hits_[static_cast<std::size_t>(z) * kRays + ray];
+    const double wall = hit < 0.6 * usual_[ray] ? usual_[ray] + over_gum : std::min(hit, usual_[ray] + over_gum);
     return wall - std::hypot(dx, dy);
   }
 
@@ -157,7 +159,7 @@ Roof find_roof(const Mask& skull, const Mask& mandible, const Frame& frame) {
 }
 
 MouthBounds bound_mouth(const Mask& body, const Mask& lumen, const Mask& skull, const Mask& mandible, const Mask& hyoid,
-                        const Airway& airway, const Frame& frame) {
+                        const Airway& airway, const Epiglottis& epiglottis, const Frame& frame) {
   const auto& g = body.grid;
   const double k = frame.scale;
   MouthBounds out;
@@ -204,7 +206,8 @@ MouthBounds bound_mouth(const Mask& body, const Mask& lumen, const Mask& skull, 
           underside(skull, x, y, chin.crest_z + 1.0, roof.front[2] + 14.0 * k);
   }
   for (int z = 0; z < g.size[2]; ++z) {
-    const double back = wall[z];
+    // Over the bone's end the lumen is that of the nose.
+    const double back = wall_at(std::min(g.origin[2] + z * g.spacing[2], roof.back[2] - g.spacing[2]));
     for (int y = 0; y < g.size[1]; ++y) {
       for (int x = 0; x < g.size[0]; ++x) {
         const auto i = g.index(x, y, z);
@@ -228,7 +231,13 @@ MouthBounds bound_mouth(const Mask& body, const Mask& lumen, const Mask& skull, 
         const double root = std::clamp((chin.crest_z - p[2]) / std::max(1.0, chin.crest_z - hyoid_top[2]), 0.0, 1.0);
         const double half = (13.0 - 3.0 * root) * k * std::sqrt(1.0 - rounding * rounding);
         if (side > half || arches.depth(p, z, 2.0 * k) < 0.8 * k) continue;
-        const double floor = p[1] < hyoid_top[1] ? spine[2] + slope * (p[1] - spine[1]) : hyoid_top[2] + 2.0 * k;
+        double floor = hyoid_top[2] + 2.0 * k;
+        if (p[1] < hyoid_top[1]) {
+          floor = spine[2] + slope * (p[1] - spine[1]);
+        } else if (epiglottis.seen) {
+          // Behind the hyoid down to where the leaf is held: tongue and leaf are one body there.
+          floor = std::min(floor, epiglottis.vallecula[2] - 3.0 * k);
+        }
         if (p[2] < floor + 1.1 * std::max(0.0, side - 4.0 * k)) continue;
         out.tongue.voxels[i] = 1;
       }

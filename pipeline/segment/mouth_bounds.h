@@ -2,6 +2,7 @@
 #pragma once
 
 #include "pipeline/segment/bone.h"
+#include "pipeline/segment/epiglottis.h"
 
 namespace vallecula::pipeline {
 
@@ -23,9 +24,9 @@ struct MouthBounds {
   double crest_z = 0.0;  ///< ridge of the lower gum's bone in the middle
 };
 
-/// By rule, from bones and airway alone: within the arches of both jaws, under the roof, above a floor from the jaw's
+/// By rule, from bones, airway and epiglottis alone: within the arches of both jaws, under the roof, above a floor from the jaw's
 /// inner middle to the hyoid that rises to the sides as the mylohyoid muscle does, in front of the pharynx.
 MouthBounds bound_mouth(const Mask& body, const Mask& lumen, const Mask& skull, const Mask& mandible, const Mask& hyoid,
-                        const Airway& airway, const Frame& frame);
+                        const Airway& airway, const Epiglottis& epiglottis, const Frame& frame);
 
 }  // namespace vallecula::pipeline

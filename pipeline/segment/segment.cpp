@@ -6,6 +6,7 @@
 #include "pipeline/segment/border_field.h"
 #include "pipeline/segment/given.h"
 #include "pipeline/segment/landmarks.h"
+#include "pipeline/segment/mouth_bounds.h"
 #include "pipeline/segment/noise.h"
 #include "pipeline/segment/resting_epiglottis.h"
 #include "pipeline/segment/throat.h"
@@ -15,24 +16,11 @@
 namespace vallecula::pipeline {
 namespace {
 
+/// The mesh of tongue and epiglottis is cut on the throat's box, so all of a given one must lie within.
 Box throat_of(const Segmentation& s, const Given& given) {
-  const auto& g = s.labels.grid;
-  const double k = s.frame.scale;
-  const auto lumen = bounds_of(s.airway.lumen);
-  const auto jaw = bounds_of(s.bones.mandible);
-  double front = g.origin[1] + lumen.low[1] * g.spacing[1];
-  const auto& c = s.airway.glottis.centre;
-  double high = c[2] + 66.0 * k;
-  if (!jaw.empty()) {
-    front = std::min(front, g.origin[1] + jaw.low[1] * g.spacing[1]);
-    // A grown-up's larynx lies lower: the roof of the mouth is about as high as the jaw's joints.
-    high = std::max(high, g.origin[2] + jaw.high[2] * g.spacing[2] + 8.0 * k);
-  }
-  auto box = box_between(g, {s.frame.mid_x - 34.0 * k, front - 4.0 * k, c[2] - 60.0 * k},
-                         {s.frame.mid_x + 34.0 * k, c[1] + 22.0 * k, high});
-  // The mesh of tongue and epiglottis is cut here, so all of a given one must lie within.
+  auto box = throat_of(s);
   for (const auto label : {kTongue, kEpiglottis}) {
-    if (given.replaces(label)) box = united(box, bounds_of(given.mask(label), 5.0 * k));
+    if (given.replaces(label)) box = united(box, bounds_of(given.mask(label), 5.0 * s.frame.scale));
   }
   return box;
 }
@@ -85,7 +73,7 @@ void label_throat(Segmentation& s, const Given& given, const std::function<void(
   s.epiglottis.tip = given.landmark("epiglottis_tip").value_or(s.epiglottis.tip);
   s.epiglottis.vallecula = given.landmark("vallecula").value_or(s.epiglottis.vallecula);
   progress(0.2);
-  const auto bounds = bound_mouth(body, lumen, skull, mandible, hyoid, s.airway, s.frame);
+  const auto bounds = bound_mouth(body, lumen, skull, mandible, hyoid, s.airway, s.epiglottis, s.frame);
   bool resting = false;  // does the tongue fill the mouth, with no air over it?
   const auto tongue = structure(kTongue, "tongue", [&] {
     auto found = find_tongue({hu, body, inside, lumen, skull, mandible, hyoid, s.epiglottis, s.airway, s.thresholds,
@@ -187,6 +175,22 @@ void name_measured(Segmentation& s) {
 }
 
 }  // namespace
+
+Box throat_of(const Segmentation& s) {
+  const auto& g = s.labels.grid;
+  const double k = s.frame.scale;
+  const auto lumen = bounds_of(s.airway.lumen);
+  const auto jaw = bounds_of(s.bones.mandible);
+  double front = g.origin[1] + lumen.low[1] * g.spacing[1];
+  const auto& c = s.airway.glottis.centre;
+  double high = c[2] + 66.0 * k;
+  if (!jaw.empty()) front = std::min(front, g.origin[1] + jaw.low[1] * g.spacing[1]);
+  // A grown-up's larynx lies lower under the roof of the mouth than an infant's.
+  if (const auto roof = find_roof(s.bones.skull, s.bones.mandible, s.frame); roof.seen)
+    high = std::max(high, roof.front[2] + 11.0 * k);
+  return box_between(g, {s.frame.mid_x - 34.0 * k, front - 4.0 * k, c[2] - 60.0 * k},
+                     {s.frame.mid_x + 34.0 * k, c[1] + 22.0 * k, high});
+}
 
 Segmentation segment(const Hounsfield& series, const Edits& edits_on_scan,
                      const std::function<void(const std::string&, double)>& progress) {

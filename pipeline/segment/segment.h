@@ -40,6 +40,9 @@ struct Segmentation {
 Segmentation segment(const Hounsfield& hu, const Edits& edits,
                      const std::function<void(const std::string&, double)>& progress = {});
 
+/// The box of mouth, pharynx and larynx in the cropped grid, from airway, jaw and glottis.
+Box throat_of(const Segmentation& segmentation);
+
 /// The labels put back onto the series' grid.
 Labels on_series_grid(const Segmentation& segmentation, const Grid& series);
 

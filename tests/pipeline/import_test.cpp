@@ -49,8 +49,8 @@ void check_progress_rises_through_the_stages(const Imported& in) {
   EXPECT_TRUE(std::is_sorted(in.done.begin(), in.done.end()));
   EXPECT_NEAR(in.done.back(), 1.0, 1e-9);
   EXPECT_EQ(std::set<std::string>(in.stages.begin(), in.stages.end()),
-            (std::set<std::string>{"read", "segment", "surfaces", "tetrahedra", "write"}));
-  ASSERT_EQ(in.report.stages.size(), 5u);
+            (std::set<std::string>{"read", "segment", "position", "surfaces", "tetrahedra", "write"}));
+  ASSERT_EQ(in.report.stages.size(), 6u);
 }
 
 /// A verdict that can only be good is none.

@@ -1,0 +1,157 @@
+// A closed mouth opened and a head extended: against rigid motion, which needs no reference but itself.
+#include "pipeline/pose/position.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "pipeline/segment/mouth_bounds.h"
+#include "tests/pipeline/closed_manikin.h"
+
+namespace vallecula::pipeline {
+namespace {
+
+double tongue_mm3(const Segmentation& s) {
+  return static_cast<double>(std::count(s.labels.voxels.begin(), s.labels.voxels.end(), kTongue)) *
+         s.labels.grid.voxel_mm3();
+}
+
+TEST(Turn, IsRigidAndTakenBack) {
+  const Turn turn{{1, 2, 3}, 0.3, {0, -1, 0.5}};
+  const Vector3 a{4, 5, -6};
+  const Vector3 b{-2, 9, 7};
+  EXPECT_NEAR(distance(turn(a), turn(b)), distance(a, b), 1e-12);
+  EXPECT_LT(distance(turn.back(turn(a)), a), 1e-12);
+  // A chin in front of the joints goes down, and what hangs below them goes back.
+  const Turn plain{{}, 0.2, {}};
+  EXPECT_LT(plain({0, -10, 0})[2], -1.0);
+  EXPECT_GT(plain({0, 0, -10})[1], 1.0);
+}
+
+/// One scan serves all questions (a process a test).
+struct Closed {
+  ManikinScan scan;
+  Segmentation before;
+  Segmentation after;
+  PositionFacts facts;
+};
+
+void check_tongue_is_found_without_a_seed(const Closed& in) {
+  EXPECT_TRUE(in.before.head.lips.empty()) << "the mouth is shut";
+  // This one is stuffed to the cheeks, wider than bounds by rule reach: what is found is tongue, and more than half of it.
+  const auto labels = on_series_grid(in.before, in.scan.ct.grid);
+  double found = 0.0;
+  double truth = 0.0;
+  double both = 0.0;
+  for (std::size_t i = 0; i < labels.voxels.size(); ++i) {
+    const bool here = labels.voxels[i] == kTongue;
+    const bool there = in.scan.labels.voxels[i] == kTongue;
+    found += here ? 1.0 : 0.0;
+    truth += there ? 1.0 : 0.0;
+    both += here && there ? 1.0 : 0.0;
+  }
+  EXPECT_GT(both / found, 0.97);
+  EXPECT_GT(both / truth, 0.5);
+  EXPECT_EQ(in.before.findings.at("tongue").origin, Origin::inferred);
+}
+
+void check_jaw_moved_rigidly(const Closed& in) {
+  // The centroid and the spread of its voxels go exactly as the turn says.
+  const auto middle = [](const Mask& mask) {
+    Vector3 sum{};
+    double n = 0.0;
+    for (std::size_t i = 0; i < mask.voxels.size(); ++i) {
+      if (mask.voxels[i] == 0) continue;
+      sum = sum + mask.grid.position(i);
+      n += 1.0;
+    }
+    return (1.0 / n) * sum;
+  };
+  EXPECT_LT(distance(in.facts.aim.jaw(middle(in.before.bones.mandible)), middle(in.after.bones.mandible)), 0.3);
+  EXPECT_NEAR(static_cast<double>(count(in.after.bones.mandible)) / static_cast<double>(count(in.before.bones.mandible)),
+              1.0, 0.05);
+  // Each voxel of the moved jaw comes from within a voxel of the jaw.
+  const auto near = dilated(in.before.bones.mandible, 0.9);
+  std::size_t off = 0;
+  const auto& g = in.after.bones.mandible.grid;
+  for (std::size_t i = 0; i < g.count(); ++i) {
+    if (in.after.bones.mandible.voxels[i] == 0) continue;
+    const auto c = near.grid.nearest(in.facts.aim.jaw.back(g.position(i)));
+    off += near.grid.contains(c[0], c[1], c[2]) && near.at(c[0], c[1], c[2]) != 0 ? 0 : 1;
+  }
+  EXPECT_EQ(off, 0u);
+}
+
+void check_skull_did_not_move(const Closed& in) {
+  const auto& from = in.before.bones.skull;
+  std::size_t seen = 0;
+  std::size_t changed = 0;
+  for (std::size_t i = 0; i < from.voxels.size(); ++i) {
+    if (from.voxels[i] == 0) continue;
+    const auto c = in.after.hu.grid.nearest(from.grid.position(i));
+    ++seen;
+    changed += in.after.hu.at(c[0], c[1], c[2]) != in.before.hu.voxels[i] ? 1 : 0;
+  }
+  // Where the jaw came into a joint's voxel the two share it.
+  EXPECT_LT(static_cast<double>(changed), 0.002 * static_cast<double>(seen));
+}
+
+void check_mouth_is_open(const Closed& in) {
+  EXPECT_GT(in.after.head.lips.size(), 20u);
+  const double gap = distance(in.after.landmarks.at("upper_gum_midline"), in.after.landmarks.at("lower_gum_midline"));
+  EXPECT_NEAR(gap, in.facts.aim.gap_mm, 2.0);
+  EXPECT_EQ(components(in.after.airway.lumen).sizes.size(), 2u) << "one piece";
+  // It reaches the lips and the trachea.
+  const auto box = bounds_of(in.after.airway.lumen);
+  const auto& g = in.after.airway.lumen.grid;
+  EXPECT_LT(g.origin[1] + box.low[1] * g.spacing[1], in.after.landmarks.at("upper_gum_midline")[1] + 1.0);
+  EXPECT_LT(g.origin[2] + box.low[2] * g.spacing[2], in.after.airway.glottis.centre[2] - 20.0);
+}
+
+TEST(Position, ClosedMouthIsFoundAndOpened) {
+  Closed in;
+  ManikinOptions options;
+  options.seed = 0;
+  in.scan = scan_manikin(options);
+  close_mouth(in.scan);
+  in.before = segment(in.scan.ct, {});
+  check_tongue_is_found_without_a_seed(in);
+  in.after = in.before;
+  in.facts = put_into_position(in.after);
+  ASSERT_TRUE(in.facts.aim.part);
+  check_jaw_moved_rigidly(in);
+  check_skull_did_not_move(in);
+  check_mouth_is_open(in);
+  EXPECT_NEAR(in.facts.lower_volume_ratio, 1.0, 0.01);
+  EXPECT_NEAR(tongue_mm3(in.after) / tongue_mm3(in.before), 1.0, 0.08);
+  std::printf("[ figures  ] jaw %.1f deg, jacobian %.3f, folded %.1f mm3, overlap %.1f mm3, tongue %.3f\n",
+              in.after.pose.mouth_opened_deg, in.facts.smallest_jacobian, in.facts.folded_mm3, in.facts.overlap_mm3,
+              tongue_mm3(in.after) / tongue_mm3(in.before));
+
+  // All lengths at once.
+  const auto gum = in.after.landmarks.at("upper_gum_midline");
+  const auto lower = in.after.landmarks.at("lower_gum_midline");
+  scale_lengths(in.after, 0.5);
+  EXPECT_NEAR(distance(in.after.landmarks.at("upper_gum_midline"), in.after.landmarks.at("lower_gum_midline")),
+              0.5 * distance(gum, lower), 1e-9);
+  EXPECT_NEAR(distance(in.after.landmarks.at("operator_eye"), in.after.landmarks.at("upper_gum_midline")), 320.0, 1.0)
+      << "the operator is no smaller";
+  EXPECT_EQ(in.after.pose.scale, 0.5);
+}
+
+TEST(Position, OpenMouthAndExtendedHeadAreLeftAlone) {
+  ManikinOptions options;
+  const auto scan = scan_manikin(options);
+  auto s = segment(scan.ct, {});
+  EXPECT_FALSE(aim_of(s).any());
+  const auto labels = s.labels.voxels;
+  const auto landmarks = s.landmarks;
+  put_into_position(s);
+  EXPECT_EQ(s.labels.voxels, labels);
+  EXPECT_EQ(s.landmarks, landmarks);
+  EXPECT_FALSE(s.pose.moved());
+}
+
+}  // namespace
+}  // namespace vallecula::pipeline
