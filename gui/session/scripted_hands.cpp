@@ -92,6 +92,17 @@ const std::vector<Waypoint> kExpert = {
     {16.0, {80, 20, -9.5}, {110, 42, -9.5}},
 };
 
+/// The plan with the tip where this patient's approach has it: from the way into the vallecula to the end of the lift.
+std::vector<Waypoint> adapted(std::vector<Waypoint> plan, const pipeline::Approach& approach) {
+  constexpr double kIn = 4.5, kOut = 12.0;  // s: the blade is in the vallecula, or lifted, between these
+  for (Waypoint& w : plan) {
+    if (w.time_s < kIn || w.time_s > kOut) continue;
+    w.tip[0] += approach.along_mm;
+    w.tip[1] += approach.lift_mm;
+  }
+  return plan;
+}
+
 // Straight in over the middle, turns the blade about the upper gum instead of lifting, and presses on past what the
 // device can give.
 const std::vector<Waypoint> kNovice = {
@@ -188,7 +199,7 @@ device::Trajectory press(const PatientPackage& package, const OperatorFrame& fra
 
 device::Trajectory scripted_hand(const std::string& kind, const PatientPackage& package, const curricula::Scenario&) {
   const OperatorFrame frame(package);
-  if (kind == "expert") return follow(frame, kExpert);
+  if (kind == "expert") return follow(frame, adapted(kExpert, package.approach));
   if (kind == "novice") return follow(frame, kNovice);
   if (kind == "press") return press(package, frame);
   throw std::runtime_error("scripted hand '" + kind + "' is not known; there are expert, novice and press, or a trajectory file (.csv)");

@@ -54,6 +54,13 @@ struct QualityItem {
   bool judged = true;  ///< false: a figure without a limit to hold it against; `ok` says nothing
 };
 
+/// How the scripted expert goes about this patient, from its plan: mm (term) along the line of sight and along the lift.
+/// Found by playing (the last check of an import).
+struct Approach {
+  double along_mm = 0.0;  ///< of the tip in the vallecula; positive towards the eye
+  double lift_mm = 0.0;   ///< of the tip before and during the lift
+};
+
 struct PatientPackage {
   int schema = 1;
   std::string name;                               ///< of the folder; never from the source's identity
@@ -62,6 +69,7 @@ struct PatientPackage {
   std::map<std::string, Finding> findings;        ///< of every structure (kLabelNames) and landmark
   PoseChange pose;                                ///< labels.nrrd lies in the scan's frame, all else in the package's
   std::map<std::string, Material> materials;      ///< "tongue", "epiglottis"
+  Approach approach;
   std::map<std::string, Surface> surfaces;        ///< "face", "airway", "mandible", "palate", "glottis" ...
   TetMesh tongue;
   std::vector<QualityItem> quality;

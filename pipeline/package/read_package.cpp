@@ -48,7 +48,7 @@ double number(const YAML::Node& node, const std::string& what) {
   return value;
 }
 
-/// Packages of before these two fields were written are in the scan's own position.
+/// Packages of before these fields were written are in the scan's own position.
 void read_findings_and_pose(const YAML::Node& root, PatientPackage& package) {
   for (const auto& item : root["findings"]) {
     const auto name = item.first.as<std::string>();
@@ -58,6 +58,10 @@ void read_findings_and_pose(const YAML::Node& root, PatientPackage& package) {
       fail("patient.yaml", "origin \"" + origin + "\" of " + name + "; expected measured, inferred, given or template");
     finding.how = required(item.second, "how").as<std::string>();
     package.findings[name] = finding;
+  }
+  if (const auto approach = root["approach"]) {
+    package.approach.along_mm = number(required(approach, "along_mm"), "along_mm of the approach");
+    package.approach.lift_mm = number(required(approach, "lift_mm"), "lift_mm of the approach");
   }
   const auto node = root["pose"];
   if (!node) return;

@@ -77,6 +77,8 @@ std::string described(const PatientPackage& package, const std::map<std::string,
   y << YAML::EndMap;
   describe_findings(package, y);
   describe_pose(package.pose, y);
+  y << YAML::Key << "approach" << YAML::Value << YAML::BeginMap << YAML::Key << "along_mm" << YAML::Value
+    << package.approach.along_mm << YAML::Key << "lift_mm" << YAML::Value << package.approach.lift_mm << YAML::EndMap;
   y << YAML::Key << "materials" << YAML::Value << YAML::BeginMap;
   for (const auto& [key, m] : package.materials) {
     y << YAML::Key << key << YAML::Value << YAML::BeginMap << YAML::Key << "young_pa" << YAML::Value << m.young_pa
