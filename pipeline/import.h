@@ -15,10 +15,11 @@
 
 namespace vallecula::pipeline {
 
-/// Looks at a package that is ready to be written, as a player would: what it finds goes into the quality report.
+/// Looks at a package that is ready to be written, as a player would: what it finds goes into the quality report and the
+/// package's `approach`.
 /// The second argument gets its share done, 0..1.
 using PackageCheck =
-    std::function<std::vector<QualityItem>(const PatientPackage&, const std::function<void(double)>& progress)>;
+    std::function<std::vector<QualityItem>(PatientPackage&, const std::function<void(double)>& progress)>;
 
 struct ImportOptions {
   std::filesystem::path series;  ///< folder with a CT series, or a volume file; other files in it are ignored

@@ -19,7 +19,8 @@ const pipeline::QualityItem* item(const std::vector<pipeline::QualityItem>& item
 
 TEST(PlayCheck, TheShippedInfantsGlottisIsHiddenAndComesIntoSight) {
   double done = 0.0;
-  const auto items = check_by_playing(term_infant(), [&](double f) {
+  auto package = term_infant();
+  const auto items = check_by_playing(package, [&](double f) {
     EXPECT_GE(f, done);
     done = f;
   });
