@@ -109,7 +109,7 @@ bool comes_free(const Segmentation& s, const Mouth& mouth, const Mask& bare, std
   const auto beyond = s.hu.grid.position(q);
   if (s.labels.voxels[p] != kTongue) return beyond[2] > at[2] && beyond[2] > mouth.line_z - 0.01;
   const auto label = s.labels.voxels[q];
-  if (label == kEpiglottis) return at[2] > Vector3(s.landmarks.at("vallecula"))[2] + 1.0 * k;
+  if (label == kEpiglottis) return at[2] > Vector3(s.landmarks.at("vallecula"))[2] + 3.0 * k;
   if (bare.voxels[q] != 0 || s.hu.voxels[q] < s.thresholds.air) return true;
   // In front of the throat: down to the groove beside the lower gum. Behind, folds hold the tongue to the walls.
   return at[2] > mouth.lower[2] - 4.0 * k && at[1] < mouth.palate_end_y - 1.0 * k;

@@ -121,6 +121,22 @@ void label_again(Segmentation& s, const Labels& carried) {
   }
 }
 
+/// Tongue and leaf are one body by the ligament about the vallecula's floor; where moving them left a seam of tissue
+/// between the two, it is tongue.
+void join_leaf(Segmentation& s, const Vector3& vallecula) {
+  const double k = s.frame.scale;
+  auto labels = cropped(s.labels, s.throat);
+  const auto leaf = of_label(labels, kEpiglottis);
+  const auto tongue = of_label(labels, kTongue);
+  if (components(any_of(leaf, tongue)).sizes.size() < 3) return;
+  const auto seam = all_of(dilated(leaf, 2.5 * k), dilated(tongue, 2.5 * k));
+  for (std::size_t i = 0; i < labels.voxels.size(); ++i) {
+    if (seam.voxels[i] != 0 && labels.voxels[i] == kSkin && labels.grid.position(i)[2] < vallecula[2] + 5.0 * k)
+      labels.voxels[i] = kTongue;
+  }
+  paste(labels, s.throat, s.labels);
+}
+
 }  // namespace
 
 PositionFacts put_into_position(Segmentation& s, const std::function<void(double)>& progress) {
@@ -170,6 +186,7 @@ PositionFacts put_into_position(Segmentation& s, const std::function<void(double
   s.bones.spine = of_label(s.labels, kSpine);
   s.throat = throat_of(s);
   if (s.epiglottis.seen) {
+    join_leaf(s, vallecula);
     s.epiglottis.mask = largest_component(cropped(of_label(s.labels, kEpiglottis), s.throat));
     s.epiglottis.tip = tip;
     s.epiglottis.vallecula = vallecula;

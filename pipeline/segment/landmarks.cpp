@@ -71,6 +71,9 @@ bool front_of_maxilla(const Segmentation& s, double low_z, double high_z, double
   double best = 1e30;
   near_middle(s, 3.0 * s.frame.scale, [&](int x, int y, int z, const Vector3& p) {
     if (s.labels.at(x, y, z) != kSkull || p[2] < low_z || p[2] > high_z || p[1] > back_y || p[1] >= best) return;
+    // A jaw is thick; the wire of a mask on the lip is not.
+    const int behind = y + static_cast<int>(std::lround(1.7 * s.frame.scale / s.labels.grid.spacing[1]));
+    if (behind >= s.labels.grid.size[1] || s.labels.at(x, behind, z) != kSkull) return;
     best = p[1];
     front = p;
   });

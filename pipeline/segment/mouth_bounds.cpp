@@ -236,7 +236,7 @@ MouthBounds bound_mouth(const Mask& body, const Mask& lumen, const Mask& skull, 
           floor = spine[2] + slope * (p[1] - spine[1]);
         } else if (epiglottis.seen) {
           // Behind the hyoid down to where the leaf is held: tongue and leaf are one body there.
-          floor = std::min(floor, epiglottis.vallecula[2] - 3.0 * k);
+          floor = std::min(floor, epiglottis.vallecula[2] + 0.4 * k);
         }
         if (p[2] < floor + 1.1 * std::max(0.0, side - 4.0 * k)) continue;
         out.tongue.voxels[i] = 1;

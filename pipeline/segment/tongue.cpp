@@ -197,6 +197,14 @@ Tongue find_tongue(const TongueSearch& in, const MouthBounds& bounds) {
   const auto core = opened(tongue, ragged ? 2.0 * s : 0.8 * s);
   tongue = largest_component(all_of(tongue, dilated(largest_component(core), 1.0 * s)));
   out.mask = with_holes_filled(tongue);
+  if (bounded && in.epiglottis.seen) {
+    // The ligament between hyoid and leaf is fat to the scanner, and yet what holds the two together.
+    auto ligament = all_of(bounds.tongue, dilated(in.epiglottis.mask, 2.2 * s));
+    for (std::size_t i = 0; i < ligament.voxels.size(); ++i) {
+      if (g.position(i)[2] > in.epiglottis.vallecula[2] + 6.0 * s || allowed.voxels[i] == 0) ligament.voxels[i] = 0;
+    }
+    out.mask = largest_component(any_of(out.mask, ligament));
+  }
   if (out.mouth_closed) out.mask = all_of(out.mask, in.body);  // gas between tongue and leaf is no hole of the tongue
   return out;
 }
