@@ -6,13 +6,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <memory>
+#include <random>
 
 #include "pipeline/manikin/manikin.h"
 #include "pipeline/mesh/anatomy_fields.h"
 #include "pipeline/mesh/anatomy_surfaces.h"
 #include "pipeline/mesh/isosurface.h"
+#include "pipeline/mesh/soft_surface.h"
 #include "pipeline/mesh/surface_check.h"
+#include "pipeline/mesh/tet_quality.h"
 #include "pipeline/segment/segment.h"
 
 namespace vallecula::pipeline {
@@ -178,9 +182,63 @@ TEST_F(EditedManikin, AGivenTongueWinsOverTheGreyValuesDownToItsMesh) {
   // The mesh is tongue and epiglottis together: their volumes, by construction and by count.
   double leaf = static_cast<double>(count(s.epiglottis.mask));
   const double expected = 4.0 / 3.0 * 3.14159265 * half[0] * half[1] * half[2] + leaf * grid().voxel_mm3();
-  EXPECT_NEAR(facts_of(soft_surface(s, fields, 1.0).fine).volume_mm3 / expected, 1.0, 0.03);
+  EXPECT_NEAR(facts_of(soft_surface(s, soft_field(s, fields), 1.0).fine).volume_mm3 / expected, 1.0, 0.03);
   EXPECT_EQ(s.findings.at("tongue").origin, Origin::given);
   EXPECT_EQ(s.findings.at("airway").origin, Origin::measured);
+}
+
+/// With the six neighbours of each of its voxels.
+Mask with_neighbours(const Mask& mask) {
+  Mask out = mask;
+  for (std::size_t i = 0; i < mask.voxels.size(); ++i) {
+    if (mask.voxels[i] == 0) continue;
+    const auto c = mask.grid.cell(i);
+    for (const auto& d : {std::array{1, 0, 0}, std::array{0, 1, 0}, std::array{0, 0, 1}}) {
+      for (const int side : {-1, 1}) {
+        if (mask.grid.contains(c[0] + side * d[0], c[1] + side * d[1], c[2] + side * d[2]))
+          out.at(c[0] + side * d[0], c[1] + side * d[1], c[2] + side * d[2]) = 1;
+      }
+    }
+  }
+  return out;
+}
+
+TEST_F(EditedManikin, ATongueDrawnInRoughStepsIsMeshedAsDrawn) {
+  const auto tongue = truth(kTongue);
+  const auto once = with_neighbours(tongue);
+  const auto twice = with_neighbours(once);
+  int rough = 0;
+  // Against palate and leaf too: everywhere, then in every other of random cubes of so many voxels.
+  for (const auto& [wider, cube] : {std::pair{&once, 1000}, {&twice, 1000}, {&twice, 7}, {&twice, 3}}) {
+    std::mt19937 random(cube);
+    std::map<std::array<int, 3>, bool> wide;
+    Mask drawn = tongue;
+    for (std::size_t i = 0; i < drawn.voxels.size(); ++i) {
+      if (wider->voxels[i] == 0) continue;
+      const auto c = grid().cell(i);
+      const auto it = wide.try_emplace({c[0] / cube, c[1] / cube, c[2] / cube}, cube == 1000 || random() % 2 == 0).first;
+      if (it->second) drawn.voxels[i] = 1;
+    }
+    const auto s = with(replacing(kTongue, drawn));
+    ASSERT_EQ(of(on_series_grid(s, grid()), kTongue).voxels, drawn.voxels);
+    const auto fields = fields_of(s);
+    rough += crossings(soft_surface(s, soft_field(s, fields), 0.93)).empty() ? 0 : 1;
+    const auto mesh = soft_mesh(s, fields, 5000);
+    const auto labels = cropped(s.labels, s.throat);
+    const auto soft = where(labels, [](std::uint8_t v) { return v == kTongue || v == kEpiglottis; });
+    const double drawn_mm3 = static_cast<double>(count(soft)) * grid().voxel_mm3();
+    EXPECT_NEAR(quality_of(mesh).volume_mm3 / drawn_mm3, 1.0, 0.02) << cube;
+    const auto from_border = signed_distance(soft);
+    double off = 0.0;
+    int points = 0;
+    for (std::size_t v = 0; v < mesh.points.size(); ++v) {
+      if (mesh.contact[v] == static_cast<std::uint8_t>(Contact::inside)) continue;
+      off += std::abs(value_at(from_border, mesh.points[v]));
+      ++points;
+    }
+    EXPECT_LT(off / points, 0.5 * grid().spacing[0]) << cube;
+  }
+  EXPECT_GT(rough, 0) << "else nothing is shown";
 }
 
 TEST_F(EditedManikin, AGivenAirwayIsTheSurfaceAndTheGlottis) {
