@@ -166,10 +166,10 @@ Handed run_reading_helper(const std::string& request, const NamelessMemory& voxe
   wait_for(helper, control, limits.stall_seconds, progress);
   const int status = helper.status();
   if (WIFSIGNALED(status)) {
-    throw HelperError(control.file(), std::string(WTERMSIG(status) == SIGXCPU
-                                                      ? "reading took more than its time and was stopped"
-                                                      : "the DICOM library does not survive this file") +
-                                          "; it is damaged: copy it again or leave it out");
+    throw HelperError(control.file(),
+                      std::string(WTERMSIG(status) == SIGXCPU ? "reading took more than its time and was stopped"
+                                                              : "the DICOM library does not survive this file") +
+                          "; it is damaged: copy it again or leave it out");
   }
   if (WEXITSTATUS(status) == 127)
     throw HelperError("", "the helper program vallecula-ct cannot be started; install the program again");

@@ -98,7 +98,7 @@ TetrahedralizeError hopeless(const Segmentation& s, const Point& at) {
   std::ostringstream text;
   text.precision(1);
   text << name << ": its border crosses itself near " << std::fixed << p[0] << ", " << p[1] << ", " << p[2]
-       << " mm (LPS, the scan's frame); smooth it there in the editor and give it again with --labels";
+       << " mm (LPS, the scan's frame); smooth it there in an editor (3D Slicer) and give it with --labels";
   return TetrahedralizeError(text.str());
 }
 
