@@ -131,13 +131,13 @@ struct Import::Work {
   /// Runs a stage; whatever goes wrong in it becomes one message for a person.
   template <class Stage>
   void guarded(const Stage& stage) {
-    const auto& name = options.series.string();
+    // The series' own folder may hold a person's name: it is never repeated.
     try {
       stage();
     } catch (const ImportError&) {
       throw;
     } catch (const std::bad_alloc&) {
-      throw ImportError("series " + name + ": not enough memory for a series of this size");
+      throw ImportError("series: not enough memory for a series of this size; close other programs");
     } catch (const SeriesError& e) {
       throw ImportError(e.what());
     } catch (const PackageError& e) {
@@ -149,7 +149,7 @@ struct Import::Work {
     } catch (const EditError& e) {
       throw ImportError(e.what());
     } catch (const std::runtime_error& e) {
-      throw ImportError("series " + name + ": " + e.what());
+      throw ImportError(std::string("series: ") + e.what());
     }
   }
 };

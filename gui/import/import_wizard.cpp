@@ -132,7 +132,7 @@ void ImportWizard::begin_segmentation(const ImportChoice& choice) {
 
 void ImportWizard::job_failed(const QString& said) {
   QString message = said;
-  if (message.startsWith("series ")) message = message.mid(message.indexOf(": ") + 2);  // which, a person knows
+  if (message.startsWith("series: ")) message = message.mid(8);  // which, a person knows
   message = message.left(1).toUpper() + message.mid(1);
   QWidget* page = pages_->currentWidget();
   if (page == build_) {

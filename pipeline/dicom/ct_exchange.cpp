@@ -41,7 +41,7 @@ SeriesEntry take_entry(Reader& r) {
   const bool fits = e.thumbnail.width >= 0 && e.thumbnail.height >= 0 && e.thumbnail.width < 4096 &&
                     e.thumbnail.height < 4096 &&
                     grey.size() == static_cast<std::size_t>(e.thumbnail.width) * e.thumbnail.height;
-  if (!fits) throw std::runtime_error("damaged");
+  if (!fits) throw Damaged();
   return e;
 }
 
@@ -49,6 +49,7 @@ SeriesEntry take_entry(Reader& r) {
 
 std::string packed(const ReadRequest& request) {
   Writer w;
+  w.put(kSeries);
   w.put(request.place);
   w.put(request.choice);
   w.put(request.list);
@@ -58,8 +59,7 @@ std::string packed(const ReadRequest& request) {
   return w.text();
 }
 
-ReadRequest unpacked_request(const std::string& text) {
-  Reader r(text);
+ReadRequest unpacked_request(Reader& r) {
   ReadRequest request;
   r.take(request.place);
   r.take(request.choice);
@@ -98,7 +98,7 @@ ReadAnswer unpacked_answer(const std::string& text) {
     r.take(message);
     throw SeriesError(message);
   }
-  if (kind != 'a') throw std::runtime_error("damaged");
+  if (kind != 'a') throw Damaged();
   ReadAnswer answer;
   r.take(answer.geometry);
   r.take(answer.slices);
@@ -108,9 +108,9 @@ ReadAnswer unpacked_answer(const std::string& text) {
   for (std::size_t i = 0; i < entries; ++i) answer.entries.push_back(take_entry(r));
   std::int64_t count = 1;
   for (const int n : answer.geometry.size) {
-    if (n < 0 || n > kMostVoxels) throw std::runtime_error("damaged");
+    if (n < 0 || n > kMostVoxels) throw Damaged();
     count *= n;
-    if (count > kMostVoxels) throw std::runtime_error("damaged");
+    if (count > kMostVoxels) throw Damaged();
   }
   return answer;
 }

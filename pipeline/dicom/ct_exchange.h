@@ -16,12 +16,22 @@ namespace vallecula::pipeline::ct_exchange {
 /// The helper's file descriptors.
 constexpr int kLetters = 3;  ///< the request, then the answer in its place
 constexpr int kControl = 4;  ///< Control
-constexpr int kVoxels = 5;   ///< int16 HU
+constexpr int kVoxels = 5;   ///< int16 HU, or uint16 sets of labels
 
 struct Control {
   std::atomic<std::uint32_t> beat;        ///< rises while work gets done
   std::atomic<std::uint32_t> millionths;  ///< done
   char file[256];                         ///< name of the file at hand, as a person is told it
+};
+
+/// What kind of thing a request asks for: its first byte.
+constexpr char kSeries = 's';  ///< a ReadRequest follows
+constexpr char kLabels = 'l';  ///< a DICOM segmentation's path follows (exchange/label_exchange.h)
+
+/// A letter that makes no sense.
+class Damaged : public std::runtime_error {
+ public:
+  Damaged() : std::runtime_error("damaged") {}
 };
 
 class Writer {
@@ -61,23 +71,24 @@ class Reader {
   std::size_t count(std::size_t most) {
     std::uint64_t n = 0;
     take(n);
-    if (n > most) throw std::runtime_error("damaged");
+    if (n > most) throw Damaged();
     return static_cast<std::size_t>(n);
   }
 
  private:
   void need(std::size_t n) const {
-    if (n > text_.size() - at_) throw std::runtime_error("damaged");
+    if (n > text_.size() - at_) throw Damaged();
   }
   const std::string& text_;
   std::size_t at_ = 0;
 };
 
 std::string packed(const ReadRequest& request);
-ReadRequest unpacked_request(const std::string& text);
+/// The rest of a request after its kind.
+ReadRequest unpacked_request(Reader& rest);
 std::string packed(const ReadAnswer& answer);
 std::string packed_error(const std::string& message);
-/// Throws SeriesError when the answer is one, std::runtime_error when it makes no sense.
+/// Throws SeriesError when the answer is one, Damaged when it makes no sense.
 ReadAnswer unpacked_answer(const std::string& text);
 
 /// A whole descriptor, read from its beginning.

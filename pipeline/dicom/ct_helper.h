@@ -1,22 +1,17 @@
-// Runs the reading helper under its limits.
+// A CT, read by the helper program.
 #pragma once
 
 #include <functional>
 #include <memory>
 
-#include "pipeline/dicom/limits.h"
 #include "pipeline/dicom/read_place.h"
+#include "pipeline/dicom/reading_helper.h"
 
 namespace vallecula::pipeline {
 
 struct HelperResult {
   ReadAnswer answer;
   std::shared_ptr<const std::int16_t> voxels;  ///< answer.geometry.count() of them; null for a list
-};
-
-struct HelperLimits {
-  std::size_t memory_bytes = kHelperMemoryBytes;
-  int stall_seconds = kHelperStallSeconds;
 };
 
 /// Whatever becomes of the helper, this process goes on: its death, its silence, its limits are a SeriesError that

@@ -1,13 +1,17 @@
-// vallecula-ct: reads a CT in a process of its own, because damaged files can end the process they are read in.
+// vallecula-ct: reads a CT or a DICOM segmentation in a process of its own, because damaged files can end the process
+// they are read in.
 #include <sys/mman.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <cstdio>
+#include <cstring>
 #include <new>
 
 #include "pipeline/dicom/ct_exchange.h"
 #include "pipeline/dicom/series_error.h"
+#include "pipeline/exchange/label_exchange.h"
+#include "pipeline/exchange/label_readers.h"
 
 namespace {
 
@@ -36,6 +40,46 @@ class Host : public ReadHost {
   ct_exchange::Control& control_;
 };
 
+std::string read_series(ct_exchange::Reader& request, Host& host) {
+  try {
+    return ct_exchange::packed(read_place(ct_exchange::unpacked_request(request), host));
+  } catch (const SeriesError& e) {
+    return ct_exchange::packed_error(e.what());
+  } catch (const std::bad_alloc&) {
+    return ct_exchange::packed_error("series: not enough memory for a series of this size; close other programs");
+  } catch (const std::exception&) {
+    // The words of a library may hold what it read.
+    return ct_exchange::packed_error("series: it cannot be read (the DICOM library refused it); export it again");
+  }
+}
+
+std::string read_labels(ct_exchange::Reader& request, Host& host) {
+  const auto file = label_exchange::unpacked_request(request);
+  const auto error = [&](const std::string& what) {
+    return ct_exchange::packed_error("label map " + label_file_name(file) + ": " + what);
+  };
+  try {
+    host.at_file(label_file_name(file));
+    const auto image = parsed_dicom_segmentation(file);
+    const auto bytes = image.sets.size() * sizeof(image.sets[0]);
+    std::memcpy(host.voxels(image.sets.size()), image.sets.data(), bytes);
+    return label_exchange::packed(image);
+  } catch (const LabelMapError& e) {
+    return ct_exchange::packed_error(e.what());
+  } catch (const std::bad_alloc&) {
+    return error("not enough memory for a segmentation of this size; crop it to the head");
+  } catch (const std::exception&) {
+    return error("the DICOM library refused it; export it again");
+  }
+}
+
+std::string answer_to(const std::string& letter, Host& host) {
+  ct_exchange::Reader request(letter);
+  char kind = 0;
+  request.take(kind);
+  return kind == ct_exchange::kLabels ? read_labels(request, host) : read_series(request, host);
+}
+
 }  // namespace
 
 int main() {
@@ -49,17 +93,10 @@ int main() {
     return 2;
   }
   Host host(*static_cast<ct_exchange::Control*>(control));
-  std::string answer;
   try {
-    const auto request = ct_exchange::unpacked_request(ct_exchange::read_all(ct_exchange::kLetters));
-    answer = ct_exchange::packed(read_place(request, host));
-  } catch (const SeriesError& e) {
-    answer = ct_exchange::packed_error(e.what());
-  } catch (const std::bad_alloc&) {
-    answer = ct_exchange::packed_error("series: not enough memory for a series of this size; close other programs");
-  } catch (const std::exception&) {
-    // The words of a library may hold what it read.
-    answer = ct_exchange::packed_error("series: it cannot be read (the DICOM library refused it); export it again");
+    const auto answer = answer_to(ct_exchange::read_all(ct_exchange::kLetters), host);
+    return ct_exchange::write_all(ct_exchange::kLetters, answer) ? 0 : 1;
+  } catch (const ct_exchange::Damaged&) {
+    return 1;
   }
-  return ct_exchange::write_all(ct_exchange::kLetters, answer) ? 0 : 1;
 }

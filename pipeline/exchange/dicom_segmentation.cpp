@@ -8,9 +8,9 @@
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
-#include <fstream>
-#include <iterator>
+#include <optional>
 
+#include "pipeline/dicom/mapped_file.h"
 #include "pipeline/dicom/whole_file.h"
 #include "pipeline/exchange/label_readers.h"
 
@@ -126,7 +126,12 @@ class Segmentation {
     by_value_ = type == "LABELMAP";
     const bool known =
         (type == "BINARY" && bits_ == 1) || (fractional_ && bits_ == 8) || (by_value_ && (bits_ == 8 || bits_ == 16));
-    if (!known) fail("segmentation type \"" + type + "\" with " + std::to_string(bits_) + " bits is not read");
+    if (!known) {
+      // Its own words only when they are the standard's: nothing else of a header is repeated.
+      const bool word = fractional_ || by_value_ || type == "BINARY" || type == "SURFACE";
+      fail("segmentation type " + (word ? type : std::string("of its own")) + " with " + std::to_string(bits_) +
+           " bits is not read; save it as a binary segmentation");
+    }
     if (fractional_) fraction_ = std::max(1, short_of(data_, kMaximumFraction));
   }
 
@@ -285,17 +290,20 @@ class Segmentation {
 
 }  // namespace
 
-LabelImage read_dicom_segmentation(const std::filesystem::path& file) {
-  // GDCM ends the process on some cut files.
-  {
-    std::ifstream in(file, std::ios::binary);
-    const std::string bytes{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-    if (const auto check = check_dicom(bytes); !check.fault.empty()) fail_label_file(file, check.fault);
+LabelImage parsed_dicom_segmentation(const std::filesystem::path& file) {
+  std::optional<MappedFile> mapped;
+  try {
+    mapped.emplace(file);
+  } catch (const std::runtime_error&) {
+    fail_label_file(file, "cannot be opened");
   }
+  // GDCM ends the process on some cut files.
+  if (const auto check = check_dicom(mapped->bytes()); !check.fault.empty()) fail_label_file(file, check.fault);
   gdcm::Trace::WarningOff();
   gdcm::Trace::ErrorOff();
+  ByteStream stream(mapped->bytes());
   gdcm::Reader reader;
-  reader.SetFileName(file.c_str());
+  reader.SetStream(stream);
   bool read = false;
   try {
     read = reader.Read();

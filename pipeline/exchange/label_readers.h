@@ -37,6 +37,9 @@ ValueTable unnamed_table(const std::map<int, std::uint8_t>& values);
 
 LabelImage read_nrrd_labels(const std::filesystem::path& file, const std::map<int, std::uint8_t>& values);
 LabelImage read_nifti_labels(const std::filesystem::path& file, const std::map<int, std::uint8_t>& values);
+/// By the helper program: damaged files can end the process that reads them. Throws LabelMapError, also on its death.
 LabelImage read_dicom_segmentation(const std::filesystem::path& file);
+/// In this process: only the helper does it. Throws LabelMapError, std::bad_alloc. `image.labels` stays empty.
+LabelImage parsed_dicom_segmentation(const std::filesystem::path& file);
 
 }  // namespace vallecula::pipeline

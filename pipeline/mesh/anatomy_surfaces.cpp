@@ -206,36 +206,4 @@ std::map<std::string, Surface> surfaces_of(const Segmentation& s, const AnatomyF
   return out;
 }
 
-SoftSurface soft_surface(const Segmentation& s, const AnatomyFields& f, double edge_factor) {
-  const double k = s.frame.scale;
-  const auto throat = cropped(s.hu.grid, s.throat);
-  const auto labels = cropped(s.labels, s.throat);
-  const auto soft = where(labels, [](std::uint8_t v) { return v == kTongue || v == kEpiglottis; });
-  const auto [low, high] = corners(cropped(throat, bounds_of(soft, 2.5 * k)));
-  const double step = 0.5 * k;
-  Axes axes;
-  for (int a = 0; a < 3; ++a) axes[a] = graded_axis(low[a], high[a], low[a], high[a], step, step);
-  const auto values =
-      sampled(axes, [&](const Point& p) { return std::min(value_at(f.solid, p), value_at(f.soft, p)); });
-  SoftSurface out;
-  out.fine = largest_part(isosurface(axes, values));
-  const auto to_leaf = std::make_shared<Volume<float>>(distance_to(s.epiglottis.mask));
-  const bool leaf = s.epiglottis.seen;
-  out.edge_mm = [to_leaf, leaf, k, edge_factor](const Point& p) {
-    const double fine = 1.15 * k * edge_factor;
-    const double coarse = 2.5 * k * edge_factor;
-    return leaf ? graded(fine, coarse, value_at(*to_leaf, p) - 0.5 * k, 7.0 * k) : coarse;
-  };
-  RemeshOptions options;
-  options.rounds = 8;
-  options.edge_mm = out.edge_mm;
-  const auto even = largest_part(remeshed(out.fine, options));
-  // Not the leaf: it is a sheet of one layer of tetrahedra, whose stiffness goes with the cube of its thickness.
-  const auto share = [&](const Point& p) { return leaf ? graded(0.0, 1.0, value_at(*to_leaf, p), 4.0 * k) : 1.0; };
-  const double by = inflation_to(even, facts_of(out.fine).volume_mm3, share);
-  out.mesh = mended(inflated(even, by, share));
-  out.track = inflated(out.fine, by, share);
-  return out;
-}
-
 }  // namespace vallecula::pipeline

@@ -15,23 +15,14 @@ namespace vallecula::pipeline {
 std::map<std::string, Surface> surfaces_of(const Segmentation& s, const AnatomyFields& fields,
                                            const std::function<void(double)>& progress = {});
 
-/// The border of tongue and epiglottis together: evenly meshed, smaller triangles on the thin leaf.
-struct SoftSurface {
-  Surface fine;  ///< as cut from the fields
-  Surface mesh;  ///< remeshed, of the same volume: what is filled
-  Surface track;  ///< where the points of `mesh` lie: `fine`, further out by what flat triangles cut off
-  std::function<double(const Point&)> edge_mm;
-};
-/// `edge_factor` 1 gives about 4,000 tetrahedra, whatever the infant's size.
-SoftSurface soft_surface(const Segmentation& s, const AnatomyFields& fields, double edge_factor);
-
 /// Fewest and most tetrahedra that can be asked for.
 constexpr int kFewestTetrahedra = 1000;
 constexpr int kMostTetrahedra = 100000;
 
 /// Fills it with about `tetrahedra` (within 10 %: sizes are tried until the count is met), improves the shapes, names each
-/// tetrahedron's tissue and each node's anchor and contact. Its border does not cross itself. Tries again with other sizes
-/// when the mesh generator refuses the surface. Throws TetrahedralizeError.
+/// tetrahedron's tissue and each node's anchor and contact. Its border does not cross itself: where structures given by a
+/// person are so rough that it would, the border is smoothed there; otherwise it tries again with other sizes. Throws
+/// TetrahedralizeError; when the border cannot be helped, with the structure and the place in the scan's frame.
 TetMesh soft_mesh(const Segmentation& s, const AnatomyFields& fields, int tetrahedra);
 
 }  // namespace vallecula::pipeline

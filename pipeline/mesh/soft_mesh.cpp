@@ -1,14 +1,17 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <sstream>
 
 #include "pipeline/mesh/anatomy_surfaces.h"
 #include "pipeline/mesh/inflate.h"
 #include "pipeline/mesh/self_intersection.h"
+#include "pipeline/mesh/soft_surface.h"
 #include "pipeline/mesh/tet_optimize.h"
 #include "pipeline/mesh/tet_quality.h"
 #include "pipeline/mesh/tetrahedralize.h"
 #include "pipeline/mesh/vector3.h"
+#include "pipeline/segment/reslice.h"
 
 namespace vallecula::pipeline {
 namespace {
@@ -84,9 +87,39 @@ struct Filled {
   TetMesh mesh;
 };
 
+/// What a person can do about a border that crosses itself at a place.
+TetrahedralizeError hopeless(const Segmentation& s, const Point& at) {
+  const auto labels = cropped(s.labels, s.throat);
+  const auto away = [&](std::uint8_t label) {
+    return value_at(distance_to(where(labels, [label](std::uint8_t v) { return v == label; })), at);
+  };
+  const char* name = away(kEpiglottis) < away(kTongue) ? "epiglottis" : "tongue";
+  const auto p = moved(inverse_of(s.pose.scan_to_package), at);
+  std::ostringstream text;
+  text.precision(1);
+  text << name << ": its border crosses itself near " << std::fixed << p[0] << ", " << p[1] << ", " << p[2]
+       << " mm (LPS, the scan's frame); smooth it there in an editor (3D Slicer) and give it with --labels";
+  return TetrahedralizeError(text.str());
+}
+
+/// A border drawn by voxels can have steps too rough for its triangles: they are smoothed where they cross, and stay so
+/// in `field`.
+SoftSurface smooth_enough(const Segmentation& s, Volume<float>& field, double factor) {
+  constexpr int kRounds = 8;
+  auto soft = soft_surface(s, field, factor);
+  if (s.replaced.empty()) return soft;
+  for (int round = 0; round < kRounds; ++round) {
+    const auto places = crossings(soft);
+    if (places.empty()) break;
+    smooth_about(places, soft, field);
+    soft = soft_surface(s, field, factor);
+  }
+  return soft;
+}
+
 /// With the edges that give the wanted count. Their number goes with about the inverse cube of the edge; how exactly is
 /// measured on the way.
-Filled filled_to_count(const Segmentation& s, const AnatomyFields& f, int tetrahedra) {
+Filled filled_to_count(const Segmentation& s, Volume<float>& field, int tetrahedra) {
   constexpr int kAttempts = 8;
   constexpr double kNear = 0.04;
   const double wanted = std::log(static_cast<double>(tetrahedra));
@@ -95,9 +128,9 @@ Filled filled_to_count(const Segmentation& s, const AnatomyFields& f, int tetrah
   std::vector<std::array<double, 2>> tried;  // logarithms of factor and count
   double factor = std::cbrt(4000.0 / tetrahedra);
   for (int attempt = 0;; ++attempt) {
+    Filled now;
     try {
-      Filled now;
-      now.soft = soft_surface(s, f, factor);
+      now.soft = smooth_enough(s, field, factor);
       TetrahedralizeOptions options;
       options.edge_mm = [&](const Point& p) { return 1.1 * now.soft.edge_mm(p); };
       now.mesh = tetrahedralized(now.soft.mesh, options);
@@ -109,7 +142,10 @@ Filled filled_to_count(const Segmentation& s, const AnatomyFields& f, int tetrah
       }
     } catch (const TetrahedralizeError&) {
       // A surface that crosses itself somewhere on the thin leaf does not with other sizes.
-      if (attempt + 1 == kAttempts && !best) throw;
+      if (attempt + 1 == kAttempts && !best) {
+        if (const auto places = crossings(now.soft); !places.empty()) throw hopeless(s, places.front());
+        throw;
+      }
       factor *= 0.96;
       if (attempt + 1 == kAttempts) return std::move(*best);
       continue;
@@ -133,8 +169,8 @@ Surface border_of(const TetMesh& mesh, const Surface& surface) {
 }
 
 /// Filled and improved; tissue, anchors and contacts not yet named.
-Filled well_shaped(const Segmentation& s, const AnatomyFields& f, int tetrahedra) {
-  auto filled = filled_to_count(s, f, tetrahedra);
+Filled well_shaped(const Segmentation& s, Volume<float>& field, int tetrahedra) {
+  auto filled = filled_to_count(s, field, tetrahedra);
   auto& [soft, mesh] = filled;
   constexpr int kRounds = 20;
   const auto surface_points = soft.mesh.points.size();
@@ -152,10 +188,11 @@ Filled well_shaped(const Segmentation& s, const AnatomyFields& f, int tetrahedra
 TetMesh soft_mesh(const Segmentation& s, const AnatomyFields& f, int tetrahedra) {
   // A thin tetrahedron that could not be helped is not there with other sizes.
   constexpr double kGoodAngle = 10.0;
+  auto field = soft_field(s, f);
   Filled best;
   double best_angle = -1.0;
   for (const double share : {1.0, 0.97, 1.03, 0.95}) {
-    auto now = well_shaped(s, f, static_cast<int>(std::lround(share * tetrahedra)));
+    auto now = well_shaped(s, field, static_cast<int>(std::lround(share * tetrahedra)));
     const double angle = quality_of(now.mesh).smallest_dihedral_deg;
     if (angle > best_angle) {
       best = std::move(now);

@@ -24,6 +24,7 @@ struct SegmentationFile {
   std::string orientation = "1\\0\\0\\0\\1\\0";
   std::string spacing = "1\\1";
   std::string thickness = "1";
+  bool open_lengths = false;  ///< sequences and items end at their delimiters, as most programs write them
   int rows = 0;
   int columns = 0;
   std::vector<SegmentationFrame> frames;
@@ -43,8 +44,18 @@ inline std::string element(int group, int id, const std::string& vr, std::string
          (long_form ? std::string(2, '\0') + bytes_of(size, 4) : bytes_of(size, 2)) + value;
 }
 
-inline std::string item(const std::string& value) {
-  return bytes_of(0xfffe, 2) + bytes_of(0xe000, 2) + bytes_of(static_cast<std::uint32_t>(value.size()), 4) + value;
+/// A sequence of items, each the elements in it.
+inline std::string sequence(int group, int id, const std::vector<std::string>& items, bool open_lengths) {
+  const std::string open(4, '\xff');
+  std::string value;
+  for (const auto& in : items) {
+    const auto size = bytes_of(static_cast<std::uint32_t>(in.size()), 4);
+    value += bytes_of(0xfffe, 2) + bytes_of(0xe000, 2) + (open_lengths ? open : size) + in;
+    if (open_lengths) value += bytes_of(0xfffe, 2) + bytes_of(0xe00d, 2) + bytes_of(0, 4);
+  }
+  if (!open_lengths) return element(group, id, "SQ", value);
+  return bytes_of(group, 2) + bytes_of(id, 2) + "SQ" + std::string(2, '\0') + open + value + bytes_of(0xfffe, 2) +
+         bytes_of(0xe0dd, 2) + bytes_of(0, 4);
 }
 
 inline void write_segmentation(const SegmentationFile& s, const std::filesystem::path& file) {
@@ -61,30 +72,32 @@ inline void write_segmentation(const SegmentationFile& s, const std::filesystem:
   out += element(0x28, 0x10, "US", bytes_of(s.rows, 2)) + element(0x28, 0x11, "US", bytes_of(s.columns, 2));
   out += element(0x28, 0x100, "US", bytes_of(1, 2)) + element(0x28, 0x101, "US", bytes_of(1, 2)) +
          element(0x28, 0x102, "US", bytes_of(0, 2)) + element(0x28, 0x103, "US", bytes_of(0, 2));
-  std::string segments;
+  const auto list = [&](int group, int id, const std::vector<std::string>& items) {
+    return sequence(group, id, items, s.open_lengths);
+  };
+  std::vector<std::string> segments;
   for (std::size_t i = 0; i < s.segments.size(); ++i) {
     const auto code = element(8, 0x100, "SH", s.segments[i][1]) + element(8, 0x102, "SH", "SCT");
-    segments += item(element(0x62, 4, "US", bytes_of(static_cast<std::uint32_t>(i + 1), 2)) +
-                     element(0x62, 5, "LO", s.segments[i][0]) + element(0x62, 0xf, "SQ", item(code)));
+    segments.push_back(element(0x62, 4, "US", bytes_of(static_cast<std::uint32_t>(i + 1), 2)) +
+                       element(0x62, 5, "LO", s.segments[i][0]) + list(0x62, 0xf, {code}));
   }
-  out += element(0x62, 1, "CS", s.type) + element(0x62, 2, "SQ", segments);
-  out += element(0x5200, 0x9229, "SQ",
-                 item(element(0x20, 0x9116, "SQ", item(element(0x20, 0x37, "DS", s.orientation))) +
-                      element(0x28, 0x9110, "SQ",
-                              item(element(0x18, 0x50, "DS", s.thickness) + element(0x28, 0x30, "DS", s.spacing)))));
-  std::string frames;
+  out += element(0x62, 1, "CS", s.type) + list(0x62, 2, segments);
+  out += list(0x5200, 0x9229,
+              {list(0x20, 0x9116, {element(0x20, 0x37, "DS", s.orientation)}) +
+               list(0x28, 0x9110, {element(0x18, 0x50, "DS", s.thickness) + element(0x28, 0x30, "DS", s.spacing)})});
+  std::vector<std::string> frames;
   std::vector<std::uint8_t> bits;
   std::size_t n = 0;
   for (const auto& frame : s.frames) {
-    frames += item(element(0x20, 0x9113, "SQ", item(element(0x20, 0x32, "DS", frame.position))) +
-                   element(0x62, 0xa, "SQ", item(element(0x62, 0xb, "US", bytes_of(frame.segment, 2)))));
+    frames.push_back(list(0x20, 0x9113, {element(0x20, 0x32, "DS", frame.position)}) +
+                     list(0x62, 0xa, {element(0x62, 0xb, "US", bytes_of(frame.segment, 2))}));
     for (const auto one : frame.ones) {
       if (n % 8 == 0) bits.push_back(0);
       bits.back() = static_cast<std::uint8_t>(bits.back() | one << (n % 8));
       ++n;
     }
   }
-  out += element(0x5200, 0x9230, "SQ", frames);
+  out += list(0x5200, 0x9230, frames);
   out += element(0x7fe0, 0x10, "OB", std::string(bits.begin(), bits.end()));
   std::ofstream(file, std::ios::binary) << out;
 }
