@@ -10,6 +10,7 @@
 #include "pipeline/segment/resting_epiglottis.h"
 #include "pipeline/segment/throat.h"
 #include "pipeline/segment/tongue.h"
+#include "pipeline/segment/tube.h"
 #include "pipeline/segment/upright.h"
 
 namespace vallecula::pipeline {
@@ -198,6 +199,7 @@ Segmentation segment(const Hounsfield& series, const Edits& edits_on_scan,
   Segmentation s;
   say("head", 0.0);
   s.thresholds = with_given(thresholds_of(series), edits_on_scan);
+  std::vector<Tube> tubes;
   {
     auto body = find_body(series, s.thresholds);
     s.box = united(bounds_of(body, 6.0), box_of_given(edits_on_scan, series.grid));
@@ -216,6 +218,8 @@ Segmentation segment(const Hounsfield& series, const Edits& edits_on_scan,
     }
     s.thresholds.noise = noise_of(s.hu, here, s.thresholds);
     say("head", 0.25);
+    tubes = take_out_tubes(s.hu, s.thresholds, s.frame);
+    if (!tubes.empty()) here = find_body(s.hu, s.thresholds);
     s.head = find_head(s.hu, here, s.thresholds, s.frame);
   }
   const auto edits = put_upright(edits_on_scan, s.pose, s.hu.grid);
@@ -224,6 +228,8 @@ Segmentation segment(const Hounsfield& series, const Edits& edits_on_scan,
   s.replaced = given.edits().replaced;
   say("airway", 0.45);
   s.airway = airway_of(s, given);
+  if (!tubes.empty())
+    s.findings["airway"] = {Origin::inferred, describe(tubes, s.head, s.airway, s.frame.scale)};
   say("bone", 0.55);
   s.bones = bones_of(s, given);
 
