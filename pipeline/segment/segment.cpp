@@ -137,8 +137,9 @@ void label_throat(Segmentation& s, const Given& given, const std::function<void(
 }
 
 /// The airway from its hints, and the glottis and the carina where a person put them.
-Airway airway_of(const Segmentation& s, const Given& given) {
+Airway airway_of(const Segmentation& s, const Given& given, const std::optional<Vector3>& cords_at) {
   AirwayHints hints;
+  hints.cords_at = cords_at;
   hints.seed = given.seed("airway");
   hints.cords_near = given.seed("larynx");
   auto air = air_field(s.hu, s.thresholds);
@@ -227,9 +228,15 @@ Segmentation segment(const Hounsfield& series, const Edits& edits_on_scan,
   given.put_into(s.head, s.hu, s.thresholds.air);
   s.replaced = given.edits().replaced;
   say("airway", 0.45);
-  s.airway = airway_of(s, given);
-  if (!tubes.empty())
-    s.findings["airway"] = {Origin::inferred, describe(tubes, s.head, s.airway, s.frame.scale)};
+  const auto cords_at = cords_around(tubes, s.frame.scale);
+  s.airway = airway_of(s, given, cords_at);
+  if (!tubes.empty()) s.findings["airway"] = {Origin::inferred, describe(tubes, s.head, s.airway, s.frame.scale)};
+  if (cords_at) {
+    const Finding held{Origin::inferred,
+                       "a tube held the cords apart: half way between where it came free above them and where the "
+                       "windpipe lay all around it"};
+    for (const auto* name : {"glottis_centre", "glottis_normal"}) s.findings[name] = held;
+  }
   say("bone", 0.55);
   s.bones = bones_of(s, given);
 

@@ -14,6 +14,7 @@ constexpr double kThickestRod = 2.0;    // radius of a feeding tube
 constexpr double kStep = 0.5;           // between cuts along a tube
 constexpr double kRayStep = 0.15;
 constexpr double kLumen = -600.0;       // HU: darker is the air inside a tube
+constexpr double kThinTube = 2.6;       // diameter: below it a feeding tube, above it one for the windpipe
 constexpr double kGap = 4.0;            // a tube is carried on over so much that does not look like one
 
 /// The grey values along one ray from a tube's middle, across its wall.
@@ -362,10 +363,16 @@ void find_kind(bool hollow, const Thresholds& t, const Frame& frame, Volume<floa
         Tube tube;
         tube.hollow = hollow;
         tube.diameter_mm = 2.0 * course.outer;
-        for (const auto& c : course.cuts) tube.axis.push_back(c.centre);
+        for (const auto& c : course.cuts) {
+          tube.axis.push_back(c.centre);
+          tube.bare.push_back(c.round > 0.0 || tube.bare.empty() ? c.bare : tube.bare.back());
+        }
         const auto height = [](const Vector3& a) { return a[2] - a[1]; };
-        if (height(tube.axis.front()) < height(tube.axis.back())) std::reverse(tube.axis.begin(), tube.axis.end());
-        take_out(course, hollow && tube.diameter_mm > 2.6, t, finder.blur(), hu);
+        if (height(tube.axis.front()) < height(tube.axis.back())) {
+          std::reverse(tube.axis.begin(), tube.axis.end());
+          std::reverse(tube.bare.begin(), tube.bare.end());
+        }
+        take_out(course, hollow && tube.diameter_mm > kThinTube, t, finder.blur(), hu);
         tubes.push_back(std::move(tube));
         break;
       }
@@ -390,6 +397,26 @@ std::vector<Tube> take_out_tubes(Hounsfield& hu, const Thresholds& t, const Fram
   }
   paste(part, box, hu);
   return tubes;
+}
+
+std::optional<Vector3> cords_around(const std::vector<Tube>& tubes, double scale) {
+  const auto cuts = [](double mm) { return static_cast<std::size_t>(std::ceil(mm / kStep)); };
+  for (const auto& tube : tubes) {
+    if (!tube.hollow || tube.diameter_mm <= kThinTube) continue;
+    const std::size_t end = tube.bare.size() - std::min(tube.bare.size(), cuts(3.0));  // the tip is open and cut askew
+    std::size_t held = end;
+    while (held > 0 && tube.bare[held - 1] < 0.5) --held;  // from here on down the larynx lies against it
+    if (held == 0) continue;
+    for (std::size_t tight = held; tight < std::min(end, held + cuts(8.0 * scale)); ++tight) {
+      if (tube.bare[tight] > 0.05) continue;
+      const std::size_t below = std::min(end, tight + cuts(4.0 * scale));
+      const bool stays = below - tight >= cuts(2.0 * scale) &&
+                         std::all_of(tube.bare.begin() + static_cast<std::ptrdiff_t>(tight),
+                                     tube.bare.begin() + static_cast<std::ptrdiff_t>(below), [](double b) { return b < 0.15; });
+      if (stays) return 0.5 * (tube.axis[held] + tube.axis[tight]);
+    }
+  }
+  return std::nullopt;
 }
 
 std::string describe(const std::vector<Tube>& tubes, const Head& head, const Airway& airway, double scale) {

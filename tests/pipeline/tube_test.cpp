@@ -48,8 +48,8 @@ std::vector<manikin::Vec> way_of(const Case& in, const Manikin& manikin) {
   const manikin::Vec below = cords + manikin::Vec{0.0, 1.8, -5.7};
   const manikin::Vec fork{0.0, c[1] / s, c[2] / s};
   const auto end = below + 0.6 * (fork - below);
-  return manikin::curve(std::vector<manikin::Vec>{{0.0, -16.0, -9.0}, {0.0, 0.0, -10.0}, {0.0, 12.0, -12.0}, {0.0, 22.0, -15.0},
-                                                  {0.0, 30.0, -22.0}, {0.0, 35.0, -31.0}, {0.0, 36.5, -39.0}, cords, below, end}, 40);
+  return manikin::curve(std::vector<manikin::Vec>{{0.0, -16.0, -9.0}, {0.0, 0.0, -10.0}, {0.0, 12.0, -12.0}, {0.0, 21.0, -14.2},
+                                                  {0.0, 29.5, -20.5}, {0.0, 35.8, -28.5}, {0.0, 38.9, -35.0}, {0.0, 38.0, -41.0}, cords, below, end}, 40);
 }
 
 /// Draws it into a scan: each voxel takes what the scanner's blur (0.32 mm across, 0.36 mm along) gathers around it.
@@ -150,12 +150,15 @@ TEST_P(TubeInPlace, IsTakenOutAndTheInfantIsFoundAsWithoutIt) {
   EXPECT_GE(dice(scan.labels, found, kMandible), 0.95);
   EXPECT_GE(dice(scan.labels, found, kEpiglottis), 0.75);
   std::size_t solid = 0;
+  std::size_t in_leaf = 0;
   for (std::size_t i = 0; i < tube.voxels.size(); ++i) {
     const auto label = found.voxels[i];
+    in_leaf += tube.voxels[i] != 0 && scan.labels.voxels[i] == kEpiglottis ? 1 : 0;
     // Where the tube was drawn into an organ, that organ may stand again.
     if (tube.voxels[i] == 0 || scan.labels.voxels[i] != kAirway) continue;
     solid += label == kTongue || label == kEpiglottis || label == kSkull || label == kMandible || label == kSpine ? 1 : 0;
   }
+  EXPECT_LE(in_leaf, 5u) << "the way drawn must leave the epiglottis room";
   EXPECT_LE(static_cast<double>(solid), 0.005 * static_cast<double>(count(tube))) << "tube taken for tissue";
 
   double worst = 0.0;
@@ -180,7 +183,6 @@ std::vector<Case> cases() {
     list.push_back({"TrachealWithoutLine", 1.5, 3, {4.2, 0.6, 80.0, -1000.0, 0.0}, false});
     list.push_back({"TermTracheal", 3.2, 1, {4.9, 0.7, 500.0, -1000.0, 1500.0}, false});
     list.push_back({"TermFeeding", 3.2, 1, {2.7, 0.5, 500.0, 0.0, 1000.0}, true});
-    list.push_back({"FeedingFullOfAir", 3.2, 8, {2.0, 0.45, 1000.0, -1000.0, 0.0}, true});
   }
   return list;
 }
