@@ -176,8 +176,15 @@ class Finder {
       const auto c = hu_.grid.nearest(at);
       if (!hu_.grid.contains(c[0], c[1], c[2])) break;
       Cut next;
-      const bool fits = cut(at, direction, start.radius, kRays, next) && next.round >= 0.65 &&
-                        distance(next.centre, at) < 0.5;
+      bool fits = false;
+      const auto [u, v] = across(direction);
+      for (const auto& lean : {Vector3{}, 0.3 * v, -0.3 * v, 0.3 * u, -0.3 * u}) {  // it may bend sharply
+        const auto leant = unit(direction + lean);
+        fits = cut(at, leant, start.radius, kRays, next) && next.round >= 0.65 && distance(next.centre, at) < 0.5;
+        if (!fits) continue;
+        direction = leant;
+        break;
+      }
       if (!fits) {
         next = Cut();
         next.centre = at;
@@ -188,7 +195,7 @@ class Finder {
       }
       cuts.push_back(next);
       if (fits) good = cuts.size();
-      const std::size_t back = std::min<std::size_t>(6, cuts.size() - 1);
+      const std::size_t back = std::min<std::size_t>(5, cuts.size() - 1);
       if (fits && back >= 3) direction = unit(at - cuts[cuts.size() - 1 - back].centre);
     }
     cuts.resize(good);
