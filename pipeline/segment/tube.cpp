@@ -8,14 +8,14 @@ namespace vallecula::pipeline {
 namespace {
 
 // A tube's own measures, mm: they do not grow with the patient.
-constexpr double kWallReach = 1.4;      // the blurred wall's crest lies this near to its inner border
-constexpr double kLargest = 5.6;        // inner radius: 11 mm outside is an adult's largest tube
-constexpr double kThickestRod = 2.0;    // radius of a feeding tube
-constexpr double kStep = 0.5;           // between cuts along a tube
+constexpr double kWallReach = 1.4;    // the blurred wall's crest lies this near to its inner border
+constexpr double kLargest = 5.6;      // inner radius: 11 mm outside is an adult's largest tube
+constexpr double kThickestRod = 2.0;  // radius of a feeding tube
+constexpr double kStep = 0.5;         // between cuts along a tube
 constexpr double kRayStep = 0.15;
-constexpr double kLumen = -600.0;       // HU: darker is the air inside a tube
-constexpr double kThinTube = 2.6;       // diameter: below it a feeding tube, above it one for the windpipe
-constexpr double kGap = 4.0;            // a tube is carried on over so much that does not look like one
+constexpr double kLumen = -600.0;  // HU: darker is the air inside a tube
+constexpr double kThinTube = 2.6;  // diameter: below it a feeding tube, above it one for the windpipe
+constexpr double kGap = 4.0;       // a tube is carried on over so much that does not look like one
 
 /// The grey values along one ray from a tube's middle, across its wall.
 struct Ray {
@@ -143,7 +143,8 @@ class Finder {
       }
     }
     out.after = out.peak;
-    for (r = out.crest; r < out.crest + kWallReach; r += kRayStep) out.after = std::min(out.after, value(from + r * way));
+    for (r = out.crest; r < out.crest + kWallReach; r += kRayStep)
+      out.after = std::min(out.after, value(from + r * way));
     out.wall = out.peak > kLumen + 150.0;
     return out;
   }
@@ -243,7 +244,7 @@ std::vector<std::size_t> middles(const Volume<float>& hu, const Test& in, double
   return found;
 }
 
-/// The first place at which `finder` sees a tube that goes on as one.
+/// A tube from end to end.
 struct Course {
   std::vector<Cut> cuts;
   double outer = 0.0;  ///< radius
@@ -338,7 +339,8 @@ void take_out(const Course& course, bool always_air, const Thresholds& t, double
     }
     const auto way = unit(Vector3(b.position(i)) - s.at);
     double darkest = before.voxels[i];
-    for (double q = r + kRayStep; q <= reach; q += kRayStep) darkest = std::min(darkest, value_at(before, s.at + q * way));
+    for (double q = r + kRayStep; q <= reach; q += kRayStep)
+      darkest = std::min(darkest, value_at(before, s.at + q * way));
     if (darkest > t.air) darkest = std::min<double>(before.voxels[i], std::max(darkest, t.soft));
     after.voxels[i] = static_cast<float>(darkest);
   }
@@ -354,8 +356,8 @@ void find_kind(bool hollow, const Thresholds& t, const Frame& frame, Volume<floa
   const auto rod = [bright](float v) { return v > bright; };
   constexpr double kLean = 0.70710678118654752;
   for (const int second : {1, 2}) {
-    const auto candidates = hollow ? middles(hu, lumen, 2.0 * kLargest, second)
-                                   : middles(hu, rod, 2.0 * kThickestRod, second);
+    const auto candidates =
+        hollow ? middles(hu, lumen, 2.0 * kLargest, second) : middles(hu, rod, 2.0 * kThickestRod, second);
     const Vector3 along = second == 1 ? Vector3{0, 0, 1} : Vector3{0, 1, 0};
     for (const auto i : candidates) {
       const auto p = hu.grid.position(i);
@@ -417,9 +419,10 @@ std::optional<Vector3> cords_around(const std::vector<Tube>& tubes, double scale
     for (std::size_t tight = held; tight < std::min(end, held + cuts(8.0 * scale)); ++tight) {
       if (tube.bare[tight] > 0.05) continue;
       const std::size_t below = std::min(end, tight + cuts(4.0 * scale));
-      const bool stays = below - tight >= cuts(2.0 * scale) &&
-                         std::all_of(tube.bare.begin() + static_cast<std::ptrdiff_t>(tight),
-                                     tube.bare.begin() + static_cast<std::ptrdiff_t>(below), [](double b) { return b < 0.15; });
+      const bool stays =
+          below - tight >= cuts(2.0 * scale) &&
+          std::all_of(tube.bare.begin() + static_cast<std::ptrdiff_t>(tight),
+                      tube.bare.begin() + static_cast<std::ptrdiff_t>(below), [](double b) { return b < 0.15; });
       if (stays) return 0.5 * (tube.axis[held] + tube.axis[tight]);
     }
   }

@@ -1,13 +1,17 @@
-// Infants scanned with a tube in place: the tube is drawn into the scan, the truth is that of the same infant without it.
+// Infants scanned with a tube in place: the tube is drawn into the scan, the truth is that of the same infant without
+// it.
 #include "pipeline/segment/tube.h"
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <limits>
 
+#include "pipeline/dicom/read_series.h"
 #include "pipeline/manikin/manikin.h"
 #include "pipeline/manikin/shapes.h"
 #include "pipeline/segment/segment.h"
@@ -37,10 +41,21 @@ std::vector<manikin::Vec> way_of(const Case& in, const Manikin& manikin) {
   const auto landmarks = manikin.landmarks();
   const double s = manikin.scale();
   if (in.nasal) {
-    return manikin::curve(std::vector<manikin::Vec>{{4.4, -6.5, 11.2}, {3.6, 0.4, 16.6}, {2.8, 6.0, 15.5}, {2.5, 14.0, 10.5},
-                                                    {2.5, 22.0, 6.5}, {2.2, 31.0, 3.0}, {1.0, 39.0, -2.5}, {0.5, 42.5, -10.0},
-                                                    {0.0, 42.2, -20.0}, {0.0, 41.4, -32.0}, {0.0, 40.6, -42.0},
-                                                    {0.0, 41.4, -50.5}, {0.0, 42.0, -57.0}, {0.0, 44.5, -65.0}}, 40);
+    return manikin::curve(std::vector<manikin::Vec>{{4.4, -6.5, 11.2},
+                                                    {3.6, 0.4, 16.6},
+                                                    {2.8, 6.0, 15.5},
+                                                    {2.5, 14.0, 10.5},
+                                                    {2.5, 22.0, 6.5},
+                                                    {2.2, 31.0, 3.0},
+                                                    {1.0, 39.0, -2.5},
+                                                    {0.5, 42.5, -10.0},
+                                                    {0.0, 42.2, -20.0},
+                                                    {0.0, 41.4, -32.0},
+                                                    {0.0, 40.6, -42.0},
+                                                    {0.0, 41.4, -50.5},
+                                                    {0.0, 42.0, -57.0},
+                                                    {0.0, 44.5, -65.0}},
+                          40);
   }
   const auto& g = landmarks.at("glottis_centre");
   const auto& c = landmarks.at("carina");
@@ -48,8 +63,18 @@ std::vector<manikin::Vec> way_of(const Case& in, const Manikin& manikin) {
   const manikin::Vec below = cords + manikin::Vec{0.0, 1.8, -5.7};
   const manikin::Vec fork{0.0, c[1] / s, c[2] / s};
   const auto end = below + 0.6 * (fork - below);
-  return manikin::curve(std::vector<manikin::Vec>{{0.0, -16.0, -9.0}, {0.0, 0.0, -10.0}, {0.0, 12.0, -12.0}, {0.0, 21.0, -14.2},
-                                                  {0.0, 29.5, -20.5}, {0.0, 35.8, -28.5}, {0.0, 38.4, -34.5}, {0.0, 37.2, -41.5}, cords, below, end}, 40);
+  return manikin::curve(std::vector<manikin::Vec>{{0.0, -16.0, -9.0},
+                                                  {0.0, 0.0, -10.0},
+                                                  {0.0, 12.0, -12.0},
+                                                  {0.0, 21.0, -14.2},
+                                                  {0.0, 29.5, -20.5},
+                                                  {0.0, 35.8, -28.5},
+                                                  {0.0, 38.4, -34.5},
+                                                  {0.0, 37.2, -41.5},
+                                                  cords,
+                                                  below,
+                                                  end},
+                        40);
 }
 
 /// Draws it into a scan: each voxel takes what the scanner's blur (0.32 mm across, 0.36 mm along) gathers around it.
@@ -104,8 +129,10 @@ Mask draw(const Case& in, const Manikin& manikin, Hounsfield& ct) {
       const auto flat = off - dot(off, along) * along;
       const double r = norm(flat);
       double hu = ct.voxels[v];
-      if (r < outer - in.made.wall_mm) hu = in.made.lumen_hu;
-      else if (r < outer) hu = in.made.line_hu > 0.0 && dot(flat, aside) > 0.985 * r ? in.made.line_hu : in.made.wall_hu;
+      if (r < outer - in.made.wall_mm)
+        hu = in.made.lumen_hu;
+      else if (r < outer)
+        hu = in.made.line_hu > 0.0 && dot(flat, aside) > 0.985 * r ? in.made.line_hu : in.made.wall_hu;
       value += s.weight / sum * hu;
     }
     ct.voxels[v] = static_cast<std::int16_t>(std::lround(value));
@@ -138,7 +165,8 @@ TEST_P(TubeInPlace, IsTakenOutAndTheInfantIsFoundAsWithoutIt) {
 
   const auto finding = s.findings.at("airway");
   EXPECT_EQ(finding.origin, Origin::inferred);
-  EXPECT_NE(finding.how.find(in.nasal ? "from the nose to the gullet" : "from the mouth to the windpipe"), std::string::npos)
+  EXPECT_NE(finding.how.find(in.nasal ? "from the nose to the gullet" : "from the mouth to the windpipe"),
+            std::string::npos)
       << finding.how;
   const auto at = finding.how.find("about ");
   ASSERT_NE(at, std::string::npos);
@@ -156,7 +184,8 @@ TEST_P(TubeInPlace, IsTakenOutAndTheInfantIsFoundAsWithoutIt) {
     in_leaf += tube.voxels[i] != 0 && scan.labels.voxels[i] == kEpiglottis ? 1 : 0;
     // Where the tube was drawn into an organ, that organ may stand again.
     if (tube.voxels[i] == 0 || scan.labels.voxels[i] != kAirway) continue;
-    solid += label == kTongue || label == kEpiglottis || label == kSkull || label == kMandible || label == kSpine ? 1 : 0;
+    solid +=
+        label == kTongue || label == kEpiglottis || label == kSkull || label == kMandible || label == kSpine ? 1 : 0;
   }
   EXPECT_LE(in_leaf, 20u) << "the way drawn must leave the epiglottis room";
   EXPECT_LE(static_cast<double>(solid), 0.005 * static_cast<double>(count(tube))) << "tube taken for tissue";
@@ -168,9 +197,11 @@ TEST_P(TubeInPlace, IsTakenOutAndTheInfantIsFoundAsWithoutIt) {
     EXPECT_LE(off, 1.5) << name;
     worst = std::max(worst, off);
   }
-  std::printf("[ figures  ] %s: %s; airway %.3f tongue %.3f epiglottis %.3f skull %.3f | %zu of %zu solid | worst landmark %.2f mm\n", in.name,
-              finding.how.c_str(), dice(scan.labels, found, kAirway), dice(scan.labels, found, kTongue),
-              dice(scan.labels, found, kEpiglottis), dice(scan.labels, found, kSkull), solid, count(tube), worst);
+  std::printf(
+      "[ figures  ] %s: %s; airway %.3f tongue %.3f epiglottis %.3f skull %.3f | %zu of %zu solid | worst landmark "
+      "%.2f mm\n",
+      in.name, finding.how.c_str(), dice(scan.labels, found, kAirway), dice(scan.labels, found, kTongue),
+      dice(scan.labels, found, kEpiglottis), dice(scan.labels, found, kSkull), solid, count(tube), worst);
 }
 
 constexpr Made kTracheal25{3.4, 0.5, 300.0, -1000.0, 1500.0};
@@ -187,7 +218,8 @@ std::vector<Case> cases() {
   return list;
 }
 
-INSTANTIATE_TEST_SUITE_P(Tubes, TubeInPlace, ::testing::ValuesIn(cases()), [](const auto& info) { return info.param.name; });
+INSTANTIATE_TEST_SUITE_P(Tubes, TubeInPlace, ::testing::ValuesIn(cases()),
+                         [](const auto& info) { return info.param.name; });
 
 class NoTube : public ::testing::TestWithParam<std::pair<double, std::uint64_t>> {};
 
@@ -212,6 +244,27 @@ std::vector<std::pair<double, std::uint64_t>> bare_infants() {
 INSTANTIATE_TEST_SUITE_P(Infants, NoTube, ::testing::ValuesIn(bare_infants()), [](const auto& info) {
   return "Grams" + std::to_string(std::lround(1000.0 * info.param.first));
 });
+
+TEST(NoTubeRealCt, TeethMetalTurbinatesUvulaAndEpiglottisStay) {
+  namespace fs = std::filesystem;
+  const char* data = std::getenv("VALLECULA_DATA");
+  const fs::path root = data != nullptr ? fs::path(data) : fs::path(VALLECULA_SOURCE_DIR) / ".." / "shared" / "data";
+  const auto series = root / "cerr_head_neck_ct" / "dicom";
+  if (!fs::exists(series)) GTEST_SKIP() << "no real CT at hand";
+  auto ct = read_ct_series(series).hu;
+  const auto before = ct.voxels;
+  const auto t = thresholds_of(ct);
+  const auto frame = frame_of(ct, find_body(ct, t), t);
+  const auto start = std::chrono::steady_clock::now();
+  EXPECT_TRUE(take_out_tubes(ct, t, frame).empty());
+  std::printf("[ figures  ] %d x %d x %d: %.2f s\n", ct.grid.size[0], ct.grid.size[1], ct.grid.size[2],
+              std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+  EXPECT_EQ(ct.voxels, before);
+  // The same as it is segmented: cut out and, where it lay askew, put upright.
+  Edits edits;
+  edits.seeds["tongue"] = {244, -341, -138};
+  EXPECT_EQ(segment(ct, edits).findings.at("airway").how, "");
+}
 
 }  // namespace
 }  // namespace vallecula::pipeline
