@@ -170,13 +170,13 @@ TEST_P(TubeInPlace, IsTakenOutAndTheInfantIsFoundAsWithoutIt) {
       << finding.how;
   const auto at = finding.how.find("about ");
   ASSERT_NE(at, std::string::npos);
-  EXPECT_NEAR(std::atof(finding.how.c_str() + at + 6), in.made.outside_mm, 0.5);
+  EXPECT_NEAR(std::atof(finding.how.c_str() + at + 6), in.made.outside_mm, 0.25);
 
-  EXPECT_GE(dice(scan.labels, found, kAirway), 0.95);
+  EXPECT_GE(dice(scan.labels, found, kAirway), 0.97);
   EXPECT_GE(dice(scan.labels, found, kTongue), 0.95);
   EXPECT_GE(dice(scan.labels, found, kSkull), 0.95);
   EXPECT_GE(dice(scan.labels, found, kMandible), 0.95);
-  EXPECT_GE(dice(scan.labels, found, kEpiglottis), 0.75);
+  EXPECT_GE(dice(scan.labels, found, kEpiglottis), 0.78);
   std::size_t solid = 0;
   std::size_t in_leaf = 0;
   for (std::size_t i = 0; i < tube.voxels.size(); ++i) {
