@@ -128,7 +128,8 @@ std::vector<Section> follow_upwards(const Volume<float>& air, const Trachea& tra
 /// The first narrow place above the trachea: the least area before it opens again. Its plane is across the trachea: the
 /// cords slant as the trachea does, and the plane of least area would follow every bulge of the vestibule.
 Section find_glottis(const Volume<float>& air, const std::vector<Section>& course, double s,
-                     const std::optional<Vector3>& close_to) {
+                     const AirwayHints& hints) {
+  const auto& close_to = hints.cords_near ? hints.cords_near : hints.cords_at;
   std::vector<double> areas;
   for (const auto& cut : course) areas.push_back(cut.area_mm2);
   auto lower = std::vector<double>(areas.begin(), areas.begin() + static_cast<std::ptrdiff_t>((areas.size() + 1) / 2));
@@ -155,6 +156,7 @@ Section find_glottis(const Volume<float>& air, const std::vector<Section>& cours
   Vector3 axis{};
   for (std::size_t i = 0; i <= narrowest * 2 / 3; ++i) axis = axis + course[i].normal;
   axis = unit(axis);
+  if (hints.cords_at && !hints.cords_near) return section_of(air, *hints.cords_at, axis, 0.2 * s, 14.0 * s);
   Section best;
   best.area_mm2 = 1e30;
   const std::size_t near = 8;
@@ -290,7 +292,7 @@ Airway find_airway(const Volume<float>& air, const Head& head, const Frame& fram
   if (trachea.spots.size() < 4) throw std::runtime_error(unseen);
   airway.course = follow_upwards(air, trachea, s);
   if (airway.course.size() < 12) throw std::runtime_error(unseen);
-  airway.glottis = find_glottis(air, airway.course, s, hints.cords_near);
+  airway.glottis = find_glottis(air, airway.course, s, hints);
   if (!airway.glottis.found) throw std::runtime_error(unseen);
   outline_glottis(airway, air, s);
   airway.carina_seen = trachea.carina_seen;

@@ -29,6 +29,7 @@ struct AirwayHints {
   std::optional<Mask> lumen;          ///< stands instead of what is found; `air` is then to have its border
   std::optional<Vector3> seed;        ///< in the air of the way, where not the largest piece of gas is it
   std::optional<Vector3> cords_near;  ///< the glottis is the narrowest place near this point
+  std::optional<Vector3> cords_at;    ///< found otherwise (a tube held them apart): the glottis is here, however wide
 };
 
 /// Throws std::runtime_error naming what is missing when there is no air way through the neck.

@@ -11,6 +11,7 @@
 #include "pipeline/segment/resting_epiglottis.h"
 #include "pipeline/segment/throat.h"
 #include "pipeline/segment/tongue.h"
+#include "pipeline/segment/tube.h"
 #include "pipeline/segment/upright.h"
 
 namespace vallecula::pipeline {
@@ -124,8 +125,9 @@ void label_throat(Segmentation& s, const Given& given, const std::function<void(
 }
 
 /// The airway from its hints, and the glottis and the carina where a person put them.
-Airway airway_of(const Segmentation& s, const Given& given) {
+Airway airway_of(const Segmentation& s, const Given& given, const std::optional<Vector3>& cords_at) {
   AirwayHints hints;
+  hints.cords_at = cords_at;
   hints.seed = given.seed("airway");
   hints.cords_near = given.seed("larynx");
   auto air = air_field(s.hu, s.thresholds);
@@ -202,6 +204,7 @@ Segmentation segment(const Hounsfield& series, const Edits& edits_on_scan,
   Segmentation s;
   say("head", 0.0);
   s.thresholds = with_given(thresholds_of(series), edits_on_scan);
+  std::vector<Tube> tubes;
   {
     auto body = find_body(series, s.thresholds);
     s.box = united(bounds_of(body, 6.0), box_of_given(edits_on_scan, series.grid));
@@ -220,6 +223,8 @@ Segmentation segment(const Hounsfield& series, const Edits& edits_on_scan,
     }
     s.thresholds.noise = noise_of(s.hu, here, s.thresholds);
     say("head", 0.25);
+    tubes = take_out_tubes(s.hu, s.thresholds, s.frame);
+    if (!tubes.empty()) here = find_body(s.hu, s.thresholds);
     s.head = find_head(s.hu, here, s.thresholds, s.frame);
   }
   const auto edits = put_upright(edits_on_scan, s.pose, s.hu.grid);
@@ -227,7 +232,15 @@ Segmentation segment(const Hounsfield& series, const Edits& edits_on_scan,
   given.put_into(s.head, s.hu, s.thresholds.air);
   s.replaced = given.edits().replaced;
   say("airway", 0.45);
-  s.airway = airway_of(s, given);
+  const auto cords_at = cords_around(tubes, s.frame.scale);
+  s.airway = airway_of(s, given, cords_at);
+  if (!tubes.empty()) s.findings["airway"] = {Origin::inferred, describe(tubes, s.head, s.airway, s.frame.scale)};
+  if (cords_at) {
+    const Finding held{Origin::inferred,
+                       "a tube held the cords apart: half way between where it came free above them and where the "
+                       "windpipe lay all around it"};
+    for (const auto* name : {"glottis_centre", "glottis_normal"}) s.findings[name] = held;
+  }
   say("bone", 0.55);
   s.bones = bones_of(s, given);
 

@@ -105,13 +105,13 @@ inline ManikinScan scan_askew(const ManikinOptions& options, const Askew& pose, 
         int first = -1;
         for (int c = 0; c < 27 && same; ++c) {
           const std::array<int, 3> n{near[0] + c % 3 - 1, near[1] + c / 3 % 3 - 1, near[2] + c / 9 - 1};
-          const int label = from.contains(n[0], n[1], n[2]) ? upright.labels.at(n[0], n[1], n[2]) : kBackground;
+          const int label = from.contains(n[0], n[1], n[2]) ? upright.labels.at(n[0], n[1], n[2]) : int{kBackground};
           if (first < 0) first = label;
           same = label == first;
         }
         // Below the upright scan the infant's neck and chest go on.
         const bool below = p[2] < from.origin[2];
-        scan.labels.at(x, y, z) = same && !below ? static_cast<std::uint8_t>(first) : manikin.label_at(p);
+        scan.labels.at(x, y, z) = static_cast<std::uint8_t>(same && !below ? first : int{manikin.label_at(p)});
         const double value = below ? manikin.hounsfield_at(p) : cubic_at(hu, p);
         scan.ct.at(x, y, z) = static_cast<std::int16_t>(std::lround(std::clamp(value + grain, -1024.0, 3071.0)));
       }
