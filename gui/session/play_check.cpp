@@ -31,6 +31,7 @@ constexpr double kHiddenAtRest = 0.05;  ///< ANATOMY: nothing is seen before the
 /// on half a millimetre of the tip, as a person finds out by feeling for it.
 constexpr std::array<std::array<double, 2>, 6> kApproaches = {
     {{0.0, 0.0}, {0.75, 1.5}, {-0.75, 0.0}, {0.75, 0.0}, {-0.75, 1.5}, {1.5, 0.75}}};
+constexpr double kFirstShare = 0.75;    ///< of the progress: most patients need no second try
 constexpr double kLiftIsOver_s = 11.5;  ///< of the expert's plan: from here on the blade goes out
 constexpr std::int64_t kTicksBetweenSights = 20;
 
@@ -199,7 +200,9 @@ std::vector<QualityItem> check_by_playing(PatientPackage& package, const std::fu
     auto candidate = package;
     candidate.approach = {planned.along_mm + along, planned.lift_mm + lift};
     const auto now = play(candidate, scene, scenario, [&](double f) {
-      if (progress) progress((tried + f) / static_cast<double>(kApproaches.size()));
+      if (progress)
+        progress(tried == 0.0 ? kFirstShare * f
+                              : kFirstShare + (1.0 - kFirstShare) * (tried - 1.0 + f) / (kApproaches.size() - 1.0));
     });
     tried += 1.0;
     if (first || now.lifted > played.lifted) {
