@@ -204,9 +204,14 @@ void Import::position() {
     w.stages.begin("position", 0.45, 0.5);
     if (!w.positioned) {
       const bool moves = !w.options.keep_position && aim_of(w.segmentation).any();
-      if (moves || w.options.to_newborn_size) w.measured = on_series_grid(w.segmentation, w.series.hu.grid);
-      if (moves) put_into_position(w.segmentation, [&](double f) { w.stages.say(f); });
-      if (w.options.to_newborn_size) scale_lengths(w.segmentation, 1.0 / w.segmentation.frame.scale);
+      if (moves || w.options.to_newborn_size) {
+        // On a copy: whoever cancels half way keeps what was measured, whole.
+        auto s = w.segmentation;
+        if (moves) put_into_position(s, [&](double f) { w.stages.say(f); });
+        if (w.options.to_newborn_size) scale_lengths(s, 1.0 / s.frame.scale);
+        w.measured = on_series_grid(w.segmentation, w.series.hu.grid);
+        w.segmentation = std::move(s);
+      }
       w.positioned = true;
     }
     w.stages.end();

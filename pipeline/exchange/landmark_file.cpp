@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "pipeline/mesh/vector3.h"
+#include "pipeline/segment/reslice.h"
 
 namespace vallecula::pipeline {
 namespace {
@@ -22,16 +23,6 @@ constexpr const char* kFoundAt = "found at LPS ";
 
 bool is_landmark(const std::string& name) {
   return std::any_of(kLandmarks.begin(), kLandmarks.end(), [&](const char* known) { return name == known; });
-}
-
-/// Back to the scan's frame: the rigid part turned back, the scale undone.
-Point on_scan(const PoseChange& pose, const Point& p) {
-  const auto& m = pose.scan_to_package;
-  const Point q = p - Point{m[3], m[7], m[11]};
-  // Rotation times one scale: the inverse is the transpose over the scale squared.
-  const double s2 = m[0] * m[0] + m[4] * m[4] + m[8] * m[8];
-  return (1.0 / s2) * Point{m[0] * q[0] + m[4] * q[1] + m[8] * q[2], m[1] * q[0] + m[5] * q[1] + m[9] * q[2],
-                            m[2] * q[0] + m[6] * q[1] + m[10] * q[2]};
 }
 
 std::string numbers(const Point& p, const char* between) {
@@ -107,11 +98,12 @@ void write_landmark_file(const PatientPackage& package, const std::filesystem::p
          "      \"coordinateSystem\": \"LPS\",\n      \"coordinateUnits\": \"mm\",\n      \"locked\": false,\n"
          "      \"fixedNumberOfControlPoints\": false,\n      \"labelFormat\": \"%N-%d\",\n      \"controlPoints\": [";
   const auto centre = package.landmarks.at("glottis_centre");
+  const auto to_scan = inverse_of(package.pose.scan_to_package);
   int id = 0;
   for (const auto* name : kLandmarks) {
     auto p = package.landmarks.at(name);
     if (std::string(name) == "glottis_normal") p = centre + kNormalMm * p;
-    p = on_scan(package.pose, p);
+    p = moved(to_scan, p);
     const auto finding = package.findings.find(name);
     std::string description;
     if (finding != package.findings.end()) {

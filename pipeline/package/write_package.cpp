@@ -13,6 +13,7 @@
 #include "pipeline/package/mesh_files.h"
 #include "pipeline/package/patient_package.h"
 #include "pipeline/package/thumbnail.h"
+#include "pipeline/segment/reslice.h"
 
 namespace vallecula::pipeline {
 namespace {
@@ -115,7 +116,9 @@ void fill_folder(const PatientPackage& package, const Labels& labels, const fs::
   }
   write_tet_mesh(package.tongue, package.materials, folder / "tongue.vtu");
   listed("tongue.vtu");
-  write_thumbnail(labels, package.landmarks.at("upper_gum_midline")[0], folder / "thumbnail.png");
+  // The labels lie in the scan's frame, the landmarks in the package's.
+  const auto gum = moved(inverse_of(package.pose.scan_to_package), package.landmarks.at("upper_gum_midline"));
+  write_thumbnail(labels, gum[0], folder / "thumbnail.png");
   listed("thumbnail.png");
 
   std::ofstream out(folder / "patient.yaml", std::ios::binary);

@@ -137,6 +137,20 @@ void join_leaf(Segmentation& s, const Vector3& vallecula) {
   paste(labels, s.throat, s.labels);
 }
 
+/// Says anew how those landmarks came about that the closed mouth hid: how they were found before no longer holds.
+void find_landmarks_again(Segmentation& s, const std::map<std::string, Point>& given) {
+  std::vector<std::string> hidden;
+  for (const auto* name : {"upper_gum_midline", "lower_gum_midline", "condyle_axis", "hyoid"}) {
+    const auto finding = s.findings.find(name);
+    if (finding == s.findings.end() || finding->second.origin == Origin::measured || given.count(name) != 0) continue;
+    s.findings.erase(finding);
+    hidden.emplace_back(name);
+  }
+  find_landmarks(s, given);
+  for (const auto& name : hidden)
+    s.findings.emplace(name, Finding{Origin::inferred, "seen once the mouth was opened or the neck extended"});
+}
+
 }  // namespace
 
 PositionFacts put_into_position(Segmentation& s, const std::function<void(double)>& progress) {
@@ -164,7 +178,9 @@ PositionFacts put_into_position(Segmentation& s, const std::function<void(double
     if (finding == s.findings.end() || finding->second.origin != Origin::given) continue;
     if (name == "lower_gum_midline" || name == "condyle_axis") {
       given[name] = aim.jaw(point);
-    } else if (name != "operator_eye" && name != "glottis_normal") {
+    } else if (name == "operator_eye") {
+      given[name] = point;  // no tissue; it stays where the person put it, over the skull that does not move
+    } else if (name != "glottis_normal") {
       given[name] = sheets.moved(kUpper, point);
     }
   }
@@ -192,7 +208,7 @@ PositionFacts put_into_position(Segmentation& s, const std::function<void(double
     s.epiglottis.vallecula = vallecula;
   }
   if (!hyoid_seen) given["hyoid"] = hyoid;
-  find_landmarks(s, given);
+  find_landmarks_again(s, given);
 
   s.pose.mouth_opened_deg = aim.jaw.angle_rad / kDegree;
   s.pose.extension_deg = aim.neck.angle_rad / kDegree;

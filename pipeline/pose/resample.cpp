@@ -116,6 +116,14 @@ class Carrier {
     }
   }
 
+  /// Grey value of a place in the scan. Tissue given by a person over voxels as dark as air stays tissue where it goes.
+  double tissue_at(const Vector3& p, std::size_t j) const {
+    return drawn_over_air(j) ? s_.thresholds.soft : grey_at(s_.hu, p);
+  }
+  bool drawn_over_air(std::size_t j) const {
+    return s_.head.body.voxels[j] != 0 && s_.hu.voxels[j] <= s_.thresholds.air;
+  }
+
   std::size_t nearest(const Vector3& p) const {
     auto c = s_.hu.grid.nearest(p);
     for (int a = 0; a < 3; ++a) c[a] = std::clamp(c[a], 0, s_.hu.grid.size[a] - 1);
@@ -145,7 +153,7 @@ class Carrier {
           if (w < 0.01) continue;
           const auto i = g.index(x, y, z);
           seen_[i] |= kByJaw;
-          put(i, w, grey_at(s_.hu, p), kMandible);
+          put(i, w, tissue_at(p, nearest(p)), kMandible);
         }
       }
     }
@@ -267,7 +275,7 @@ class Carrier {
     if (w < 0.01) return false;
     const auto j = nearest(from);
     auto label = s_.labels.voxels[j];
-    double hu = grey_at(s_.hu, from);
+    double hu = tissue_at(from, j);
     if (label == kTongue || label == kMandible) label = kSkin;  // their rims
     if (s_.head.body.voxels[j] == 0 && hu > s_.thresholds.air) hu = kAirHu;  // couch, mask
     // The scan ends, the neck does not; but the airways end there.
@@ -293,6 +301,7 @@ class Carrier {
           const auto j = from.index(x, y, z);
           if (filled_[i] != 0 && (seen_[i] & kByJaw) != 0) continue;
           out_.hu.voxels[i] = s_.hu.voxels[j];
+          if (drawn_over_air(j)) out_.hu.voxels[i] = static_cast<std::int16_t>(std::lround(s_.thresholds.soft));
           if (s_.head.body.voxels[j] == 0 && s_.hu.voxels[j] > s_.thresholds.air) out_.hu.voxels[i] = kAirHu;
           const bool left = s_.labels.voxels[j] == kMandible && aim_.jaw.angle_rad != 0.0;
           out_.labels.voxels[i] = left ? static_cast<std::uint8_t>(kSkin) : s_.labels.voxels[j];

@@ -209,6 +209,24 @@ Vector3 condyles(Segmentation& s, const Vector3& upper) {
   return sum;
 }
 
+/// Mean of the hyoid's body, without its horns; false when none of its bone lies near the middle.
+bool middle_of_hyoid(const Segmentation& s, Vector3& middle) {
+  Vector3 sum{};
+  double n = 0.0;
+  const auto& g = s.bones.hyoid.grid;
+  for (std::size_t i = 0; i < g.count(); ++i) {
+    if (s.bones.hyoid.voxels[i] == 0) continue;
+    const auto p = g.position(i);
+    if (std::abs(p[0] - s.frame.mid_x) > 2.5 * s.frame.scale) continue;
+    sum = sum + p;
+    n += 1.0;
+  }
+  if (n == 0.0) return false;
+  middle = (1.0 / n) * sum;
+  middle[0] = s.frame.mid_x;
+  return true;
+}
+
 /// The operator looks from the glottis past the upper gum as steeply as it allows: 3.6 mm (term) clear of it, which is
 /// how the manikin's line of sight was designed (ANATOMY). The eye is 320 mm from the gum whatever the patient's size:
 /// that is the operator's own measure.
@@ -253,38 +271,23 @@ void find_landmarks(Segmentation& s, const std::map<std::string, Point>& given) 
     m["vallecula"] = s.epiglottis.vallecula;
     m["epiglottis_tip"] = s.epiglottis.tip;
   } else {
-    s.findings["vallecula"] = {Origin::from_model,
-                               "no free leaf seen; placed above the front commissure by the term infant's proportions"};
-    s.findings["epiglottis_tip"] = {
-        Origin::from_model, "no free leaf seen; placed above the front commissure by the term infant's proportions"};
-    m["vallecula"] =
-        or_found("vallecula", [&] { return s.airway.front_commissure + k * Vector3{0.0, -1.1, 7.4}; });
-    m["epiglottis_tip"] =
-        or_found("epiglottis_tip", [&] { return s.airway.front_commissure + k * Vector3{0.0, 6.9, 14.1}; });
+    const auto by_proportion = [&](const char* name, const Vector3& from_commissure) {
+      return or_found(name, [&] {
+        s.findings[name] = {Origin::from_model,
+                            "no free leaf seen; placed above the front commissure by the term infant's proportions"};
+        return s.airway.front_commissure + k * from_commissure;
+      });
+    };
+    m["vallecula"] = by_proportion("vallecula", {0.0, -1.1, 7.4});
+    m["epiglottis_tip"] = by_proportion("epiglottis_tip", {0.0, 6.9, 14.1});
   }
-  if (const auto hyoid = given.find("hyoid"); hyoid != given.end()) {
-    m["hyoid"] = hyoid->second;
-  } else if (s.bones.hyoid_seen) {
-    Vector3 sum{};
-    double n = 0.0;
-    const auto& g = s.bones.hyoid.grid;
-    for (std::size_t i = 0; i < g.count(); ++i) {
-      if (s.bones.hyoid.voxels[i] == 0) continue;
-      const auto p = g.position(i);
-      if (std::abs(p[0] - s.frame.mid_x) > 2.5 * k) continue;  // the body, not the horns
-      sum = sum + p;
-      n += 1.0;
-    }
-    if (n > 0.0) {
-      m["hyoid"] = (1.0 / n) * sum;
-      m["hyoid"][0] = s.frame.mid_x;
-    }
-  }
-  if (m.count("hyoid") == 0) {
+  m["hyoid"] = or_found("hyoid", [&]() -> Vector3 {
+    Vector3 middle{};
+    if (s.bones.hyoid_seen && middle_of_hyoid(s, middle)) return middle;
     s.findings["hyoid"] = {Origin::from_model,
                            "no bone seen; placed in front of the vallecula by the term infant's proportions"};
-    m["hyoid"] = Vector3(m["vallecula"]) + k * Vector3{0.0, -6.0, 0.0};
-  }
+    return Vector3(m["vallecula"]) + k * Vector3{0.0, -6.0, 0.0};
+  });
   m["condyle_axis"] = or_found("condyle_axis", [&] { return condyles(s, upper); });
   m["operator_eye"] = or_found("operator_eye", [&] { return operator_eye(upper, glottis, k); });
   for (const auto* name : kLandmarks) {

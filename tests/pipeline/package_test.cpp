@@ -118,6 +118,22 @@ TEST_F(Package, LeavesNothingElseBehind) {
   EXPECT_NO_THROW(read_package(dir));
 }
 
+/// The labels lie on the scan's grid, the landmarks in the package's frame.
+TEST_F(Package, TheThumbnailCutsTheScanThroughItsOwnMiddle) {
+  const auto thumbnail = [&](double gum_x, double shift_x) {
+    auto package = example();
+    package.landmarks["upper_gum_midline"][0] = gum_x;
+    package.pose.scan_to_package[3] = shift_x;
+    const auto dir = folder_ / "cut.patient";
+    write_package(package, example_labels(), dir);
+    std::ifstream in(dir / "thumbnail.png", std::ios::binary);
+    return std::string(std::istreambuf_iterator<char>(in), {});
+  };
+  const auto middle = thumbnail(0.5, 0.0);
+  EXPECT_NE(middle, thumbnail(-1.0, 0.0)) << "another cut is another picture";
+  EXPECT_EQ(middle, thumbnail(40.5, 40.0));
+}
+
 TEST_F(Package, TheTongueSaysItsMaterialsToOtherPrograms) {
   vtkNew<vtkXMLUnstructuredGridReader> reader;
   reader->SetFileName((written() / "tongue.vtu").c_str());

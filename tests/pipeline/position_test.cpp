@@ -2,20 +2,26 @@
 #include "pipeline/pose/position.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
 
+#include "pipeline/import.h"
 #include "pipeline/segment/mouth_bounds.h"
 #include "tests/pipeline/closed_manikin.h"
 
 namespace vallecula::pipeline {
 namespace {
 
-double tongue_mm3(const Segmentation& s) {
-  return static_cast<double>(std::count(s.labels.voxels.begin(), s.labels.voxels.end(), kTongue)) *
+double volume_mm3(const Segmentation& s, std::uint8_t label) {
+  return static_cast<double>(std::count(s.labels.voxels.begin(), s.labels.voxels.end(), label)) *
          s.labels.grid.voxel_mm3();
 }
+double tongue_mm3(const Segmentation& s) { return volume_mm3(s, kTongue); }
 
 TEST(Turn, IsRigidAndTakenBack) {
   const Turn turn{{1, 2, 3}, 0.3, {0, -1, 0.5}};
@@ -109,12 +115,50 @@ void check_mouth_is_open(const Closed& in) {
   EXPECT_LT(g.origin[2] + box.low[2] * g.spacing[2], in.after.airway.glottis.centre[2] - 20.0);
 }
 
-TEST(Position, ClosedMouthIsFoundAndOpened) {
-  Closed in;
+ManikinScan closed_scan() {
   ManikinOptions options;
   options.seed = 0;
-  in.scan = scan_manikin(options);
-  close_mouth(in.scan);
+  auto scan = scan_manikin(options);
+  close_mouth(scan);
+  return scan;
+}
+
+/// Soft palate and larynx as given over voxels as dark as air, an eye given, and a hyoid whose middle is not seen.
+void check_what_was_given_is_kept(const Closed& in) {
+  auto s = in.before;
+  for (std::size_t i = 0; i < s.labels.voxels.size(); ++i) {
+    const auto label = s.labels.voxels[i];
+    if (label != kSoftPalate && label != kLarynx) continue;
+    s.hu.voxels[i] = -1000;
+    s.head.body.voxels[i] = 1;
+  }
+  s.replaced = {kSoftPalate, kLarynx};
+  const Point eye = Vector3(s.landmarks.at("operator_eye")) + Vector3{3.0, -2.0, 5.0};
+  s.landmarks["operator_eye"] = eye;
+  s.findings["operator_eye"] = {Origin::given, "placed by a person"};
+  s.findings["upper_gum_midline"] = {Origin::inferred, "the mouth is closed"};
+  // Only a horn is left of it.
+  s.bones.hyoid = Mask(s.hu.grid);
+  const Point off = Vector3(s.landmarks.at("hyoid")) + Vector3{6.0 * s.frame.scale, 0.0, 0.0};
+  const auto c = s.hu.grid.nearest(off);
+  s.bones.hyoid.at(c[0], c[1], c[2]) = 1;
+  s.bones.hyoid_seen = true;
+  put_into_position(s);
+  for (const auto label : {kSoftPalate, kLarynx})
+    EXPECT_NEAR(volume_mm3(s, label) / volume_mm3(in.after, label), 1.0, 0.05)
+        << static_cast<int>(label) << ": moved as it is when its voxels are bright";
+  EXPECT_EQ(s.findings.at("upper_gum_midline").origin, Origin::inferred) << "found after a move, not on the scan";
+  EXPECT_NE(s.findings.at("upper_gum_midline").how, "the mouth is closed") << "it was opened";
+  EXPECT_EQ(s.landmarks.at("operator_eye"), eye);
+  EXPECT_EQ(s.findings.at("operator_eye").origin, Origin::given);
+  EXPECT_EQ(s.findings.at("hyoid").origin, Origin::from_model);
+  EXPECT_LT(distance(s.landmarks.at("hyoid"), s.landmarks.at("vallecula")), 6.0 * s.frame.scale + 1e-9)
+      << "it goes where the vallecula went";
+}
+
+TEST(Position, ClosedMouthIsFoundAndOpened) {
+  Closed in;
+  in.scan = closed_scan();
   in.before = segment(in.scan.ct, {});
   check_tongue_is_found_without_a_seed(in);
   in.after = in.before;
@@ -123,6 +167,7 @@ TEST(Position, ClosedMouthIsFoundAndOpened) {
   check_jaw_moved_rigidly(in);
   check_skull_did_not_move(in);
   check_mouth_is_open(in);
+  check_what_was_given_is_kept(in);
   EXPECT_NEAR(in.facts.lower_volume_ratio, 1.0, 0.01);
   EXPECT_NEAR(tongue_mm3(in.after) / tongue_mm3(in.before), 1.0, 0.08);
   std::printf("[ figures  ] jaw %.1f deg, jacobian %.3f, folded %.1f mm3, overlap %.1f mm3, tongue %.3f\n",
@@ -138,6 +183,52 @@ TEST(Position, ClosedMouthIsFoundAndOpened) {
   EXPECT_NEAR(distance(in.after.landmarks.at("operator_eye"), in.after.landmarks.at("upper_gum_midline")), 320.0, 1.0)
       << "the operator is no smaller";
   EXPECT_EQ(in.after.pose.scale, 0.5);
+}
+
+void write_nrrd(const Hounsfield& hu, const std::filesystem::path& file) {
+  const auto& g = hu.grid;
+  std::ofstream out(file, std::ios::binary);
+  out.precision(17);
+  out << "NRRD0004\ntype: short\ndimension: 3\nspace: left-posterior-superior\nsizes: " << g.size[0] << " "
+      << g.size[1] << " " << g.size[2]
+      << "\nspace directions: (" << g.spacing[0] << ",0,0) (0," << g.spacing[1] << ",0) (0,0,"
+      << g.spacing[2] << ")\nkinds: domain domain domain\nencoding: raw\nspace origin: (" << g.origin[0] << ","
+      << g.origin[1] << "," << g.origin[2] << ")\nendian: little\n\n";
+  out.write(reinterpret_cast<const char*>(hu.voxels.data()),
+            static_cast<std::streamsize>(hu.voxels.size() * sizeof(hu.voxels[0])));
+}
+
+TEST(Position, CancelledHalfWayLeavesWhatWasMeasured) {
+  const auto file =
+      std::filesystem::temp_directory_path() / ("vallecula-position-" + std::to_string(::getpid()) + ".nrrd");
+  write_nrrd(closed_scan().ct, file);
+  ImportOptions options;
+  options.series = file;
+  double cancel_at = 2.0;
+  Import import(options, [&](const std::string& stage, double done) {
+    if (stage == "position" && done >= cancel_at) throw std::runtime_error("cancelled");
+  });
+  import.read();
+  import.segment();
+  std::filesystem::remove(file);
+  const auto before = import.segmentation();
+  const auto on_scan = import.labels_on_scan().voxels;
+  for (const double late : {0.85, 1.0}) {
+    cancel_at = 0.45 + 0.05 * late - 1e-9;
+    EXPECT_THROW(import.position(), ImportError);
+    const auto& s = import.segmentation();
+    EXPECT_EQ(s.hu.voxels, before.hu.voxels);
+    EXPECT_EQ(s.labels.voxels, before.labels.voxels);
+    EXPECT_EQ(s.head.body.voxels, before.head.body.voxels);
+    EXPECT_EQ(s.bones.hyoid.voxels, before.bones.hyoid.voxels);
+    EXPECT_EQ(s.airway.glottis.centre, before.airway.glottis.centre);
+    EXPECT_EQ(s.landmarks, before.landmarks);
+    EXPECT_EQ(s.pose.mouth_opened_deg, 0.0);
+  }
+  cancel_at = 2.0;
+  import.position();
+  EXPECT_GT(import.segmentation().pose.mouth_opened_deg, 10.0);
+  EXPECT_EQ(import.labels_on_scan().voxels, on_scan);
 }
 
 TEST(Position, OpenMouthAndExtendedHeadAreLeftAlone) {
