@@ -13,9 +13,9 @@ constexpr double kCoarsestInPlaneMm = 2.0;  ///< voxel in the plane of the slice
 
 // Exactness.
 constexpr double kExactMm = 1e-3;  ///< positions that differ by less are the same
-constexpr double kNearlyEvenMm =
-    0.1;  ///< slices within this of even spacing are taken as even (written with one decimal)
-constexpr double kAlignedMm = 0.01;  ///< a volume off the patient's axes by less than this at its far corner is on them
+/// Slices within this of an even ladder (positions written with one decimal) are resampled onto its spacing; sideways
+/// shifts up to it are left.
+constexpr double kNearlyEvenMm = 0.1;
 
 // Bounds of what a header may ask for, checked before anything is allocated.
 constexpr std::int64_t kMostVoxels = std::int64_t{1} << 29;  ///< 1 GiB of int16

@@ -89,6 +89,11 @@ double lower_quartile(const std::vector<double>& at) {
 
 }  // namespace
 
+bool StackPlan::interpolated() const {
+  return sources.size() != places.size() ||
+         std::any_of(sources.begin(), sources.end(), [](const auto& s) { return s.second != 0.0; });
+}
+
 std::string millimetres_text(double value) { return decimal(value) + " mm"; }
 std::string degrees_text(double value) { return decimal(value, "%.1f") + " degrees"; }
 
@@ -177,18 +182,17 @@ StackPlan plan_stack(const std::vector<Picture>& pictures) {
   plan.sources.clear();
   double uneven = 0.0;
   std::size_t place = 0;
+  // Each slice of the volume from the two that lie about its place, where they truly lie.
   for (int k = 0; k < g.size[2]; ++k) {
-    if (even) {
-      while (place + 1 < at.size() && rungs[place + 1] <= k) ++place;
-      const int span = place + 1 < at.size() ? rungs[place + 1] - rungs[place] : 1;
-      plan.sources.emplace_back(static_cast<int>(place), static_cast<double>(k - rungs[place]) / span);
-      if (rungs[place] == k) uneven = std::max(uneven, std::abs(at[place] - at.front() - spacing * k));
-    } else {
-      const double wanted = at.front() + spacing * k;
-      while (place + 1 < at.size() && at[place + 1] <= wanted + kExactMm) ++place;
-      const double share = place + 1 < at.size() ? (wanted - at[place]) / (at[place + 1] - at[place]) : 0.0;
-      plan.sources.emplace_back(static_cast<int>(place), std::abs(wanted - at[place]) < kExactMm ? 0.0 : share);
-    }
+    const double wanted = at.front() + spacing * k;
+    while (place + 1 < at.size() && at[place + 1] <= wanted + kExactMm) ++place;
+    const double off = wanted - at[place];
+    const bool between_two = std::abs(off) > kExactMm && place + 1 < at.size();
+    plan.sources.emplace_back(static_cast<int>(place), between_two ? off / (at[place + 1] - at[place]) : 0.0);
+  }
+  if (even) {
+    for (std::size_t i = 0; i < at.size(); ++i)
+      uneven = std::max(uneven, std::abs(at[i] - at.front() - spacing * rungs[i]));
   }
   if (!even) {
     plan.notes.push_back("the slices lie unevenly (" + decimal(gap.narrowest) + " to " + millimetres_text(gap.widest) +
@@ -198,9 +202,13 @@ StackPlan plan_stack(const std::vector<Picture>& pictures) {
                          " slices are missing and were interpolated; the widest gap is " +
                          millimetres_text(gap.widest) + ", " + where(gap.after));
   }
-  if (std::max(uneven, sideways) > kExactMm) {
-    plan.notes.push_back("slice positions deviate by up to " + millimetres_text(std::max(uneven, sideways)) +
-                         " from even spacing and were taken as even");
+  if (uneven > kExactMm) {
+    plan.notes.push_back("slice positions deviate by up to " + millimetres_text(uneven) +
+                         " from even spacing; the slices were resampled onto it");
+  }
+  if (sideways > kExactMm) {
+    plan.notes.push_back("the slices are shifted sideways against each other by up to " + millimetres_text(sideways) +
+                         " and were left so");
   }
   return plan;
 }

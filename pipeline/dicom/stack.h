@@ -17,7 +17,7 @@ struct StackPlan {
   std::vector<std::string> notes;
   std::string fault;  ///< why no volume can be made of it, and the mend
 
-  bool interpolated() const { return sources.size() != places.size(); }
+  bool interpolated() const;  ///< is any slice of the volume not just one of those read?
 };
 
 /// Places closer than this are one (mm along the normal).

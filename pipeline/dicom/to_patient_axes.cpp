@@ -25,7 +25,7 @@ std::array<int, 3> matching_axes(const CtGeometry& g) {
     aside[along] = 0.0;
     off += norm(aside) * (g.size[k] - 1);
   }
-  if (source[0] < 0 || source[1] < 0 || source[2] < 0 || off > kAlignedMm) return {-1, -1, -1};
+  if (source[0] < 0 || source[1] < 0 || source[2] < 0 || off > kExactMm) return {-1, -1, -1};
   return source;
 }
 

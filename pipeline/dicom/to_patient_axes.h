@@ -6,7 +6,7 @@
 
 namespace vallecula::pipeline {
 
-/// Volumes along the patient's axes (in any order and sense, off by less than kAlignedMm at the far corner) are only
+/// Volumes along the patient's axes (in any order and sense, off by no more than kExactMm at the far corner) are only
 /// turned, exactly; oblique or sheared ones are interpolated linearly onto the smallest enclosing grid, outside
 /// becoming air, and `resampled` says so. Throws SeriesError when that grid is beyond kMostVoxels.
 Hounsfield to_patient_axes(const CtVolume& volume, bool& resampled);

@@ -11,12 +11,12 @@ namespace {
 
 // Lengths of the term newborn, mm.
 constexpr double kLipsStay = 10.0;
-constexpr double kAllGeneric = 22.0;   ///< from the lips; between the two the faces blend
-constexpr double kSkinOver = 2.5;      ///< left over bone and airway
-constexpr double kCell = 1.6;          ///< of the grid on which the shapes are compared; the outside is smooth
-constexpr double kNeckFades = 14.0;    ///< above the glottis: the neck is the patient's
+constexpr double kAllGeneric = 22.0;  ///< from the lips; between the two the faces blend
+constexpr double kSkinOver = 2.5;     ///< left over bone and airway
+constexpr double kCell = 1.6;         ///< of the grid on which the shapes are compared; the outside is smooth
+constexpr double kNeckFades = 14.0;   ///< above the glottis: the neck is the patient's
 constexpr double kSkinInLabels = 3.0;
-constexpr float kHuPerMm = 700.0F;     ///< as the scanner's blur spreads the step from air to tissue
+constexpr float kHuPerMm = 700.0F;  ///< as the scanner's blur spreads the step from air to tissue
 constexpr std::int16_t kAirHu = -1000;
 
 bool within(std::uint8_t label) { return label != kBackground && label != kSkin; }
@@ -56,8 +56,7 @@ Volume<float> share_of_generic(const Segmentation& s, const Grid& grid) {
   auto share = distance_to(lips);
   const double glottis = s.landmarks.at("glottis_centre")[2];
   for (std::size_t i = 0; i < share.voxels.size(); ++i) {
-    const double from_lips =
-        std::clamp((share.voxels[i] / k - kLipsStay) / (kAllGeneric - kLipsStay), 0.0, 1.0);
+    const double from_lips = std::clamp((share.voxels[i] / k - kLipsStay) / (kAllGeneric - kLipsStay), 0.0, 1.0);
     const double over_neck = std::clamp((grid.position(i)[2] - glottis) / (kNeckFades * k), 0.0, 1.0);
     share.voxels[i] = static_cast<float>(from_lips * over_neck);
   }
@@ -111,7 +110,8 @@ Labels without_face(const Labels& labels, double scale) {
   const auto to_inner = distance_to(where(labels, within));
   auto out = labels;
   for (std::size_t i = 0; i < out.voxels.size(); ++i) {
-    if (out.voxels[i] == kSkin && to_inner.voxels[i] > kSkinInLabels * scale) out.voxels[i] = kBackground;
+    if (within(out.voxels[i])) continue;
+    out.voxels[i] = to_inner.voxels[i] <= kSkinInLabels * scale ? kSkin : kBackground;
   }
   return out;
 }

@@ -54,8 +54,8 @@ struct QualityItem {
   bool judged = true;  ///< false: a figure without a limit to hold it against; `ok` says nothing
 };
 
-/// How the scripted expert goes about this patient, from its plan: mm (term) along the line of sight and along the lift.
-/// Found by playing (the last check of an import).
+/// How the scripted expert goes about this patient, from its plan: mm (term) along the line of sight and along the
+/// lift. Found by playing (the last check of an import).
 struct Approach {
   double along_mm = 0.0;  ///< of the tip in the vallecula; positive towards the eye
   double lift_mm = 0.0;   ///< of the tip before and during the lift
@@ -70,7 +70,7 @@ struct PatientPackage {
   PoseChange pose;                                ///< labels.nrrd lies in the scan's frame, all else in the package's
   std::map<std::string, Material> materials;      ///< "tongue", "epiglottis"
   Approach approach;
-  std::map<std::string, Surface> surfaces;        ///< "face", "airway", "mandible", "palate", "glottis" ...
+  std::map<std::string, Surface> surfaces;  ///< "face", "airway", "mandible", "palate", "glottis" ...
   TetMesh tongue;
   std::vector<QualityItem> quality;
 };
@@ -92,13 +92,10 @@ class PackageError : public std::runtime_error {
 };
 
 /// Writes DIR aside and puts it in its place when whole, in one step: a process killed at any moment leaves the package
-/// that was there, the new one or none, and what it left aside goes with the next write. The thumbnail is drawn from the
-/// labels, which lie on the scan's grid. A package already at DIR is replaced; anything else there is left alone. Throws
-/// PackageError.
+/// that was there, the new one or none, and what it left aside goes with the next write. The thumbnail is drawn from
+/// the labels, which lie on the scan's grid. A package already at DIR is replaced; anything else there is left alone.
+/// Throws PackageError.
 void write_package(const PatientPackage& package, const Labels& labels, const std::filesystem::path& dir);
-/// The same with a label map in a file, which is moved in.
-void write_package(const PatientPackage& package, const std::filesystem::path& label_map,
-                   const std::filesystem::path& dir);
 /// Reads and checks (schema, landmarks, materials, sha256 of every file and of patient.yaml itself, meshes). Throws
 /// PackageError.
 PatientPackage read_package(const std::filesystem::path& dir);

@@ -127,7 +127,8 @@ void fill_folder(const PatientPackage& package, const Labels& labels, const fs::
   if (!out) throw PackageError("package file patient.yaml: cannot be written; is there space on the disk?");
 }
 
-/// Puts the whole folder in the place of what is there, which is then at `aside`; in one step where the file system can.
+/// Puts the whole folder in the place of what is there, which is then at `aside`; in one step where the file system
+/// can.
 void exchange(const fs::path& aside, const fs::path& target, const fs::path& old) {
   if (::renameat2(AT_FDCWD, aside.c_str(), AT_FDCWD, target.c_str(), RENAME_EXCHANGE) == 0) return;
   fs::rename(target, old);
@@ -139,9 +140,9 @@ void exchange(const fs::path& aside, const fs::path& target, const fs::path& old
   throw fs::filesystem_error("rename", target, error);
 }
 
-/// `put_labels(folder)` leaves labels.nrrd there and returns what is in it.
-template <class PutLabels>
-void write_aside(const PatientPackage& package, const fs::path& dir, const PutLabels& put_labels) {
+}  // namespace
+
+void write_package(const PatientPackage& package, const Labels& labels, const fs::path& dir) {
   check_complete(package);
   const auto target = package_folder(dir);
   if (fs::exists(target) && !fs::exists(target / "patient.yaml")) {
@@ -155,7 +156,8 @@ void write_aside(const PatientPackage& package, const fs::path& dir, const PutLa
     clean_asides(target);
     fs::remove_all(aside);
     fs::create_directory(aside);
-    fill_folder(package, put_labels(aside), aside);
+    write_label_map(labels, aside / "labels.nrrd");
+    fill_folder(package, labels, aside);
     if (fs::exists(target)) {
       exchange(aside, target, old);
     } else {
@@ -172,25 +174,6 @@ void write_aside(const PatientPackage& package, const fs::path& dir, const PutLa
   }
   fs::remove_all(aside, ignored);
   fs::remove_all(old, ignored);
-}
-
-}  // namespace
-
-void write_package(const PatientPackage& package, const Labels& labels, const fs::path& dir) {
-  write_aside(package, dir, [&](const fs::path& folder) -> const Labels& {
-    write_label_map(labels, folder / "labels.nrrd");
-    return labels;
-  });
-}
-
-void write_package(const PatientPackage& package, const fs::path& label_map, const fs::path& dir) {
-  write_aside(package, dir, [&](const fs::path& folder) {
-    auto labels = read_label_map(label_map);
-    fs::copy_file(label_map, folder / "labels.nrrd");
-    return labels;
-  });
-  std::error_code ignored;
-  fs::remove(label_map, ignored);
 }
 
 }  // namespace vallecula::pipeline

@@ -2,8 +2,6 @@
 
 #include <fstream>
 
-#include "pipeline/package/label_map.h"
-
 namespace vallecula::gui::test {
 
 namespace fs = std::filesystem;
@@ -115,11 +113,8 @@ fs::path write_block_patient(const fs::path& folder) {
       for (int x = 1; x < 11; ++x) labels.at(x, y, z) = pipeline::kTongue;
     }
   }
-  const fs::path aside = folder / "labels-aside.nrrd";
-  pipeline::write_label_map(labels, aside);
   const fs::path package = folder / "block.patient";
-  pipeline::write_package(block_patient(), aside, package);
-  fs::remove(aside);
+  pipeline::write_package(block_patient(), labels, package);
   return package;
 }
 

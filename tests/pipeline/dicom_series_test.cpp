@@ -181,17 +181,36 @@ TEST_F(CtSeriesOfAFolder, UnevenSlicesAreInterpolatedOntoEvenOnes) {
   expect_scene(series.hu, 1.26);
 }
 
-TEST_F(CtSeriesOfAFolder, RoundedPositionsAreTakenAsEven) {
+TEST_F(CtSeriesOfAFolder, SlicesNearlyEvenAreResampledFromWhereTheyLie) {
   const Stack s;
+  const double slope = 25.0;  // HU for each mm: slices taken as even would be 2.2 HU off
   for (int k = 0; k < s.slices; ++k) {
     auto d = slice_at(s, k);
-    const auto p = s.position(0, 0, k);
-    d.position = test::decimal_string({p[0], p[1], p[2] + (k % 3 == 1 ? 0.04 : 0.0)});
+    auto p = s.position(0, 0, k);
+    p[2] += k % 3 == 1 ? 0.09 : 0.0;
+    d.position = test::decimal_string({p[0], p[1], p[2]});
+    for (auto& v : d.stored) v = static_cast<std::uint16_t>(std::lround(2.0 * (slope * p[2] + 1024.0)));
     test::write_dicom(d, name(k));
   }
   const auto volume = read_ct_volume(dir_);
-  EXPECT_TRUE(noted(volume.notes, "deviate by up to 0.04 mm from even spacing"));
-  EXPECT_EQ(volume.geometry.size[2], 36);
+  EXPECT_TRUE(noted(volume.notes, "deviate by up to 0.09 mm from even spacing; the slices were resampled onto it"));
+  ASSERT_EQ(volume.geometry.size[2], 36);
+  for (int k = 0; k < s.slices; ++k) {
+    const auto p = volume.geometry.position(3, 4, k);
+    EXPECT_NEAR(p[2], s.position(3, 4, k)[2], 1e-6);
+    EXPECT_NEAR(volume.at(3, 4, k), slope * p[2], 1.26) << k;
+  }
+}
+
+TEST_F(CtSeriesOfAFolder, WhatIsOffThePatientsAxesByMoreThanAMicrometreIsResampled) {
+  for (const double angle : {5e-6, 5e-5}) {  // 0.0007 and 0.007 mm at the far corner
+    Stack s;
+    s.row = {std::cos(angle), std::sin(angle), 0};
+    s.column = {-std::sin(angle), std::cos(angle), 0};
+    renew();
+    write(s);
+    EXPECT_EQ(read_ct_series(dir_).resampled, angle > 1e-5) << angle;
+  }
 }
 
 TEST_F(CtSeriesOfAFolder, SlicesShiftedSidewaysAreRefused) {

@@ -41,7 +41,8 @@ TEST(GenericFace, IsTheShippedOneOutsideAndLeavesWhatIsWithin) {
     if (face.tissue[t] != static_cast<std::uint8_t>(Tissue::skin)) continue;
     const auto& p = face.points[face.triangles[t][0]];
     const double lips = std::hypot(p[0] - gum[0], p[1] - gum[1], p[2] - (gum[2] - 10.0 * k));
-    if (lips < 40.0 * k || p[2] < s.landmarks.at("glottis_centre")[2] + 20.0 * k || value_at(to_inner, p) < 4.0 * k) continue;
+    if (lips < 40.0 * k || p[2] < s.landmarks.at("glottis_centre")[2] + 20.0 * k || value_at(to_inner, p) < 4.0 * k)
+      continue;
     const double off = k * shapes.head({(p[0] - gum[0]) / k, (p[1] - gum[1]) / k, (p[2] - gum[2]) / k});
     EXPECT_LT(std::abs(off), 1.3) << p[0] << ' ' << p[1] << ' ' << p[2];
     ++looked_at;
@@ -51,15 +52,25 @@ TEST(GenericFace, IsTheShippedOneOutsideAndLeavesWhatIsWithin) {
   std::printf("[ figures  ] %d points of the outside, %d of them over the nose\n", looked_at, forehead);
 }
 
-TEST(GenericFace, ALabelMapWithoutAFaceKeepsSkinOnlyNearWhatIsWithin) {
+TEST(GenericFace, ALabelMapWithoutAFaceHasTheSameSkinWhateverThePatientsWas) {
   Grid grid;
   grid.size = {41, 21, 21};
   Labels labels(grid, kSkin);
   labels.at(10, 10, 10) = kSkull;
+  labels.at(11, 10, 10) = kAirway;
+  auto thin = labels;  // the patient's skin ends 2 mm behind the bone
+  for (std::size_t i = 0; i < thin.voxels.size(); ++i) {
+    if (thin.voxels[i] == kSkin && grid.position(i)[0] < 8.5) thin.voxels[i] = kBackground;
+  }
+  ASSERT_EQ(thin.at(8, 10, 10), kBackground);
   const auto out = without_face(labels, 2.0);  // 6 mm
+  EXPECT_EQ(without_face(thin, 2.0).voxels, out.voxels) << "nothing of where the skin ended is left";
+  EXPECT_EQ(without_face(thin, 2.0).at(4, 10, 10), kSkin) << "background within reach becomes skin";
+  EXPECT_EQ(out.at(3, 10, 10), kBackground);
+  EXPECT_EQ(out.at(11, 10, 10), kAirway);
   EXPECT_EQ(out.at(10, 10, 10), kSkull);
-  EXPECT_EQ(out.at(16, 10, 10), kSkin);
-  EXPECT_EQ(out.at(17, 10, 10), kBackground);
+  EXPECT_EQ(out.at(17, 10, 10), kSkin);
+  EXPECT_EQ(out.at(18, 10, 10), kBackground);
   EXPECT_EQ(out.at(40, 10, 10), kBackground);
 }
 

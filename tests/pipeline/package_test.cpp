@@ -48,7 +48,8 @@ PatientPackage example() {
   p.tongue.tissue = {0, 1};
   p.tongue.anchor = {1, 2, 3, 0, 0};
   p.tongue.contact = {2, 2, 0, 1, 1};
-  p.quality = {{"tongue volume", 7.25, "ml", true, ""}, {"watertight", 0.0, "", false, "open: at the back"},
+  p.quality = {{"tongue volume", 7.25, "ml", true, ""},
+               {"watertight", 0.0, "", false, "open: at the back"},
                {"head size", 1.02, "of term", true, "a figure without a limit", false}};
   return p;
 }
@@ -75,8 +76,7 @@ class Package : public ::testing::Test {
 
   fs::path written() {
     const auto dir = folder_ / "example.patient";
-    write_label_map(example_labels(), folder_ / "labels-aside.nrrd");
-    write_package(example(), folder_ / "labels-aside.nrrd", dir);
+    write_package(example(), example_labels(), dir);
     return dir;
   }
   fs::path folder_;
@@ -108,7 +108,6 @@ TEST_F(Package, ReadsBackWhatWasWritten) {
   EXPECT_TRUE(out.quality[1].judged);
   EXPECT_FALSE(out.quality[2].judged);
   EXPECT_EQ(read_label_map(dir / "labels.nrrd").voxels, example_labels().voxels);
-  EXPECT_FALSE(fs::exists(folder_ / "labels-aside.nrrd")) << "the label map is moved in, not left behind";
 }
 
 TEST_F(Package, LeavesNothingElseBehind) {
@@ -198,7 +197,8 @@ TEST_F(Package, AnyChangedByteIsRefusedByName) {
   const auto dir = written();
   std::vector<fs::path> files;
   for (const auto& entry : fs::directory_iterator(dir)) files.push_back(entry.path());
-  ASSERT_EQ(files.size(), kSurfaces.size() + 5);  // patient.yaml, labels.nrrd, landmarks.mrk.json, tongue.vtu, thumbnail
+  ASSERT_EQ(files.size(),
+            kSurfaces.size() + 5);  // patient.yaml, labels.nrrd, landmarks.mrk.json, tongue.vtu, thumbnail
   std::mt19937 random(11);
   for (const auto& file : files) {
     for (int trial = 0; trial < 5; ++trial) {
@@ -238,26 +238,23 @@ TEST_F(Package, MissingThingsAreNamed) {
 
   auto incomplete = example();
   incomplete.landmarks.erase("carina");
-  write_label_map(example_labels(), folder_ / "l.nrrd");
-  EXPECT_THROW(write_package(incomplete, folder_ / "l.nrrd", folder_ / "b.patient"), PackageError);
+  EXPECT_THROW(write_package(incomplete, example_labels(), folder_ / "b.patient"), PackageError);
   EXPECT_FALSE(fs::exists(folder_ / "b.patient"));
 }
 
 TEST_F(Package, AnotherFolderIsNotOverwritten) {
   fs::create_directories(folder_ / "photos");
   std::ofstream(folder_ / "photos" / "a.txt") << "keep";
-  write_label_map(example_labels(), folder_ / "l.nrrd");
-  EXPECT_THROW(write_package(example(), folder_ / "l.nrrd", folder_ / "photos"), PackageError);
+  EXPECT_THROW(write_package(example(), example_labels(), folder_ / "photos"), PackageError);
   EXPECT_TRUE(fs::exists(folder_ / "photos" / "a.txt"));
-  EXPECT_EQ(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()), 2)
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()), 1)
       << "nothing half-written is left";
 }
 
 TEST_F(Package, AnInvertedTetrahedronIsRefused) {
   auto p = example();
   std::swap(p.tongue.tets[0][1], p.tongue.tets[0][2]);
-  write_label_map(example_labels(), folder_ / "l.nrrd");
-  write_package(p, folder_ / "l.nrrd", folder_ / "c.patient");
+  write_package(p, example_labels(), folder_ / "c.patient");
   try {
     read_package(folder_ / "c.patient");
     FAIL();
