@@ -23,7 +23,8 @@ namespace fs = std::filesystem;
 
 constexpr const char* kVersion = "0.1.0";
 constexpr const char* kFaceNotice =
-    "the face is the patient's own and can be recognised: treat the package as patient data, or import with the generic "
+    "the face is the patient's own and can be recognised: treat the package as patient data, or import with the "
+    "generic "
     "face";
 
 /// Names the stage at hand, measures it, and maps its own 0..1 into the whole's.
@@ -113,6 +114,33 @@ void check_count(int tetrahedra) {
                     std::to_string(kFewestTetrahedra) + " to " + std::to_string(kMostTetrahedra));
 }
 
+/// Runs a stage; whatever goes wrong in it becomes one message for a person.
+template <class Stage>
+void guarded(const Stage& stage) {
+  // The series' own folder may hold a person's name: it is never repeated.
+  try {
+    stage();
+  } catch (const ImportError&) {
+    throw;
+  } catch (const std::bad_alloc&) {
+    throw ImportError("series: not enough memory for a series of this size; close other programs");
+  } catch (const SeriesError& e) {
+    throw ImportError(e.what());
+  } catch (const PackageError& e) {
+    throw ImportError(e.what());
+  } catch (const LabelMapError& e) {
+    throw ImportError(e.what());
+  } catch (const LandmarkFileError& e) {
+    throw ImportError(e.what());
+  } catch (const EditError& e) {
+    throw ImportError(e.what());
+  } catch (const fs::filesystem_error& e) {  // its own words hold paths
+    throw ImportError("files: " + e.code().message() + "; check the names and the folders' permissions");
+  } catch (const std::runtime_error& e) {
+    throw ImportError(std::string("series: ") + e.what());
+  }
+}
+
 }  // namespace
 
 struct Import::Work {
@@ -122,36 +150,11 @@ struct Import::Work {
   Stages stages{report, progress};
   CtSeries series;
   Segmentation segmentation;
-  bool positioned = false;   ///< since the last segment()
-  Labels measured;           ///< on the scan, once `segmentation` has been moved away from it
+  bool positioned = false;  ///< since the last segment()
+  Labels measured;          ///< on the scan, once `segmentation` has been moved away from it
   PatientPackage package;
   std::vector<QualityItem> played;
   std::vector<std::string> edit_remarks;
-
-  /// Runs a stage; whatever goes wrong in it becomes one message for a person.
-  template <class Stage>
-  void guarded(const Stage& stage) {
-    // The series' own folder may hold a person's name: it is never repeated.
-    try {
-      stage();
-    } catch (const ImportError&) {
-      throw;
-    } catch (const std::bad_alloc&) {
-      throw ImportError("series: not enough memory for a series of this size; close other programs");
-    } catch (const SeriesError& e) {
-      throw ImportError(e.what());
-    } catch (const PackageError& e) {
-      throw ImportError(e.what());
-    } catch (const LabelMapError& e) {
-      throw ImportError(e.what());
-    } catch (const LandmarkFileError& e) {
-      throw ImportError(e.what());
-    } catch (const EditError& e) {
-      throw ImportError(e.what());
-    } catch (const std::runtime_error& e) {
-      throw ImportError(std::string("series: ") + e.what());
-    }
-  }
 };
 
 Import::Import(ImportOptions options, ImportProgress progress) : work_(std::make_unique<Work>()) {
@@ -178,16 +181,17 @@ std::vector<QualityItem> Import::quality() const {
 
 void Import::read() {
   auto& w = *work_;
-  w.guarded([&] {
+  guarded([&] {
     w.stages.begin("read", 0.0, 0.1);
-    w.series = read_ct_series(w.options.series, [&](double f) { w.stages.say(f); }, w.options.choose);
+    w.series = read_ct_series(
+        w.options.series, [&](double f) { w.stages.say(f); }, w.options.choose);
     w.stages.end();
   });
 }
 
 void Import::segment() {
   auto& w = *work_;
-  w.guarded([&] {
+  guarded([&] {
     w.stages.begin("segment", 0.1, 0.45);
     w.positioned = false;
     w.measured = Labels();
@@ -200,7 +204,7 @@ void Import::segment() {
 
 void Import::position() {
   auto& w = *work_;
-  w.guarded([&] {
+  guarded([&] {
     w.stages.begin("position", 0.45, 0.5);
     if (!w.positioned) {
       const bool moves = !w.options.keep_position && aim_of(w.segmentation).any();
@@ -221,7 +225,7 @@ void Import::position() {
 void Import::mesh() {
   auto& w = *work_;
   if (!w.positioned) position();
-  w.guarded([&] {
+  guarded([&] {
     check_count(w.options.tetrahedra);
     w.package = PatientPackage();
     w.stages.begin("surfaces", 0.5, 0.75);
@@ -251,7 +255,7 @@ void Import::check() {
   auto& w = *work_;
   w.played.clear();
   if (!w.options.check) return;
-  w.guarded([&] {
+  guarded([&] {
     w.stages.begin("check by playing", 0.85, 0.95);
     w.played = w.options.check(w.package, [&](double f) { w.stages.say(f); });
     w.stages.end();
@@ -260,7 +264,7 @@ void Import::check() {
 
 ImportReport Import::write() {
   auto& w = *work_;
-  w.guarded([&] {
+  guarded([&] {
     check_out(w.options.out, w.options.replace);
     w.stages.begin("write", 0.95, 1.0);
     auto package = w.package;
@@ -278,8 +282,10 @@ ImportReport Import::write() {
 }
 
 ImportReport import_series(const ImportOptions& options, const ImportProgress& progress) {
-  check_out(options.out, options.replace);
-  check_count(options.tetrahedra);
+  guarded([&] {
+    check_out(options.out, options.replace);
+    check_count(options.tetrahedra);
+  });
   Import import(options, progress);
   import.read();
   import.segment();

@@ -33,7 +33,7 @@ EditOptions::EditOptions(CLI::App& command) : texts_(std::make_shared<Texts>()) 
   command.add_option("--seed", texts_->seeds,
                      "A point inside a structure that is not found by itself: NAME=x,y,z (mm, LPS); tongue, airway, "
                      "bone_skull, bone_mandible, spine, epiglottis, soft_palate, larynx (at the cords), hyoid");
-  command.add_option("--threshold", texts_->thresholds, "Lowest and highest HU of a structure: NAME=lo,hi");
+  command.add_option("--threshold", texts_->thresholds, "Lowest and highest HU of a structure: NAME=lo,hi (skin=lo)");
   command.add_option("--labels", texts_->labels,
                      "A label map made elsewhere (NRRD or .seg.nrrd with 3D Slicer's names, NIfTI, DICOM SEG): its "
                      "structures replace what is found");
@@ -50,8 +50,10 @@ void EditOptions::put_into(pipeline::ImportOptions& import) const {
       throw CLI::ValidationError("--seed", "'" + name + "' is given twice");
   }
   for (const std::string& text : texts_->thresholds) {
-    const auto [name, hu] = parsed("--threshold", text, 2, "NAME=lo,hi (HU), for instance airway=-1024,-400");
-    if (!import.edits.thresholds.insert({name, {hu[0], hu[1]}}).second)
+    const bool skin = text.rfind("skin=", 0) == 0;
+    const auto [name, hu] = skin ? parsed("--threshold", text, 1, "skin=lo (HU; skin has no highest value)")
+                                 : parsed("--threshold", text, 2, "NAME=lo,hi (HU), for instance airway=-1024,-400");
+    if (!import.edits.thresholds.insert({name, {hu[0], skin ? pipeline::kNoHighest : hu[1]}}).second)
       throw CLI::ValidationError("--threshold", "'" + name + "' is given twice");
   }
   for (const std::string& text : texts_->label_values) {

@@ -14,6 +14,7 @@
 #include "gui/views/slice_scene.h"
 #include "gui/views/theme.h"
 #include "pipeline/package/label_map.h"
+#include "pipeline/segment/edits.h"
 
 namespace vallecula::gui {
 namespace {
@@ -132,7 +133,8 @@ StructurePanel::StructurePanel(SliceScene& scene, EditHistory& history, QWidget*
     connect(spin, qOverload<int>(&QSpinBox::valueChanged), this, &StructurePanel::preview);
   connect(preview_, &QCheckBox::toggled, this, &StructurePanel::preview);
   connect(use_, &QPushButton::clicked, this, [this] {
-    history_.set_threshold(selected(), {static_cast<double>(low_->value()), static_cast<double>(high_->value())});
+    const double high = selected() == "skin" ? pipeline::kNoHighest : high_->value();
+    history_.set_threshold(selected(), {static_cast<double>(low_->value()), high});
   });
   connect(load_, &QPushButton::clicked, this, [this] { emit load_wanted(QString::fromStdString(selected())); });
   connect(drop_, &QPushButton::clicked, this, [this] { history_.forget(selected()); });
@@ -205,6 +207,7 @@ void StructurePanel::show_selected() {
   const auto threshold = state.thresholds.find(name);
   const bool bone = name.rfind("bone", 0) == 0 || name == "spine";
   const std::array<double, 2> usual = name == "airway" ? std::array<double, 2>{kLowestHu, -400.0}
+                                      : name == "skin" ? std::array<double, 2>{-400.0, pipeline::kNoHighest}
                                       : bone           ? std::array<double, 2>{250.0, kHighestHu}
                                                        : std::array<double, 2>{-50.0, 120.0};
   const auto& shown = threshold != state.thresholds.end() ? threshold->second : usual;
@@ -212,7 +215,8 @@ void StructurePanel::show_selected() {
     shown_ = name;
     filling_ = true;
     low_->setValue(static_cast<int>(shown[0]));
-    high_->setValue(static_cast<int>(shown[1]));
+    high_->setValue(shown[1] < kHighestHu ? static_cast<int>(shown[1]) : kHighestHu);
+    high_->setEnabled(name != "skin");  // all that is denser is skin too
     filling_ = false;
   }
   preview();

@@ -9,6 +9,7 @@
 #include <new>
 
 #include "pipeline/dicom/ct_exchange.h"
+#include "pipeline/dicom/file_list.h"
 #include "pipeline/dicom/series_error.h"
 #include "pipeline/exchange/label_exchange.h"
 #include "pipeline/exchange/label_readers.h"
@@ -56,10 +57,10 @@ std::string read_series(ct_exchange::Reader& request, Host& host) {
 std::string read_labels(ct_exchange::Reader& request, Host& host) {
   const auto file = label_exchange::unpacked_request(request);
   const auto error = [&](const std::string& what) {
-    return ct_exchange::packed_error("label map " + label_file_name(file) + ": " + what);
+    return ct_exchange::packed_error("label map " + told_name(file) + ": " + what);
   };
   try {
-    host.at_file(label_file_name(file));
+    host.at_file(told_name(file));
     const auto image = parsed_dicom_segmentation(file);
     const auto bytes = image.sets.size() * sizeof(image.sets[0]);
     std::memcpy(host.voxels(image.sets.size()), image.sets.data(), bytes);

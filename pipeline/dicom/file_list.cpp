@@ -17,9 +17,10 @@ bool is_hidden(const fs::path& file) { return file.filename().string().front() =
 }  // namespace
 
 bool is_neutral_file_name(const std::string& name) {
-  static const std::set<std::string> kUsual = {"i",   "im",  "img",    "image", "ct",    "slice", "sl",    "s",
-                                               "se",  "ser", "series", "file",  "frame", "dicom", "dcm",   "ima",
-                                               "nii", "gz",  "nrrd",   "nhdr",  "mha",   "mhd",   "volume"};
+  static const std::set<std::string> kUsual = {
+      "i",      "im",   "img",    "image", "ct",    "slice",  "sl",        "s",   "se",   "ser",
+      "series", "file", "frame",  "dicom", "dcm",   "ima",    "nii",       "gz",  "nrrd", "nhdr",
+      "mha",    "mhd",  "volume", "seg",   "label", "labels", "landmarks", "mrk", "json"};
   std::size_t at = 0;
   while (at < name.size()) {
     const auto run = [&](int (*is)(int)) {
@@ -42,6 +43,11 @@ bool is_neutral_file_name(const std::string& name) {
     }
   }
   return true;
+}
+
+std::string told_name(const fs::path& file) {
+  const auto name = file.filename().string();
+  return is_neutral_file_name(name) ? name : "(name withheld)";
 }
 
 FileList::FileList(const fs::path& place) {

@@ -27,5 +27,7 @@ class FileList {
 
 /// Is this file name free of what could identify a person?
 bool is_neutral_file_name(const std::string& name);
+/// What a single file is called in messages: its name when it is neutral, else "(name withheld)"; never its folders.
+std::string told_name(const std::filesystem::path& file);
 
 }  // namespace vallecula::pipeline

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "pipeline/dicom/file_list.h"
 #include "pipeline/mesh/vector3.h"
 #include "pipeline/segment/reslice.h"
 
@@ -18,7 +19,7 @@ constexpr double kNormalMm = 10.0;
 constexpr const char* kFoundAt = "found at LPS ";
 
 [[noreturn]] void fail(const std::filesystem::path& file, const std::string& what) {
-  throw LandmarkFileError("landmark file " + file.filename().string() + ": " + what);
+  throw LandmarkFileError("landmark file " + told_name(file) + ": " + what);
 }
 
 bool is_landmark(const std::string& name) {

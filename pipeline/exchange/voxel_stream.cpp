@@ -10,6 +10,7 @@
 #include <fstream>
 #include <vector>
 
+#include "pipeline/dicom/file_list.h"
 #include "pipeline/package/label_map.h"
 
 namespace vallecula::pipeline {
@@ -124,10 +125,8 @@ int bytes_of(Element element) {
   }
 }
 
-std::string label_file_name(const std::filesystem::path& file) { return file.filename().string(); }
-
 void fail_label_file(const std::filesystem::path& file, const std::string& what) {
-  throw LabelMapError("label map " + label_file_name(file) + ": " + what);
+  throw LabelMapError("label map " + told_name(file) + ": " + what);
 }
 
 void check_placement(const Placement& place, int layers, const std::filesystem::path& file) {

@@ -23,9 +23,7 @@ struct VoxelLayout {
   std::uint64_t skip = 0;  ///< bytes to leave out after unpacking
 };
 
-/// What the file is called in messages: its name alone, never its folders.
-std::string label_file_name(const std::filesystem::path& file);
-/// Throws LabelMapError: "label map NAME: what".
+/// Throws LabelMapError: "label map NAME: what", with the name as told_name has it.
 [[noreturn]] void fail_label_file(const std::filesystem::path& file, const std::string& what);
 
 /// Throws LabelMapError when a size is none or more than this program holds, or the steps span no volume.

@@ -6,7 +6,6 @@
 
 #include "pipeline/mesh/vector3.h"
 #include "pipeline/package/label_map.h"
-#include "pipeline/parallel.h"
 
 namespace vallecula::pipeline {
 namespace {
@@ -31,7 +30,11 @@ void check_threshold(const std::string& name, const std::array<double, 2>& hu) {
     for (const auto& label : kLabelNames) names += (names.empty() ? "" : ", ") + std::string(label.name);
     throw EditError("threshold " + name + ": no structure of this name; known are " + names);
   }
-  if (!(std::isfinite(hu[0]) && std::isfinite(hu[1]) && hu[0] < hu[1]))
+  if (name == "skin" && std::isfinite(hu[1]))
+    throw EditError(
+        "threshold skin: it has no highest value, for what is denser and no other structure is skin too; "
+        "give skin=LO");
+  if (!(std::isfinite(hu[0]) && (name == "skin" || std::isfinite(hu[1])) && hu[0] < hu[1]))
     throw EditError("threshold " + name + ": expected the lowest, then the highest Hounsfield value, " + name +
                     "=LO,HI");
   // The border between air and tissue; outside of these there is nothing on one side of it.
@@ -84,34 +87,6 @@ void check_edits_in(const Edits& edits, const Grid& scan) {
   for (const auto& [name, point] : edits.landmarks) {
     if (name != "glottis_normal" && name != "operator_eye") check("landmark " + name, point, kBelowTheScanMm);
   }
-}
-
-Edits moved(const Edits& edits, const std::array<double, 16>& m, const Grid& onto) {
-  const auto turned = [&](const Point& p) {
-    return Point{m[0] * p[0] + m[1] * p[1] + m[2] * p[2], m[4] * p[0] + m[5] * p[1] + m[6] * p[2],
-                 m[8] * p[0] + m[9] * p[1] + m[10] * p[2]};
-  };
-  const Point shift{m[3], m[7], m[11]};
-  Edits out = edits;
-  for (auto& [name, point] : out.seeds) point = turned(point) + shift;
-  for (auto& [name, point] : out.landmarks) point = name == "glottis_normal" ? turned(point) : turned(point) + shift;
-  if (!edits.labels) return out;
-
-  // Where does a voxel of `onto` come from? The rows of the matrix are the columns of its inverse (rigid).
-  const auto& from = *edits.labels;
-  out.labels = Labels(onto);
-  parallel_for(onto.size[2], [&](int z) {
-    for (int y = 0; y < onto.size[1]; ++y) {
-      for (int x = 0; x < onto.size[0]; ++x) {
-        const Point p = onto.position(x, y, z) - shift;
-        const Point scan{m[0] * p[0] + m[4] * p[1] + m[8] * p[2], m[1] * p[0] + m[5] * p[1] + m[9] * p[2],
-                         m[2] * p[0] + m[6] * p[1] + m[10] * p[2]};
-        const auto c = from.grid.nearest(scan);
-        if (from.grid.contains(c[0], c[1], c[2])) out.labels->at(x, y, z) = from.at(c[0], c[1], c[2]);
-      }
-    }
-  });
-  return out;
 }
 
 }  // namespace vallecula::pipeline

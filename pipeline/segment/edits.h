@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <map>
 #include <optional>
 #include <set>
@@ -13,10 +14,13 @@
 
 namespace vallecula::pipeline {
 
+/// The highest HU of skin, which has none: what is denser and no other structure is skin too.
+constexpr double kNoHighest = std::numeric_limits<double>::infinity();
+
 /// All in the scan's own frame, mm LPS. Names of structures as in kLabelNames, of landmarks as in kLandmarks.
 struct Edits {
   std::map<std::string, Point> seeds;                       ///< a point inside the structure
-  std::map<std::string, std::array<double, 2>> thresholds;  ///< lowest and highest HU of the structure
+  std::map<std::string, std::array<double, 2>> thresholds;  ///< lowest and highest HU
   std::optional<Labels> labels;                             ///< made elsewhere; on any grid along the patient's axes
   std::set<std::uint8_t> replaced;                          ///< the labels of it that stand instead of what is found
   std::map<std::string, Point> landmarks;                   ///< these stand instead of what is found
@@ -32,9 +36,5 @@ class EditError : public std::runtime_error {
 void check_edits(const Edits& edits);
 /// Do the seeds lie in the scan, and the landmarks no further from it than a carina below its end? Throws EditError.
 void check_edits_in(const Edits& edits, const Grid& scan);
-
-/// The edits in another frame, for a scan that is put upright before it is segmented: points and normals moved by the
-/// rigid `scan_to_package` (row by row, mm), the label map resampled by nearest neighbour onto `onto`.
-Edits moved(const Edits& edits, const std::array<double, 16>& scan_to_package, const Grid& onto);
 
 }  // namespace vallecula::pipeline

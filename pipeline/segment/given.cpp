@@ -47,7 +47,10 @@ Mask structures_left_out(const Mask& drawn) {
 
 std::string in_words(const std::array<double, 2>& hu) {
   std::ostringstream text;
-  text << hu[0] << " to " << hu[1] << " HU";
+  if (hu[1] == kNoHighest)
+    text << hu[0] << " HU and above";
+  else
+    text << hu[0] << " to " << hu[1] << " HU";
   return text.str();
 }
 

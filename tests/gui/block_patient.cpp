@@ -2,6 +2,8 @@
 
 #include <fstream>
 
+#include "pipeline/package/label_map.h"
+
 namespace vallecula::gui::test {
 
 namespace fs = std::filesystem;

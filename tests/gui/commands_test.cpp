@@ -33,8 +33,8 @@ TEST(CommandLine, HelpListsTheCommandsOwedNowAndEachHasItsOwn) {
   const Outcome help = box.run({"--help"});
   EXPECT_EQ(help.exit_code, 0);
   EXPECT_EQ(help.err, "");
-  for (const std::string command : {"demo", "manikin", "import", "series", "compare", "export", "trial", "replay", "score",
-                                    "curriculum", "lab"}) {
+  for (const std::string command :
+       {"demo", "manikin", "import", "series", "compare", "export", "trial", "replay", "score", "curriculum", "lab"}) {
     EXPECT_NE(help.out.find("\n  " + command + " "), std::string::npos) << command << "\n" << help.out;
     EXPECT_EQ(box.run({command, "--help"}).exit_code, 0) << command;
   }
@@ -94,6 +94,8 @@ TEST(ImportCommand, EditsThatCannotBeMeantAreWrongUsage) {
   refused({"--threshold", "bone_skull=300"}, "bone_skull=300");
   refused({"--threshold", "bone_skull=300,200"}, "bone_skull");
   refused({"--threshold", "liver=1,2"}, "liver");
+  refused({"--threshold", "skin=-400,3000"}, "no highest");
+  refused({"--threshold", "skin=-400", "--threshold", "airway=-1024,-500"}, "airway and skin");
   refused({"--labels", "l.nii", "--label-value", "tongue=1.5"}, "tongue=1.5");
   refused({"--labels", "l.nii", "--label-value", "liver=1"}, "liver");
   refused({"--labels", "l.nii", "--label-value", "tongue=1", "--label-value", "airway=1"}, "twice");
@@ -140,7 +142,8 @@ TEST(ExportCommand, WritesSurfacesAndLeavesThePackage) {
   EXPECT_NE(outcome.out.find("tongue.stl"), std::string::npos);
   EXPECT_TRUE(fs::exists(box / "stl" / "face.stl"));
   EXPECT_NO_THROW(pipeline::read_package(box / "block.patient"));
-  expect_refused(box.run({"export", (box / "none.patient").string(), "--stl", (box / "stl").string()}), 1, "none.patient");
+  expect_refused(box.run({"export", (box / "none.patient").string(), "--stl", (box / "stl").string()}), 1,
+                 "none.patient");
 }
 
 /// The same files read and measured by SimpleITK, nibabel, pydicom and scipy (the recipe in tests/truth).

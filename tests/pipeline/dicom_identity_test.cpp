@@ -55,11 +55,14 @@ TEST_F(ReaderIdentity, NothingThatIdentifiesIsTold) {
 }
 
 TEST(FileNames, OnlyUsualWordsAndSmallNumbersAreNeutral) {
-  for (const char* name : {"IM-0001-0012.dcm", "img12.dcm", "ct-0004.dcm", "I00000012", "Slice_7.ima", "3.dcm"})
+  for (const char* name : {"IM-0001-0012.dcm", "img12.dcm", "ct-0004.dcm", "I00000012", "Slice_7.ima", "3.dcm",
+                           "labels.nrrd", "label.seg.nrrd", "landmarks.mrk.json"})
     EXPECT_TRUE(is_neutral_file_name(name)) << name;
   for (const char* name : {"DOE^JOHN_123.dcm", "1.2.840.113619.2.55.dcm", "CT19870401.dcm", "jane.nii", "IM0047110.dcm",
                            "MRN 12.dcm", "J\xc3\xb6rg.dcm"})
     EXPECT_FALSE(is_neutral_file_name(name)) << name;
+  EXPECT_EQ(told_name("/home/jane/labels.nrrd"), "labels.nrrd");
+  EXPECT_EQ(told_name("/scans/jane.nii"), "(name withheld)");
 }
 
 }  // namespace

@@ -20,6 +20,7 @@
 #include "pipeline/mesh/tet_quality.h"
 #include "pipeline/mesh/tetrahedralize.h"
 #include "pipeline/segment/segment.h"
+#include "pipeline/segment/upright.h"
 
 namespace vallecula::pipeline {
 namespace {
@@ -52,7 +53,10 @@ TEST(Edits, WithBadNamesOrNumbersAreRefusedByName) {
   expect_refused(with([](Edits& e) { e.thresholds["tongue"] = {80, 20}; }), "tongue");
   expect_refused(with([nan](Edits& e) { e.thresholds["tongue"] = {nan, 20}; }), "tongue");
   expect_refused(with([](Edits& e) { e.thresholds["airway"] = {-1024, 300}; }), "airway");
-  expect_refused(with([](Edits& e) { e.thresholds["skin"] = {-300, 3000}; }), "skin");
+  expect_refused(with([](Edits& e) { e.thresholds["skin"] = {-400, 3000}; }), "skin: it has no highest");
+  expect_refused(with([](Edits& e) { e.thresholds["skin"] = {-300, kNoHighest}; }), "airway and skin");
+  expect_refused(with([](Edits& e) { e.thresholds["tongue"] = {20, kNoHighest}; }), "tongue");
+  EXPECT_NO_THROW(check_edits(with([](Edits& e) { e.thresholds["skin"] = {-400, kNoHighest}; })));
   expect_refused(with([](Edits& e) { e.landmarks["nose"] = {0, 0, 0}; }), "nose");
   expect_refused(with([](Edits& e) { e.landmarks["glottis_normal"] = {0, 0, 0}; }), "glottis_normal");
   expect_refused(with([](Edits& e) { e.replaced = {kTongue}; }), "label map");
@@ -66,7 +70,8 @@ TEST(Edits, WithBadNamesOrNumbersAreRefusedByName) {
 
 TEST(Edits, AreMovedWithTheHead) {
   // A quarter turn about z (x to y, y to -x) and a shift.
-  const std::array<double, 16> turn = {0, -1, 0, 10, 1, 0, 0, -20, 0, 0, 1, 5, 0, 0, 0, 1};
+  PoseChange turn;
+  turn.scan_to_package = {0, -1, 0, 10, 1, 0, 0, -20, 0, 0, 1, 5, 0, 0, 0, 1};
   Edits edits;
   edits.seeds["tongue"] = {3, 4, 5};
   edits.landmarks["glottis_centre"] = {1, 0, 0};
@@ -79,7 +84,7 @@ TEST(Edits, AreMovedWithTheHead) {
   Grid onto;
   onto.size = {20, 20, 20};
   onto.origin = {0, -25, 0};
-  const auto out = moved(edits, turn, onto);
+  const auto out = put_upright(edits, turn, onto);
   EXPECT_EQ(out.seeds.at("tongue"), (Point{6, -17, 10}));
   EXPECT_EQ(out.landmarks.at("glottis_centre"), (Point{10, -19, 5}));
   EXPECT_EQ(out.landmarks.at("glottis_normal"), (Point{0, 1, 0})) << "a direction is turned, not shifted";

@@ -206,6 +206,17 @@ void check_a_package_is_replaced_only_when_asked(const Imported& in) {
     EXPECT_NE(std::string(e.what()).find("already there"), std::string::npos) << e.what();
   }
   EXPECT_FALSE(worked);
+  std::string endless = "DoeJane";
+  for (int doubled = 0; doubled < 6; ++doubled) endless += endless;  // no file system takes it
+  again.out = scratch() / (endless + ".patient");
+  try {
+    import_series(again);
+    ADD_FAILURE() << "it was taken";
+  } catch (const ImportError& e) {
+    EXPECT_EQ(std::string(e.what()).rfind("files: ", 0), 0U) << e.what();
+    for (const auto* secret : {"Doe", "/"})
+      EXPECT_EQ(std::string(e.what()).find(secret), std::string::npos) << e.what();
+  }
   again.out = scratch() / "many.patient";
   again.tetrahedra = 100001;
   EXPECT_THROW(import_series(again), ImportError);

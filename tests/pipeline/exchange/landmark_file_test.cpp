@@ -53,23 +53,30 @@ TEST_F(LandmarkFile, LandmarksGoOutAndOnlyMovedOnesComeBack) {
   EXPECT_EQ(ras.moved.at("glottis_normal"), (Point{0, 0, 1}));
   EXPECT_EQ(ras.left_out, 2);
 
-  expect_message([&] { read_landmark_file(write("x.mrk.json", "{\"markups\": [")); }, "x.mrk.json");
-  expect_message([&] { read_landmark_file(write("y.mrk.json", "[1, 2]")); }, "y.mrk.json");
+  expect_message([&] { read_landmark_file(write("file1.mrk.json", "{\"markups\": [")); }, "file1.mrk.json");
+  expect_message([&] { read_landmark_file(write("file2.mrk.json", "[1, 2]")); }, "file2.mrk.json");
   expect_message(
       [&] {
-        read_landmark_file(write("z.mrk.json",
+        read_landmark_file(write("file3.mrk.json",
                                  "{\"markups\": [{\"controlPoints\": [{\"label\": "
                                  "\"F-1\", \"position\": [0,0,0]}]}]}"));
       },
       "upper_gum_midline");
   expect_message(
       [&] {
-        read_landmark_file(write("n.mrk.json",
+        read_landmark_file(write("file4.mrk.json",
                                  "{\"markups\": [{\"controlPoints\": [{\"label\": "
                                  "\"carina\", \"position\": [0,\"a\",0]}]}]}"));
       },
-      "n.mrk.json");
-  expect_message([&] { read_landmark_file(folder_ / "nowhere.mrk.json"); }, "nowhere.mrk.json");
+      "file4.mrk.json");
+  expect_message([&] { read_landmark_file(folder_ / "file5.mrk.json"); },
+                 "landmark file file5.mrk.json: cannot be opened");
+  try {
+    read_landmark_file(folder_ / "Doe_Jane.mrk.json");
+    FAIL();
+  } catch (const LandmarkFileError& e) {
+    EXPECT_STREQ(e.what(), "landmark file (name withheld): cannot be opened");
+  }
 }
 
 TEST_F(LandmarkFile, LandmarksLieOnTheScanWhereverThePackageWasMoved) {
