@@ -1,14 +1,19 @@
 #include "gui/import/build_page.h"
 
+#include <QCheckBox>
+#include <QFrame>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPushButton>
+#include <QSpinBox>
 #include <QVBoxLayout>
 
 #include "gui/import/import_work.h"
 #include "gui/import/quality_list.h"
 #include "gui/import/work_strip.h"
 #include "gui/views/theme.h"
+#include "pipeline/mesh/anatomy_surfaces.h"
 
 namespace vallecula::gui {
 
@@ -24,6 +29,7 @@ BuildPage::BuildPage(ImportWork& work, QWidget* parent) : QWidget(parent), work_
   strip_ = new WorkStrip(work_, this);
   leave_ = new QPushButton("Leave", this);
   back_ = new QPushButton("Back to the &check", this);
+  again_ = new QPushButton("Build a&gain", this);
   save_ = new QPushButton("&Save the patient", this);
   save_->setObjectName("primary");
   practise_ = new QPushButton("&Practise with this patient", this);
@@ -32,6 +38,7 @@ BuildPage::BuildPage(ImportWork& work, QWidget* parent) : QWidget(parent), work_
   foot->addWidget(leave_);
   foot->addWidget(back_);
   foot->addStretch(1);
+  foot->addWidget(again_);
   foot->addWidget(save_);
   foot->addWidget(practise_);
   auto* all = new QVBoxLayout(this);
@@ -40,20 +47,81 @@ BuildPage::BuildPage(ImportWork& work, QWidget* parent) : QWidget(parent), work_
   all->addWidget(verdict_);
   all->addWidget(strip_);
   all->addWidget(quality_, 1);
+  all->addWidget(make_choices());
   all->addWidget(message_);
   all->addLayout(foot);
   connect(back_, &QPushButton::clicked, this, &BuildPage::back_wanted);
   connect(leave_, &QPushButton::clicked, this, &BuildPage::left);
+  connect(again_, &QPushButton::clicked, this, &BuildPage::build_wanted);
   connect(save_, &QPushButton::clicked, this, &BuildPage::write_wanted);
   connect(practise_, &QPushButton::clicked, this, &BuildPage::practise_wanted);
 }
 
+QWidget* BuildPage::make_choices() {
+  auto* panel = new QFrame(this);
+  panel->setObjectName("panel");
+  keep_position_ = new QCheckBox("&Leave mouth and neck as scanned", panel);
+  keep_position_->setToolTip("Else a closed mouth is opened and the neck extended, as for an intubation");
+  newborn_size_ = new QCheckBox("Scale to a &newborn's size", panel);
+  newborn_size_->setToolTip("All lengths, so that the skull is as broad as a term newborn's");
+  tetrahedra_ = new QSpinBox(panel);
+  tetrahedra_->setRange(pipeline::kFewestTetrahedra, pipeline::kMostTetrahedra);
+  tetrahedra_->setSingleStep(1000);
+  tetrahedra_->setAccessibleName("Tetrahedra of the tongue");
+  tetrahedra_->setToolTip("About so many (within 10 %): more are finer and slower");
+  name_ = new QLineEdit(panel);
+  name_->setAccessibleName("Name of the new patient");
+  name_->setMaximumWidth(320);
+  name_problem_ = new QLabel(panel);
+  name_problem_->setStyleSheet(message_->styleSheet());
+  auto* how = new QHBoxLayout;
+  how->setSpacing(18);
+  how->addWidget(keep_position_);
+  how->addWidget(newborn_size_);
+  auto* count_name = new QLabel("&Tetrahedra of the tongue", panel);
+  count_name->setBuddy(tetrahedra_);
+  how->addWidget(count_name);
+  how->addWidget(tetrahedra_);
+  how->addStretch(1);
+  auto* naming = new QHBoxLayout;
+  naming->setSpacing(10);
+  auto* name_name = new QLabel("Na&me of the new patient", panel);
+  name_name->setBuddy(name_);
+  naming->addWidget(name_name);
+  naming->addWidget(name_);
+  naming->addWidget(name_problem_, 1);
+  auto* column = new QVBoxLayout(panel);
+  column->setContentsMargins(16, 12, 16, 12);
+  column->addLayout(how);
+  column->addLayout(naming);
+  begin({});
+  connect(name_, &QLineEdit::textChanged, this, &BuildPage::show_state);
+  for (QCheckBox* box : {keep_position_, newborn_size_}) connect(box, &QCheckBox::toggled, this, &BuildPage::show_state);
+  connect(tetrahedra_, qOverload<int>(&QSpinBox::valueChanged), this, &BuildPage::show_state);
+  return panel;
+}
+
+void BuildPage::begin(const QString& name) {
+  const BuildChoice usual;
+  keep_position_->setChecked(usual.keep_position);
+  newborn_size_->setChecked(usual.to_newborn_size);
+  tetrahedra_->setValue(usual.tetrahedra);
+  name_->setText(name);
+}
+
+BuildChoice BuildPage::choice() const {
+  return {keep_position_->isChecked(), newborn_size_->isChecked(), tetrahedra_->value()};
+}
+
+QString BuildPage::name() const { return name_->text(); }
+
 void BuildPage::show_building() {
   built_ = written_ = false;
+  built_with_ = choice();
   quality_->show_items({});
   verdict_->setText("Building the patient");
   message_->clear();
-  strip_->begin("Making the surfaces");
+  strip_->begin("Bringing the patient into position");
   show_state();
 }
 
@@ -94,7 +162,15 @@ void BuildPage::show_state() {
   back_->setEnabled(!busy && !written_);
   leave_->setEnabled(!busy);
   save_->setVisible(!written_);
-  save_->setEnabled(!busy && built_);
+  const bool otherwise = !choice().same_position(built_with_) || choice().tetrahedra != built_with_.tetrahedra;
+  const QString problem = written_ ? QString() : problem_with_name(name_->text());
+  name_problem_->setText(problem);
+  again_->setVisible(!written_);
+  again_->setEnabled(!busy && (otherwise || !built_));
+  save_->setEnabled(!busy && built_ && !otherwise && problem.isEmpty());
+  for (QWidget* widget : {static_cast<QWidget*>(keep_position_), static_cast<QWidget*>(newborn_size_),
+                          static_cast<QWidget*>(tetrahedra_), static_cast<QWidget*>(name_)})
+    widget->setEnabled(!busy && !written_);
   practise_->setVisible(written_);
 }
 

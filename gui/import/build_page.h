@@ -4,10 +4,13 @@
 #include <QWidget>
 #include <vector>
 
-#include "pipeline/package/patient_package.h"
+#include "gui/import/import_choice.h"
 
+class QCheckBox;
 class QLabel;
+class QLineEdit;
 class QPushButton;
+class QSpinBox;
 
 namespace vallecula::gui {
 
@@ -19,6 +22,10 @@ class BuildPage : public QWidget {
   Q_OBJECT
  public:
   explicit BuildPage(ImportWork& work, QWidget* parent = nullptr);
+  /// A new import: the name proposed for it, and nothing else chosen.
+  void begin(const QString& name);
+  BuildChoice choice() const;
+  QString name() const;
   void show_building();
   void show_report(const std::vector<pipeline::QualityItem>& quality);
   void show_writing();
@@ -28,18 +35,24 @@ class BuildPage : public QWidget {
 
  signals:
   void back_wanted();
+  void build_wanted();  ///< again, as chosen now
   void write_wanted();
   void practise_wanted();
   void left();
 
  private:
+  QWidget* make_choices();
   void show_state();
   ImportWork& work_;
   bool built_ = false, written_ = false;
-  QLabel *verdict_, *message_;
+  BuildChoice built_with_;
+  QLabel *verdict_, *message_, *name_problem_;
+  QLineEdit* name_;
+  QCheckBox *keep_position_, *newborn_size_;
+  QSpinBox* tetrahedra_;
   QualityList* quality_;
   WorkStrip* strip_;
-  QPushButton *back_, *leave_, *save_, *practise_;
+  QPushButton *back_, *leave_, *again_, *save_, *practise_;
 };
 
 }  // namespace vallecula::gui

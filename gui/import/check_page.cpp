@@ -7,7 +7,6 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
-#include <QRegularExpression>
 #include <QSlider>
 #include <QStyle>
 #include <QTabBar>
@@ -18,6 +17,7 @@
 #include "gui/import/landmark_panel.h"
 #include "gui/import/quality_list.h"
 #include "gui/import/structure_panel.h"
+#include "gui/import/window_message.h"
 #include "gui/import/work_strip.h"
 #include "gui/views/label_view.h"
 #include "gui/views/slice_view.h"
@@ -170,7 +170,10 @@ QWidget* CheckPage::make_side() {
   save_ = new QPushButton("Save for 3D Slicer ...", side);
   load_ = new QPushButton("Load ...", side);
   save_->setToolTip("Labels (.nrrd) and landmarks (.mrk.json beside them), to be painted and moved there");
-  load_->setToolTip("A label map (all structures in it) or landmarks (.mrk.json), as 3D Slicer saves them");
+  load_->setToolTip(
+      "A label map (all structures in it) or landmarks (.mrk.json), as 3D Slicer saves them.\n"
+      "A label map without names (NIfTI) is read by these values: " +
+      label_values_text());
   auto* slicer = new QHBoxLayout;
   slicer->addWidget(save_);
   slicer->addWidget(load_);
@@ -265,11 +268,9 @@ void CheckPage::show_message(const QString& message) {
 }
 
 void CheckPage::show_failure(const QString& message) {
-  QString text = message;
-  text.remove(QRegularExpression(": --seed [^)]*\\)"));  // here a person clicks it
   for (const auto& label : pipeline::kLabelNames)
-    if (text.contains(words_of(label.name))) structures_->select(label.name);
-  show_message(text +
+    if (message.contains(words_of(label.name))) structures_->select(label.name);
+  show_message(message +
                "\nChoose a structure on the right and give it a seed, a threshold or a label map, then run again.");
 }
 

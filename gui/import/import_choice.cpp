@@ -25,8 +25,8 @@ QString problem_with_name(const QString& name) {
   return {};
 }
 
-std::filesystem::path package_of(const ImportChoice& choice) {
-  return patients_folder() / (choice.name.toStdString() + ".patient");
+std::filesystem::path package_of(const QString& name) {
+  return patients_folder() / (name.toStdString() + ".patient");
 }
 
 pipeline::ImportOptions options_of(const ImportChoice& choice) {
@@ -35,7 +35,7 @@ pipeline::ImportOptions options_of(const ImportChoice& choice) {
   options.choose = choice.series.toStdString();
   options.generic_face = choice.generic_face;
   options.check = check_by_playing;
-  options.out = package_of(choice);
+  options.out = package_of(choice.name);
   return options;
 }
 

@@ -42,15 +42,12 @@ ImportWizard::ImportWizard(QWidget* parent) : QWidget(parent) {
   connect(check_, &CheckPage::segment_wanted, this, [this] {
     if (work_.segment(check_->history().state())) check_->show_busy("Finding the structures");
   });
-  connect(check_, &CheckPage::build_wanted, this, [this] {
-    if (!work_.build(check_->history().state())) return;
-    show_page(build_);
-    build_->show_building();
-  });
+  connect(check_, &CheckPage::build_wanted, this, &ImportWizard::build);
+  connect(build_, &BuildPage::build_wanted, this, &ImportWizard::build);
   connect(build_, &BuildPage::left, this, &ImportWizard::leave);
   connect(build_, &BuildPage::back_wanted, this, [this] { show_page(check_); });
   connect(build_, &BuildPage::write_wanted, this, [this] {
-    if (work_.write()) build_->show_writing();
+    if (work_.write(build_->name())) build_->show_writing();
   });
   connect(build_, &BuildPage::practise_wanted, this, [this] {
     const QString package = package_;
@@ -124,8 +121,15 @@ void ImportWizard::leave() {
   emit left();
 }
 
+void ImportWizard::build() {
+  if (!work_.build(check_->history().state(), build_->choice())) return;
+  show_page(build_);
+  build_->show_building();
+}
+
 void ImportWizard::begin_segmentation(const ImportChoice& choice) {
   if (!work_.open(choice)) return;
+  build_->begin(choice.name);
   strip_->begin("Reading the series");
   show_page(segment_);
 }
@@ -136,7 +140,8 @@ void ImportWizard::job_failed(const QString& said) {
   message = message.left(1).toUpper() + message.mid(1);
   QWidget* page = pages_->currentWidget();
   if (page == build_) {
-    build_->show_message(message + "\nGo back to the check and mend there what it names.");
+    build_->show_message(build_->built() ? message
+                                         : message + "\nGo back to the check and mend there what it names.");
   } else if (page == source_ || work_.import() == nullptr) {
     show_page(source_);
     source_->show_message(message);

@@ -40,6 +40,7 @@ class ImportWizard : public QWidget {
  private:
   QWidget* make_segment_page();
   void show_page(QWidget* page);
+  void build();
   void begin_segmentation(const ImportChoice& choice);
   void job_failed(const QString& message);
   void job_cancelled();

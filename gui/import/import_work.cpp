@@ -6,9 +6,11 @@
 #include <stdexcept>
 
 #include "gui/import/given_labels.h"
+#include "gui/import/window_message.h"
 #include "gui/pages/background.h"
 #include "pipeline/exchange/label_image.h"
 #include "pipeline/exchange/landmark_file.h"
+#include "pipeline/mesh/generic_face.h"
 #include "pipeline/quality.h"
 #include "pipeline/segment/volume_ops.h"
 
@@ -21,7 +23,7 @@ struct Left : std::runtime_error {
 };
 
 /// The shares of the whole that pipeline::Import's stages report.
-constexpr double kReadFrom = 0.0, kSegmentFrom = 0.1, kMeshFrom = 0.5, kWriteFrom = 0.95, kEnd = 1.0;
+constexpr double kReadFrom = 0.0, kSegmentFrom = 0.1, kBuildFrom = 0.45, kWriteFrom = 0.95, kEnd = 1.0;
 
 constexpr double kMargin = 5.0;  // mm about the patient in a fitted view
 
@@ -36,6 +38,10 @@ SegmentedScan result_of(const pipeline::Import& import, const EditState& edits) 
   for (const auto& [name, at] : s.landmarks)
     if (is_place(name)) scan.landmarks[name] = to_scan(s.pose, at);
   scan.findings = s.findings;
+  scan.found.landmarks = s.landmarks;
+  scan.found.findings = s.findings;
+  scan.found.pose = s.pose;
+  scan.scale = s.frame.scale;
   scan.quality = pipeline::segmentation_quality(s);
   scan.from = edits;
   return scan;
@@ -85,9 +91,9 @@ bool ImportWork::run(double from, double to, std::function<Result()> work, std::
         if (cancelled_)
           emit cancelled();
         else if (of_file)
-          emit file_failed(message);
+          emit file_failed(window_message(message));
         else
-          emit failed(message);
+          emit failed(window_message(message));
       });
   return true;
 }
@@ -107,7 +113,7 @@ void ImportWork::report(const std::string& stage, double fraction) {
 
 bool ImportWork::list_series(const std::filesystem::path& source) {
   return run<std::vector<SeriesRow>>(
-      0.0, 1.0, [source] { return series_at(source); },
+      0.0, 1.0, [this, source] { return series_at(source, [this](double f) { report("list", f); }); },
       [this](const std::vector<SeriesRow>& rows) { emit listed(rows); });
 }
 
@@ -115,11 +121,12 @@ bool ImportWork::open(const ImportChoice& choice) {
   if (busy()) return false;
   import_.reset();
   last_ = {};
+  positioned_ = {};
   stale_ = false;
   auto import = std::make_shared<pipeline::Import>(options_of(choice),
                                                    [this](const std::string& stage, double f) { report(stage, f); });
   return run<SegmentedScan>(
-      kReadFrom, kMeshFrom,
+      kReadFrom, kBuildFrom,
       [this, import] {
         import->read();
         // The scan is shown even when no structure is found: a person then says where the tongue is.
@@ -145,7 +152,7 @@ bool ImportWork::segment(const EditState& edits) {
   import_->options().edits = edits.edits();
   stale_ = true;
   return run<SegmentedScan>(
-      kSegmentFrom, kMeshFrom,
+      kSegmentFrom, kBuildFrom,
       [import = import_, edits] {
         import->segment();
         return result_of(*import, edits);
@@ -157,15 +164,19 @@ bool ImportWork::segment(const EditState& edits) {
       });
 }
 
-bool ImportWork::build(const EditState& edits) {
+bool ImportWork::build(const EditState& edits, const BuildChoice& choice) {
   if (busy() || !import_) return false;
   const bool anew =
-      stale_ || !last_.labels || !edits.same_segmentation(last_.from) || !edits.same_landmarks(last_.from);
-  stale_ =
-      anew || import_->options().generic_face;  // a face is put on once: the next build begins with the patient's own
-  import_->options().edits = edits.edits();
+      stale_ || !last_.labels || !choice.same_position(positioned_) || !edits.same_segmentation(last_.from) || !edits.same_landmarks(last_.from);
+  stale_ = true;  // a positioning that failed or was cancelled half way is not to be gone on with
+  positioned_ = choice;
+  auto& options = import_->options();
+  options.edits = edits.edits();
+  options.keep_position = choice.keep_position;
+  options.to_newborn_size = choice.to_newborn_size;
+  options.tetrahedra = choice.tetrahedra;
   return run<SegmentedScan>(
-      anew ? kSegmentFrom : kMeshFrom, kWriteFrom,
+      anew ? kSegmentFrom : kBuildFrom, kWriteFrom,
       [import = import_, edits, anew, last = last_]() mutable {
         if (anew) {
           import->segment();
@@ -177,14 +188,15 @@ bool ImportWork::build(const EditState& edits) {
       },
       [this, anew](SegmentedScan scan) {
         last_ = std::move(scan);
-        stale_ = import_->options().generic_face;
+        stale_ = import_->options().generic_face;  // put on once: the next build begins with the patient's own face
         if (anew) emit segmented(last_);
         emit built();
       });
 }
 
-bool ImportWork::write() {
+bool ImportWork::write(const QString& name) {
   if (busy() || !import_) return false;
+  import_->options().out = package_of(name);
   return run<QString>(
       kWriteFrom, kEnd, [import = import_] { return QString::fromStdString(import->write().package.string()); },
       [this](const QString& package) { emit written(package); }, true);
@@ -217,19 +229,18 @@ bool ImportWork::save(const std::filesystem::path& file, const EditState& edits)
   if (busy() || !import_ || !last_.labels) return false;
   return run<QString>(
       0.0, 1.0,
-      [import = import_, labels = last_.labels, file, edits] {
-        pipeline::write_label_map(*labels, file);
+      [scan = last_, generic = import_->options().generic_face, file, edits] {
+        // The positioning of a build moves the import's own landmarks; labels and landmarks written here lie as scanned.
+        pipeline::write_label_map(generic ? pipeline::without_face(*scan.labels, scan.scale) : *scan.labels, file);
         auto beside = file;
         beside.replace_extension(".mrk.json");
-        const auto& s = import->segmentation();
-        pipeline::PatientPackage marks;
-        marks.landmarks = s.landmarks;
-        marks.findings = s.findings;
-        marks.pose = s.pose;
+        auto marks = scan.found;
         for (const auto& [name, at] : edits.landmarks)
-          if (is_place(name)) marks.landmarks[name] = to_package(s.pose, at);
+          if (is_place(name)) marks.landmarks[name] = to_package(marks.pose, at);
         pipeline::write_landmark_file(marks, beside);
-        return QString::fromStdString(file.filename().string() + " and " + beside.filename().string());
+        const auto files = QString::fromStdString(file.filename().string() + " and " + beside.filename().string());
+        return generic ? files + "; of the skin what lies near other structures, for the face is to be the generic one"
+                       : files;
       },
       [this](const QString& files) { emit saved(files); }, true, true);
 }
@@ -238,6 +249,7 @@ QString stage_text(const std::string& stage) {
   static const std::map<std::string, QString> texts = {{"list", "Looking at what is there"},
                                                        {"read", "Reading the series"},
                                                        {"segment", "Finding the structures"},
+                                                       {"position", "Bringing the patient into position"},
                                                        {"surfaces", "Making the surfaces"},
                                                        {"tetrahedra", "Filling tongue and epiglottis with tetrahedra"},
                                                        {"check by playing", "Checking by playing it"},

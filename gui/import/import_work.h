@@ -23,6 +23,8 @@ struct SegmentedScan {
   std::shared_ptr<const pipeline::Labels> labels;
   std::array<pipeline::Point, 2> bounds{};  ///< of everything labelled, with a margin: two corners, mm
   std::map<std::string, pipeline::Point> landmarks;
+  pipeline::PatientPackage found;  ///< its landmarks, findings and pose alone, before a virtual opening: in its own frame
+  double scale = 1.0;              ///< of the head, as pipeline::without_face takes it
   std::map<std::string, pipeline::Finding> findings;
   std::vector<pipeline::QualityItem> quality;  ///< of the segmentation alone
   EditState from;                              ///< the edits it was made with
@@ -40,8 +42,9 @@ class ImportWork : public QObject {
   bool list_series(const std::filesystem::path& source);  ///< listed()
   bool open(const ImportChoice& choice);                  ///< scan_read(), then segmented()
   bool segment(const EditState& edits);                   ///< segmented()
-  bool build(const EditState& edits);                     ///< built(); segments again when the edits are new
-  bool write();                                           ///< written()
+  /// built(); segments again when the edits are new, or the patient is to be positioned otherwise.
+  bool build(const EditState& edits, const BuildChoice& choice);
+  bool write(const QString& name);  ///< written(); `name` as problem_with_name takes it
   /// Takes from a label map one structure by name, or (empty) all that are in it; from a .mrk.json the landmarks that
   /// were moved: loaded() with `before` and that.
   bool load(const std::filesystem::path& file, const std::string& structure, const EditState& before);
@@ -80,8 +83,8 @@ class ImportWork : public QObject {
   void report(const std::string& stage, double fraction);
   std::shared_ptr<pipeline::Import> import_;
   SegmentedScan last_;
-  bool stale_ =
-      false;  ///< the import's segmentation may no longer be last_: begun anew, or with the generic face in it
+  BuildChoice positioned_;  ///< how the last build did it
+  bool stale_ = false;  ///< the import's segmentation may not be last_: begun anew, half positioned, another face in it
   QPointer<QThread> worker_;
   std::atomic<bool> cancelled_{false};
   std::atomic<double> from_{0.0}, to_{1.0};  ///< the job's part of the whole import

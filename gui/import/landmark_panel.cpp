@@ -7,6 +7,7 @@
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
+#include "gui/import/import_work.h"
 #include "gui/import/structure_panel.h"
 #include "gui/views/slice_scene.h"
 #include "gui/views/theme.h"
@@ -43,7 +44,9 @@ LandmarkPanel::LandmarkPanel(SliceScene& scene, EditHistory& history, QWidget* p
   connect(move_, &QPushButton::clicked, this, [this] { history_.set_landmark(selected(), scene_.crosshair()); });
   connect(back_, &QPushButton::clicked, this, [this] { history_.forget(selected()); });
   connect(&scene_, &SliceScene::landmark_dropped, this,
-          [this](const QString& name, const pipeline::Point& at) { history_.set_landmark(name.toStdString(), at); });
+          [this](const QString& name, const pipeline::Point& at) {
+            if (is_place(name.toStdString())) history_.set_landmark(name.toStdString(), at);
+          });
   connect(&history_, &EditHistory::changed, this, &LandmarkPanel::show_state);
 }
 
@@ -67,7 +70,8 @@ void LandmarkPanel::show_state() {
   const auto& moved = history_.state().landmarks;
   std::map<std::string, SceneLandmark> shown;
   for (const auto& [name, at] : found_) shown[name] = {at, false};
-  for (const auto& [name, at] : moved) shown[name] = {at, true};
+  for (const auto& [name, at] : moved)
+    if (is_place(name)) shown[name] = {at, true};  // a file can give a direction too
   for (int i = 0; i < tree_->topLevelItemCount(); ++i) {
     QTreeWidgetItem* row = tree_->topLevelItem(i);
     const std::string name = row->data(0, Qt::UserRole).toString().toStdString();

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gui/import/window_message.h"
 #include "gui/views/theme.h"
 
 namespace vallecula::gui {
@@ -44,7 +45,7 @@ void QualityList::show_items(const std::vector<pipeline::QualityItem>& items) {
   for (const auto& item : sorted) {
     const bool look = item.judged && !item.ok;
     to_look_at_ += look ? 1 : 0;
-    const QString note = QString::fromStdString(item.note);
+    const QString note = window_message(QString::fromStdString(item.note));
     auto* row = new QTreeWidgetItem(this, {look          ? "LOOK"
                                            : item.judged ? "ok"
                                                          : "",

@@ -18,10 +18,10 @@ QImage picture_of(const pipeline::Thumbnail& thumbnail) {
 
 }  // namespace
 
-std::vector<SeriesRow> series_at(const std::filesystem::path& source) {
+std::vector<SeriesRow> series_at(const std::filesystem::path& source, const std::function<void(double)>& progress) {
   std::vector<SeriesRow> rows;
   try {
-    for (const auto& entry : pipeline::list_series(source, true))
+    for (const auto& entry : pipeline::list_series(source, true, progress))
       rows.push_back({entry.number, QString::fromStdString(pipeline::described(entry)), entry.usable,
                       QString::fromStdString(entry.reason), picture_of(entry.thumbnail)});
   } catch (const pipeline::SeriesError& error) {

@@ -4,6 +4,7 @@
 #include <QImage>
 #include <QString>
 #include <filesystem>
+#include <functional>
 #include <vector>
 
 namespace vallecula::gui {
@@ -17,7 +18,8 @@ struct SeriesRow {
 };
 
 /// All series of a folder, or of one file. Seconds of work: not for the window's thread. A place that holds nothing
-/// readable is one row that says so.
-std::vector<SeriesRow> series_at(const std::filesystem::path& source);
+/// readable is one row that says so. What `progress` (0..1) throws ends it and reaches the caller.
+std::vector<SeriesRow> series_at(const std::filesystem::path& source,
+                                 const std::function<void(double)>& progress = {});
 
 }  // namespace vallecula::gui

@@ -12,6 +12,7 @@
 #include <QTableWidget>
 #include <QVBoxLayout>
 #include <array>
+#include <utility>
 
 #include "gui/import/import_work.h"
 #include "gui/import/work_strip.h"
@@ -113,36 +114,55 @@ SourcePage::SourcePage(ImportWork& work, QWidget* parent) : QWidget(parent), wor
     const QString file = QFileDialog::getOpenFileName(this, "Choose a file of the CT");
     if (!file.isEmpty()) look_at(file);
   });
+  // What was listed elsewhere says nothing of another place: its numbers would choose another patient's series.
+  connect(source_, &QLineEdit::textChanged, this, &SourcePage::forget_rows);
   connect(source_, &QLineEdit::returnPressed, this, [this] { look_at(source_->text()); });
   connect(name_, &QLineEdit::textChanged, this, &SourcePage::show_state);
   connect(table_, &QTableWidget::itemSelectionChanged, this, &SourcePage::show_state);
   connect(table_, &QTableWidget::itemActivated, this, [this] { go_->click(); });
   connect(go_, &QPushButton::clicked, this, [this] { emit chosen(choice()); });
   connect(cancel, &QPushButton::clicked, this, [this] {
+    wanted_.clear();
     work_.cancel();
     emit left();
   });
   connect(&work_, &ImportWork::listed, this, &SourcePage::show_rows);
+  // Queued: whoever else hears of the end is to be done with it.
+  connect(&work_, &ImportWork::cancelled, this, &SourcePage::look_at_wanted, Qt::QueuedConnection);
+  connect(&work_, &ImportWork::failed, this, &SourcePage::look_at_wanted, Qt::QueuedConnection);
 }
 
 void SourcePage::begin() {
-  rows_.clear();
-  table_->setRowCount(0);
+  wanted_.clear();
+  work_.cancel();
   source_->clear();
+  forget_rows();
   name_->setText(free_patient_name());
   generic_face_->setChecked(false);
   show_message("");
   source_->setFocus();
 }
 
-void SourcePage::look_at(const QString& source) {
-  if (source.trimmed().isEmpty() || work_.busy()) return;
-  source_->setText(source.trimmed());
+void SourcePage::forget_rows() {
   rows_.clear();
   table_->setRowCount(0);
-  message_->clear();
-  if (work_.list_series(source_->text().toStdString())) strip_->begin("Looking at what is there");
   show_state();
+}
+
+void SourcePage::look_at(const QString& source) {
+  if (source.trimmed().isEmpty()) return;
+  source_->setText(source.trimmed());
+  forget_rows();
+  message_->clear();
+  if (work_.busy()) {
+    wanted_ = source_->text();
+    work_.cancel();
+  } else if (work_.list_series(source_->text().toStdString())) strip_->begin("Looking at what is there");
+  show_state();
+}
+
+void SourcePage::look_at_wanted() {
+  if (!wanted_.isEmpty()) look_at(std::exchange(wanted_, {}));
 }
 
 void SourcePage::show_rows(const std::vector<SeriesRow>& rows) {

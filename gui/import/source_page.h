@@ -24,7 +24,7 @@ class SourcePage : public QWidget {
   explicit SourcePage(ImportWork& work, QWidget* parent = nullptr);
   /// Empties the page and proposes a name.
   void begin();
-  /// As if a person had chosen it: lists the series there.
+  /// As if a person had chosen it: lists the series there, once what is still being done has been left.
   void look_at(const QString& source);
   void show_message(const QString& message);
   ImportChoice choice() const;
@@ -35,9 +35,12 @@ class SourcePage : public QWidget {
 
  private:
   void show_rows(const std::vector<SeriesRow>& rows);
+  void forget_rows();
+  void look_at_wanted();
   void show_state();
   ImportWork& work_;
   std::vector<SeriesRow> rows_;
+  QString wanted_;  ///< to be looked at as soon as nothing else is being done; mostly empty
   QLineEdit *source_, *name_;
   QTableWidget* table_;
   QLabel *name_problem_, *message_;

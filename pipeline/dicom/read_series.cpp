@@ -43,12 +43,13 @@ void check_hounsfield(const CtVolume& volume) {
 
 }  // namespace
 
-std::vector<SeriesEntry> list_series(const std::filesystem::path& place, bool thumbnails) {
+std::vector<SeriesEntry> list_series(const std::filesystem::path& place, bool thumbnails,
+                                     const std::function<void(double)>& progress) {
   ReadRequest request;
   request.place = place.string();
   request.list = true;
   request.thumbnails = thumbnails;
-  return run_ct_helper(request).answer.entries;
+  return run_ct_helper(request, progress).answer.entries;
 }
 
 CtVolume read_ct_volume(const std::filesystem::path& place, const std::string& choice,

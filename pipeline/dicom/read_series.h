@@ -23,8 +23,10 @@ struct CtSeries {
   std::vector<std::string> notes;                 ///< what a person should know, for instance files left out
 };
 
-/// What lies at `place`, usable series first; their numbers are what a choice takes. Throws SeriesError.
-std::vector<SeriesEntry> list_series(const std::filesystem::path& place, bool thumbnails = false);
+/// What lies at `place`, usable series first; their numbers are what a choice takes. What `progress` (0..1) throws ends
+/// it. Throws SeriesError.
+std::vector<SeriesEntry> list_series(const std::filesystem::path& place, bool thumbnails = false,
+                                     const std::function<void(double)>& progress = {});
 
 /// The volume as its files give it: exact positions, exact HU (rounded to whole numbers, padding as the rescale gives
 /// it). Also of series too coarse or too short for an import. `choice` is a number of the list or a series instance

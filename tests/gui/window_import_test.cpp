@@ -84,7 +84,16 @@ TEST_F(WindowImport, FromAFolderToAPatientThatIsChosenOnTheFirstPage) {
   for (int a = 0; a < 3; ++a) EXPECT_NEAR(edits.landmarks.at("vallecula")[a], wanted[a], 1e-9);
   EXPECT_EQ(left_behind(), std::vector<std::string>{});
   picture("4-built");
-  const fs::path package = patients_folder() / "patient-1.patient";
+  // Another program takes the name meanwhile: another is chosen, and nothing has to be done again.
+  fs::create_directories(patients_folder() / "patient-1.patient");
+  button(wizard().build_page(), "&Save the patient")->click();
+  ASSERT_TRUE(wait_for([&] { return !wizard().work().busy(); }, 60000));
+  EXPECT_EQ(wizard().step(), "build");
+  EXPECT_FALSE(button(wizard().build_page(), "&Save the patient")->isEnabled());
+  fs::remove(patients_folder() / "patient-1.patient");
+  const fs::path package = patients_folder() / "another.patient";
+  for (auto* line : wizard().build_page().findChildren<QLineEdit*>())
+    if (line->accessibleName() == "Name of the new patient") line->setText("another");
   button(wizard().build_page(), "&Save the patient")->click();
   wizard().work().cancel();  // too late or not: a whole package or none
   ASSERT_TRUE(wait_for([&] { return !wizard().work().busy(); }, 60000));
@@ -180,9 +189,10 @@ TEST_F(WindowImport, LabelsGoOutToAnotherProgramAndComeBack) {
   QJsonArray points = list["controlPoints"].toArray();
   for (int i = 0; i < points.size(); ++i) {
     QJsonObject point = points[i].toObject();
-    if (point["label"].toString() != "vallecula") continue;
+    const bool normal = point["label"].toString() == "glottis_normal";
+    if (point["label"].toString() != "vallecula" && !normal) continue;
     QJsonArray at = point["position"].toArray();
-    at[2] = at[2].toDouble() + 3.0;  // towards the head, in LPS and RAS
+    at[normal ? 0 : 2] = at[normal ? 0 : 2].toDouble() + 3.0;  // towards the head, in LPS and RAS
     point["position"] = at;
     points[i] = point;
   }
@@ -195,7 +205,9 @@ TEST_F(WindowImport, LabelsGoOutToAnotherProgramAndComeBack) {
   const Point found = check().scene().landmarks().at("vallecula").at;
   check().load(box_ / "labels.mrk.json", "");
   ASSERT_TRUE(done());
-  ASSERT_EQ(check().history().state().landmarks.size(), 1u);
+  ASSERT_EQ(check().history().state().landmarks.size(), 2u);
+  EXPECT_EQ(check().history().state().landmarks.count("glottis_normal"), 1u) << "given to the import";
+  EXPECT_EQ(check().scene().landmarks().count("glottis_normal"), 0u) << "a direction is no place to be drawn";
   const Point moved = check().history().state().landmarks.at("vallecula");
   EXPECT_LT(length_mm(moved, {found[0], found[1], found[2] + 3.0}), 1e-3);
   check().history().stack().undo();
@@ -217,6 +229,54 @@ TEST_F(WindowImport, SaysWhatIsWrongWithAFolderWithoutACt) {
   name->setText("Anna Schmidt");
   EXPECT_FALSE(button(wizard().source_page(), "&Read and find the structures")->isEnabled());
   picture("1-nothing");
+}
+
+TEST_F(WindowImport, FromAnEditedPathNothingIsReadBeforeItIsListed) {
+  open(series());
+  ASSERT_FALSE(HasFatalFailure());
+  auto& page = wizard().source_page();
+  QPushButton* read = button(page, "&Read and find the structures");
+  ASSERT_TRUE(read->isEnabled());
+  auto* place = page.findChild<QLineEdit*>();
+  place->setFocus();
+  place->end(false);
+  place->insert("-of-another-patient");
+  EXPECT_FALSE(read->isEnabled());
+  EXPECT_EQ(page.findChild<QTableWidget*>()->rowCount(), 0);
+  EXPECT_EQ(page.choice().series, "") << "no number of the first folder for the second";
+}
+
+TEST_F(WindowImport, FromABuildThatScalesWhatIsSavedForAnotherProgramStillLiesAsScanned) {
+  open(series());
+  ASSERT_FALSE(HasFatalFailure());
+  wizard().source_page().findChild<QCheckBox*>()->setChecked(true);  // the generic face
+  button(wizard().source_page(), "&Read and find the structures")->click();
+  ASSERT_TRUE(wait_for([&] { return wizard().step() == "check"; }, 180000));
+  const auto points = [&](const fs::path& name) -> QJsonArray {
+    check().save(box_ / name);
+    EXPECT_TRUE(wait_for([&] { return !wizard().work().busy(); }));
+    QFile file(QString::fromStdString((box_ / name).replace_extension(".mrk.json").string()));
+    EXPECT_TRUE(file.open(QIODevice::ReadOnly));
+    const QJsonObject all = QJsonDocument::fromJson(file.readAll()).object();
+    return all["markups"].toArray().at(0).toObject().value("controlPoints").toArray();
+  };
+  const auto before = points("before.nrrd");
+  EXPECT_FALSE(before.isEmpty());
+  for (auto* box : wizard().build_page().findChildren<QCheckBox*>())
+    if (box->text().contains("newborn")) box->setChecked(true);
+  wizard().build_page().findChild<QSpinBox*>()->setValue(2000);
+  button(check(), "&Build the patient")->click();
+  ASSERT_TRUE(wait_for([&] { return !wizard().work().busy(); }, 180000));
+  ASSERT_TRUE(wizard().build_page().built());
+  const auto& import = *wizard().work().import();
+  EXPECT_GT(import.segmentation().pose.scale, 1.05) << "a head of 0.8 kg";
+  EXPECT_LT(import.package().tongue.tets.size(), 2400u);
+  EXPECT_EQ(points("after.nrrd"), before);
+  const auto skin = [](const pipeline::Labels& l) {
+    return std::count(l.voxels.begin(), l.voxels.end(), static_cast<std::uint8_t>(pipeline::kSkin));
+  };
+  EXPECT_LT(skin(pipeline::read_label_map(box_ / "after.nrrd")), skin(*check().scene().labels()))
+      << "the patient's own face does not leave with the labels";
 }
 
 class WindowImportRealCt : public WindowImport {

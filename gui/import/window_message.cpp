@@ -1,0 +1,31 @@
+#include "gui/import/window_message.h"
+
+#include <QRegularExpression>
+#include <QStringList>
+
+#include "pipeline/package/label_map.h"
+
+namespace vallecula::gui {
+
+QString label_values_text() {
+  QStringList values;
+  for (const auto& label : pipeline::kLabelNames) values << QString("%1 %2").arg(label.value).arg(label.name);
+  return values.join(", ");
+}
+
+QString window_message(const QString& message) {
+  QString text = message;
+  text.remove(QRegularExpression(": --seed [^)]*\\)"));  // here a person clicks it
+  text.replace(QRegularExpression("say what its values mean: --label-value .*\\)"),
+               "a file without names is read by this list of values: " + label_values_text() +
+                   "; give it these, or save it with names (.seg.nrrd)");
+  text.replace("import the scan as it lies with --keep-position",
+               "choose \"Leave mouth and neck as scanned\" in the last step and build again");
+  text.replace("give it with --labels", "load it in the check");
+  text.replace("another count (--tets)", "another count of tetrahedra");
+  text.remove(", or --replace it");
+  text.replace(QRegularExpression("choose another( place)? with --out"), "see to it that patients can be kept there");
+  return text;
+}
+
+}  // namespace vallecula::gui
