@@ -212,11 +212,11 @@ TEST_F(WindowImport, LabelsGoOutToAnotherProgramAndComeBack) {
   EXPECT_LT(length_mm(moved, {found[0], found[1], found[2] + 3.0}), 1e-3);
   check().history().stack().undo();
 
-  check().load(box_ / "absent.nrrd", "");
+  check().load(box_ / "labels7.nrrd", "");
   ASSERT_TRUE(done());
   EXPECT_TRUE(check().history().state().replaced.empty());
   const auto said = check().findChildren<QLabel*>();
-  EXPECT_TRUE(std::any_of(said.begin(), said.end(), [](QLabel* l) { return l->text().contains("absent.nrrd"); }));
+  EXPECT_TRUE(std::any_of(said.begin(), said.end(), [](QLabel* l) { return l->text().contains("labels7.nrrd"); }));
 }
 
 TEST_F(WindowImport, SaysWhatIsWrongWithAFolderWithoutACt) {
