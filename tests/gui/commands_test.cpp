@@ -129,9 +129,9 @@ TEST(CompareCommand, PrintsATableAndJson) {
   EXPECT_EQ(structures[0].toObject()["dice"].toDouble(), 0.75);
   EXPECT_EQ(structures[0].toObject()["hausdorff_mm"].toDouble(), 1.0);
   EXPECT_TRUE(structures[1].toObject()["hausdorff_mm"].isNull());
-  expect_refused(box.run({"compare", first, (box / "none.nrrd").string()}), 1, "none.nrrd");
-  write_text(box / "letters.nrrd", "not a label map");
-  expect_refused(box.run({"compare", (box / "letters.nrrd").string(), first}), 1, "letters.nrrd");
+  expect_refused(box.run({"compare", first, (box / "labels8.nrrd").string()}), 1, "labels8.nrrd");
+  write_text(box / "labels9.nrrd", "not a label map");
+  expect_refused(box.run({"compare", (box / "labels9.nrrd").string(), first}), 1, "labels9.nrrd");
 }
 
 TEST(ExportCommand, WritesSurfacesAndLeavesThePackage) {
