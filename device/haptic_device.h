@@ -7,12 +7,13 @@
 
 namespace vallecula::device {
 
-/// Device pose in patient axes (LPS, m): blade tip position and tool-to-world rotation (quaternion, w first).
+/// Pose of the tool: position of its tip and tool-to-world rotation (quaternion, w first). Metres; in the patient's
+/// axes (LPS), or in the device's own where DeviceInfo::own_axes says so.
 struct DeviceReading {
   std::array<double, 3> position_m{0, 0, 0};
   std::array<double, 4> rotation_wxyz{1, 0, 0, 0};
   std::uint32_t buttons = 0;
-  bool valid = true;   ///< false: a fault holds; the pose is the last known one
+  bool valid = true;  ///< false: a fault holds; the pose is the last known one
 };
 
 enum class DeviceFault : std::uint8_t {
@@ -21,16 +22,31 @@ enum class DeviceFault : std::uint8_t {
   communication_lost,
   unplugged,
   motor_warm,
-  non_finite_command
+  non_finite_command,
+  servo_late,      ///< the driver's own loop missed its deadline for too long
+  not_calibrated,  ///< it works, but does not know where it stands
+  driver_error     ///< the driver reports an error that has no name here
 };
 /// One plain sentence for a person.
 const char* describe(DeviceFault fault) noexcept;
 
+/// Whether a device knows where it stands. No force is shown before it does.
+enum class Calibration : std::uint8_t { not_needed, good, needs_update, needs_hand };
+
 struct DeviceInfo {
-  std::string kind;            ///< "scripted", "mouse", ...
+  std::string kind;  ///< "scripted", "mouse", "touch", ...
   std::string model;
-  double rate_hz = 1000.0;
-  double peak_force_n = 0.0;   ///< 0: shows no force
+  std::string serial;               ///< empty: it has none
+  std::string driver;               ///< through what it is driven: "libHD.so", "libusb", "hidapi"; empty: ourselves
+  double rate_hz = 1000.0;          ///< of its own reports
+  double peak_force_n = 0.0;        ///< 0: shows no force
+  double continuous_force_n = 0.0;  ///< what it bears for long; 0: as its peak
+  std::array<double, 3> workspace_m{0, 0, 0};  ///< width, height, depth; zero: unbounded
+  int sensed_dof = 6;
+  int actuated_dof = 0;
+  /// Readings and forces are in the device's axes (+x right, +y up, +z towards the person, origin in the middle of its
+  /// workspace) and a WorkspaceMap carries them to the patient's; false: they are in the patient's already.
+  bool own_axes = false;
 };
 
 class HapticDevice {
@@ -42,8 +58,14 @@ class HapticDevice {
   /// Force to show, N, world axes, already through the output chain. Called once after every read; wait-free.
   virtual void write(const std::array<double, 3>& force_n) noexcept = 0;
   virtual DeviceFault fault() const noexcept = 0;
+  virtual Calibration calibration() const noexcept { return Calibration::not_needed; }
+  /// 0 cold to 1 where the device switches off; negative: it does not tell.
+  virtual double motor_warmth() const noexcept { return -1.0; }
   /// True when nothing more will come (the end of a script). A live device never finishes.
-  virtual bool finished(double time_s) const noexcept { (void)time_s; return false; }
+  virtual bool finished(double time_s) const noexcept {
+    (void)time_s;
+    return false;
+  }
 };
 
 }  // namespace vallecula::device

@@ -29,7 +29,12 @@ MouseDevice::MouseDevice(const MouseSettings& settings) : settings_(settings), h
   require_positive(settings.workspace_m, "workspace_m");
 }
 
-DeviceInfo MouseDevice::info() const { return {"mouse", "mouse and keyboard", 1000.0, 0.0}; }
+DeviceInfo MouseDevice::info() const {
+  DeviceInfo info;
+  info.kind = "mouse";
+  info.model = "mouse and keyboard";
+  return info;
+}
 
 void MouseDevice::place(const std::array<double, 3>& position_m, const std::array<double, 4>& rotation_wxyz) noexcept {
   if (!finite(position_m) || !std::isfinite(dot(rotation_wxyz, rotation_wxyz))) return;

@@ -43,7 +43,14 @@ ScriptedDevice::ScriptedDevice(Trajectory trajectory, const HandSettings& hand)
   last_.rotation_wxyz = first.rotation_wxyz;
 }
 
-DeviceInfo ScriptedDevice::info() const { return {"scripted", "scripted hand", 1000.0, hand_.device_limit_n}; }
+DeviceInfo ScriptedDevice::info() const {
+  DeviceInfo info;
+  info.kind = "scripted";
+  info.model = "scripted hand";
+  info.peak_force_n = hand_.device_limit_n;
+  info.actuated_dof = 3;
+  return info;
+}
 
 std::array<double, 3> ScriptedDevice::tremor(double time_s) const noexcept {
   Vector offset{0, 0, 0};

@@ -1,0 +1,24 @@
+// What is plugged in, as a person is told: one list over all drivers.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "device/haptic_device.h"
+
+namespace vallecula::device {
+
+struct FoundDevice {
+  std::string name;  ///< KIND[:ARG] as make_device() takes it; empty: cannot be made as things are
+  DeviceInfo info;
+  Calibration calibration = Calibration::not_needed;
+  std::string problem;  ///< why it cannot be used; empty: it can
+  std::string mend;     ///< what to do about it
+};
+
+/// Every device that is plugged in, and every driver that is missing something (with what and where it looked); the
+/// mouse is always there. Opens nothing that another program may be using for longer than it takes to ask. May take a
+/// second; never throws for a device's sake.
+std::vector<FoundDevice> find_devices();
+
+}  // namespace vallecula::device
