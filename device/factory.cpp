@@ -2,11 +2,13 @@
 
 #include "device/drivers/mouse_device.h"
 #include "device/drivers/scripted_device.h"
+#include "device/drivers/spacemouse/spacemouse_device.h"
 
 namespace vallecula::device {
 
 std::vector<DeviceKind> device_kinds() {
   return {{"mouse", "", "mouse and keyboard; the force is drawn, not felt"},
+          {"spacemouse", "[SERIAL]", "a SpaceMouse: the cap steers by speed; the force is drawn, not felt"},
           {"scripted", "FILE.csv", "a hand that follows a trajectory t,x,y,z[,qw,qx,qy,qz] (s, m)"}};
 }
 
@@ -15,6 +17,7 @@ std::unique_ptr<HapticDevice> make_device(const std::string& kind, const std::st
     if (!argument.empty()) throw DeviceError("device mouse: takes no argument, but '" + argument + "' was given");
     return std::make_unique<MouseDevice>();
   }
+  if (kind == "spacemouse") return std::make_unique<SpaceMouseDevice>(argument);
   if (kind == "scripted") {
     if (argument.empty()) throw DeviceError("device scripted: needs a trajectory file; write scripted:FILE.csv");
     return std::make_unique<ScriptedDevice>(Trajectory(read_trajectory_csv(argument)), firm_hand());

@@ -1,5 +1,7 @@
 #include "device/found_devices.h"
 
+#include "device/drivers/spacemouse/spacemouse_list.h"
+
 namespace vallecula::device {
 
 std::vector<FoundDevice> find_devices() {
@@ -9,6 +11,7 @@ std::vector<FoundDevice> find_devices() {
   mouse.info.kind = "mouse";
   mouse.info.model = "mouse and keyboard";
   found.push_back(mouse);
+  for (const FoundDevice& spacemouse : find_spacemouse()) found.push_back(spacemouse);
   return found;
 }
 

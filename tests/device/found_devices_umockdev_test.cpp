@@ -1,7 +1,6 @@
-#include "device/found_devices.h"
-
 #include <algorithm>
 
+#include "device/found_devices.h"
 #include "tests/device/testbed_umockdev.h"
 
 namespace vallecula::device {

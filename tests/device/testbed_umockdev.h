@@ -1,4 +1,5 @@
-// A mocked /sys and /dev for the real libusb and hidapi; see umockdev. One a process: ctest runs each *Umockdev test in its own.
+// A mocked /sys and /dev for the real libusb and hidapi; see umockdev. One a process: ctest runs each *Umockdev test in
+// its own.
 #pragma once
 
 #include <gtest/gtest.h>
