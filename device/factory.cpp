@@ -8,8 +8,13 @@ namespace vallecula::device {
 
 std::vector<DeviceKind> device_kinds() {
   return {{"mouse", "", "mouse and keyboard; the force is drawn, not felt"},
-          {"spacemouse", "[SERIAL]", "a SpaceMouse: the cap steers by speed; the force is drawn, not felt"},
+          {"spacemouse", "[SERIAL]", "a SpaceMouse: the cap steers by speed; the force is drawn, not felt", true},
           {"scripted", "FILE.csv", "a hand that follows a trajectory t,x,y,z[,qw,qx,qy,qz] (s, m)"}};
+}
+
+std::string form_of(const DeviceKind& kind) {
+  if (kind.argument.empty()) return kind.kind;
+  return kind.argument.front() == '[' ? kind.kind + "[:" + kind.argument.substr(1) : kind.kind + ":" + kind.argument;
 }
 
 std::unique_ptr<HapticDevice> make_device(const std::string& kind, const std::string& argument) {
@@ -24,7 +29,7 @@ std::unique_ptr<HapticDevice> make_device(const std::string& kind, const std::st
   }
   std::string known;
   for (const DeviceKind& k : device_kinds()) {
-    known += (known.empty() ? "" : ", ") + k.kind + (k.argument.empty() ? "" : ":" + k.argument);
+    known += (known.empty() ? "" : ", ") + form_of(k);
   }
   throw DeviceError("device '" + kind + "': no such kind; there are " + known);
 }
