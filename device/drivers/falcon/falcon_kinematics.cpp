@@ -15,8 +15,10 @@ constexpr double kAngleAtZero = 35.0 * M_PI / 180.0;
 /// A positive command drives a leg to smaller angles (two public drivers agree).
 constexpr double kMotorSense = -1.0;
 
-constexpr int kMostSteps = 20;
-constexpr double kConverged = 1e-13;  ///< m; a thousandth of a thousandth of what an encoder tells
+constexpr int kMostSteps = 30;
+constexpr double kLongestStep = 0.05;  ///< m; keeps a bad beginning from running away
+constexpr double kConverged = 1e-12;   ///< m; the step after it would be rounding
+constexpr double kSameAngles = 1e-9;   ///< rad
 
 struct LegFrame {
   double cosine, sine;
@@ -41,7 +43,8 @@ struct Leg {
   double reach_by_side = 0.0;  ///< d reach / d v
 };
 
-std::optional<Leg> close_leg(const LegFrame& frame, const Vector& position) noexcept {
+/// All but the angle; nothing where the parallelogram does not reach to the side.
+std::optional<Leg> placed(const LegFrame& frame, const Vector& position) noexcept {
   const double side = -frame.sine * position[0] + frame.cosine * position[1] - kS + kF;
   const double squared = kB * kB - side * side;
   if (!(squared > 0.0)) return std::nullopt;
@@ -50,11 +53,22 @@ std::optional<Leg> close_leg(const LegFrame& frame, const Vector& position) noex
   leg.w = position[2] + kMiddleZ;
   leg.reach = kD + kE + std::sqrt(squared);
   leg.reach_by_side = -side / std::sqrt(squared);
-  const double distance = std::hypot(leg.u_c, leg.w);
-  const double cosine = (distance * distance + kA * kA - leg.reach * leg.reach) / (2.0 * kA * distance);
-  if (!(std::abs(cosine) <= 1.0)) return std::nullopt;
-  leg.theta = std::atan2(leg.w, leg.u_c) - std::acos(cosine);  // the knee stands outwards
   return leg;
+}
+
+std::optional<Leg> closed(const LegFrame& frame, const Vector& position) noexcept {
+  auto leg = placed(frame, position);
+  if (!leg) return std::nullopt;
+  const double distance = std::hypot(leg->u_c, leg->w);
+  const double cosine = (distance * distance + kA * kA - leg->reach * leg->reach) / (2.0 * kA * distance);
+  if (!(std::abs(cosine) <= 1.0)) return std::nullopt;
+  leg->theta = std::atan2(leg->w, leg->u_c) - std::acos(cosine);  // the knee stands outwards
+  return leg;
+}
+
+/// A direction given in a leg's u, v, w axes.
+Vector in_space(const LegFrame& frame, double u, double v, double w) noexcept {
+  return {frame.cosine * u - frame.sine * v, frame.sine * u + frame.cosine * v, w};
 }
 
 Vector cross(const Vector& a, const Vector& b) noexcept {
@@ -80,7 +94,7 @@ double leg_angle(std::int16_t encoder) noexcept {
 std::optional<Angles> leg_angles(const Vector& position) noexcept {
   Angles angles{};
   for (int i = 0; i < 3; ++i) {
-    const auto leg = close_leg(leg_frames()[i], position);
+    const auto leg = closed(leg_frames()[i], position);
     if (!leg) return std::nullopt;
     angles[i] = leg->theta;
   }
@@ -91,37 +105,46 @@ std::optional<Matrix> angles_by_position(const Vector& position) noexcept {
   Matrix rows{};
   for (int i = 0; i < 3; ++i) {
     const LegFrame& frame = leg_frames()[i];
-    const auto leg = close_leg(frame, position);
+    const auto leg = closed(frame, position);
     if (!leg) return std::nullopt;
     // Half the derivatives of the closing condition.
     const double cosine = std::cos(leg->theta), sine = std::sin(leg->theta);
     const double by_theta = kA * (leg->u_c * sine - leg->w * cosine);
     if (!(std::abs(by_theta) > 1e-6 * kA * leg->reach)) return std::nullopt;
     const double by_u = leg->u_c - kA * cosine, by_w = leg->w - kA * sine, by_v = -leg->reach * leg->reach_by_side;
-    rows[i] = scale({frame.cosine * by_u - frame.sine * by_v, frame.sine * by_u + frame.cosine * by_v, by_w},
-                    -1.0 / by_theta);
+    rows[i] = scale(in_space(frame, by_u, by_v, by_w), -1.0 / by_theta);
   }
   return rows;
 }
 
 std::optional<Vector> position_of(const Angles& angles, const Vector& guess) noexcept {
+  // Newton on the closing conditions themselves: they are nearly quadratic and, unlike the angles, exist beyond what
+  // the legs reach, so that the way there may lead through it.
   Vector position = guess;
   for (int step = 0; step < kMostSteps; ++step) {
-    const auto now = leg_angles(position);
-    const auto rows = angles_by_position(position);
-    if (!now || !rows) return std::nullopt;
-    const auto columns = inverse_columns(*rows);
+    Matrix rows{};
+    Vector open{};
+    for (int i = 0; i < 3; ++i) {
+      const LegFrame& frame = leg_frames()[i];
+      const auto leg = placed(frame, position);
+      if (!leg) return std::nullopt;
+      const double u = leg->u_c - kA * std::cos(angles[i]), w = leg->w - kA * std::sin(angles[i]);
+      open[i] = 0.5 * (u * u + w * w - leg->reach * leg->reach);
+      rows[i] = in_space(frame, u, -leg->reach * leg->reach_by_side, w);
+    }
+    const auto columns = inverse_columns(rows);
     if (!columns) return std::nullopt;
     Vector way{0, 0, 0};
-    for (int i = 0; i < 3; ++i) way = add(way, scale((*columns)[i], angles[i] - (*now)[i]));
-    if (!finite(way)) return std::nullopt;
-    if (length(way) < kConverged) return position;
-    // A step beyond what the legs reach is halved until it is not.
-    double share = 1.0;
-    while (share > 1e-3 && !angles_by_position(add(position, scale(way, share)))) share *= 0.5;
-    position = add(position, scale(way, share));
+    for (int i = 0; i < 3; ++i) way = subtract(way, scale((*columns)[i], open[i]));
+    const double distance = length(way);
+    if (!std::isfinite(distance)) return std::nullopt;
+    position = add(position, distance > kLongestStep ? scale(way, kLongestStep / distance) : way);
+    if (distance < kConverged) break;
   }
-  return std::nullopt;
+  // The conditions have a second answer, with knees turned inwards; and the steps may have run out.
+  const auto again = leg_angles(position);
+  if (!again || !(length(subtract(*again, angles)) < kSameAngles)) return std::nullopt;
+  return position;
 }
 
 std::optional<Vector> leg_torques(const Vector& position, const Vector& force_n) noexcept {

@@ -15,7 +15,7 @@ bool permitted(std::size_t place, std::uint8_t byte) noexcept {
   if (place == 0) return byte == kBegin;
   if (place <= kNibbles) return byte >= kOffset && byte < kOffset + 16;
   if (place == kInfo) return byte >= kOffset && byte <= kOffset + 0x7f;
-  return place == kUnknown || byte == kEnd;
+  return place == kUnknown ? byte != kBegin : byte == kEnd;
 }
 
 }  // namespace
