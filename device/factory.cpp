@@ -9,9 +9,14 @@ namespace vallecula::device {
 
 std::vector<DeviceKind> device_kinds() {
   return {{"mouse", "", "mouse and keyboard; the force is drawn, not felt"},
-          {"falcon", "[FIRMWARE.bin]", "a Novint Falcon: position and force; the blade does not turn with the grip"},
-          {"spacemouse", "[SERIAL]", "a SpaceMouse: the cap steers by speed; the force is drawn, not felt"},
+          {"falcon", "[FIRMWARE.bin]", "a Novint Falcon: position and force; its grip does not turn the blade", true},
+          {"spacemouse", "[SERIAL]", "a SpaceMouse: the cap steers by speed; the force is drawn, not felt", true},
           {"scripted", "FILE.csv", "a hand that follows a trajectory t,x,y,z[,qw,qx,qy,qz] (s, m)"}};
+}
+
+std::string form_of(const DeviceKind& kind) {
+  if (kind.argument.empty()) return kind.kind;
+  return kind.argument.front() == '[' ? kind.kind + "[:" + kind.argument.substr(1) : kind.kind + ":" + kind.argument;
 }
 
 std::unique_ptr<HapticDevice> make_device(const std::string& kind, const std::string& argument) {
@@ -27,7 +32,7 @@ std::unique_ptr<HapticDevice> make_device(const std::string& kind, const std::st
   if (kind == "falcon") return std::make_unique<FalconDevice>(argument);
   std::string known;
   for (const DeviceKind& k : device_kinds()) {
-    known += (known.empty() ? "" : ", ") + k.kind + (k.argument.empty() ? "" : ":" + k.argument);
+    known += (known.empty() ? "" : ", ") + form_of(k);
   }
   throw DeviceError("device '" + kind + "': no such kind; there are " + known);
 }

@@ -23,18 +23,25 @@ TEST(Factory, MakesEveryKindItLists) {
   const auto file = std::filesystem::path(::testing::TempDir()) / "vallecula-factory.csv";
   std::ofstream(file) << "0,0,0,0\n1,0,0,0.01\n";
   for (const DeviceKind& kind : device_kinds()) {
+    EXPECT_FALSE(kind.description.empty());
+    if (kind.hardware) continue;  // made with stand-ins by the tests of its driver
     const auto device = make_device(kind.kind, kind.argument.empty() ? "" : file.string());
     ASSERT_NE(device, nullptr);
     EXPECT_EQ(device->info().kind, kind.kind);
-    EXPECT_FALSE(kind.description.empty());
   }
   std::filesystem::remove(file);
 }
 
 TEST(Factory, NamesTheKindsThereAre) {
-  const std::string error = error_of("spacemouse", "");
-  EXPECT_NE(error.find("'spacemouse'"), std::string::npos) << error;
+  const std::string error = error_of("joystick", "");
+  EXPECT_NE(error.find("'joystick'"), std::string::npos) << error;
   for (const DeviceKind& kind : device_kinds()) EXPECT_NE(error.find(kind.kind), std::string::npos) << error;
+}
+
+TEST(Factory, WritesAnArgumentAsAPersonDoes) {
+  EXPECT_EQ(form_of({"mouse", "", ""}), "mouse");
+  EXPECT_EQ(form_of({"scripted", "FILE.csv", ""}), "scripted:FILE.csv");
+  EXPECT_EQ(form_of({"spacemouse", "[SERIAL]", ""}), "spacemouse[:SERIAL]");
 }
 
 TEST(Factory, SaysWhatIsWrongWithTheArgument) {

@@ -233,13 +233,14 @@ void start(FalconUsb& usb, const std::vector<std::uint8_t>& firmware, const std:
   try {
     if (starter.answers(kAlreadyRunningAsks)) return;
     if (firmware.empty()) fail("it needs its firmware, and no firmware file was found", kFirmwareAdvice);
-    std::string problem;
+    std::string first;  // a processor left in the middle answers the second attempt less: that says nothing
     for (int attempt = 0; attempt < kAttempts; ++attempt) {
-      problem = starter.load(firmware);
+      std::string problem = starter.load(firmware);
       if (problem.empty() && starter.answers(kBootAsks)) return;
       if (problem.empty()) problem = "it took the firmware but does not answer (is the file the Falcon's?)";
+      if (first.empty()) first = problem;
     }
-    fail(problem, kPowerCycle);
+    fail(first, kPowerCycle);
   } catch (const Stopped&) {
     fail("starting it was given up", "start it again");
   }
