@@ -1,5 +1,6 @@
 #include "device/factory.h"
 
+#include "device/drivers/falcon/falcon_device.h"
 #include "device/drivers/mouse_device.h"
 #include "device/drivers/scripted_device.h"
 #include "device/drivers/spacemouse/spacemouse_device.h"
@@ -8,6 +9,7 @@ namespace vallecula::device {
 
 std::vector<DeviceKind> device_kinds() {
   return {{"mouse", "", "mouse and keyboard; the force is drawn, not felt"},
+          {"falcon", "[FIRMWARE.bin]", "a Novint Falcon: position and force; its grip does not turn the blade", true},
           {"spacemouse", "[SERIAL]", "a SpaceMouse: the cap steers by speed; the force is drawn, not felt", true},
           {"scripted", "FILE.csv", "a hand that follows a trajectory t,x,y,z[,qw,qx,qy,qz] (s, m)"}};
 }
@@ -27,6 +29,7 @@ std::unique_ptr<HapticDevice> make_device(const std::string& kind, const std::st
     if (argument.empty()) throw DeviceError("device scripted: needs a trajectory file; write scripted:FILE.csv");
     return std::make_unique<ScriptedDevice>(Trajectory(read_trajectory_csv(argument)), firm_hand());
   }
+  if (kind == "falcon") return std::make_unique<FalconDevice>(argument);
   std::string known;
   for (const DeviceKind& k : device_kinds()) {
     known += (known.empty() ? "" : ", ") + form_of(k);
