@@ -1,5 +1,6 @@
 #include "device/factory.h"
 
+#include "device/drivers/hdapi/hd_device.h"
 #include "device/drivers/mouse_device.h"
 #include "device/drivers/scripted_device.h"
 
@@ -7,7 +8,14 @@ namespace vallecula::device {
 
 std::vector<DeviceKind> device_kinds() {
   return {{"mouse", "", "mouse and keyboard; the force is drawn, not felt"},
-          {"scripted", "FILE.csv", "a hand that follows a trajectory t,x,y,z[,qw,qx,qy,qz] (s, m)"}};
+          {"scripted", "FILE.csv", "a hand that follows a trajectory t,x,y,z[,qw,qx,qy,qz] (s, m)"},
+          {"touch", "[NAME]", "3D Systems Touch, Touch X and other HDAPI devices; NAME as their set-up calls it"}};
+}
+
+std::string written(const DeviceKind& kind) {
+  if (kind.argument.empty()) return kind.kind;
+  if (kind.argument.front() == '[') return kind.kind + "[:" + kind.argument.substr(1);
+  return kind.kind + ":" + kind.argument;
 }
 
 std::unique_ptr<HapticDevice> make_device(const std::string& kind, const std::string& argument) {
@@ -19,10 +27,9 @@ std::unique_ptr<HapticDevice> make_device(const std::string& kind, const std::st
     if (argument.empty()) throw DeviceError("device scripted: needs a trajectory file; write scripted:FILE.csv");
     return std::make_unique<ScriptedDevice>(Trajectory(read_trajectory_csv(argument)), firm_hand());
   }
+  if (kind == "touch") return std::make_unique<hdapi::HdDevice>(argument);
   std::string known;
-  for (const DeviceKind& k : device_kinds()) {
-    known += (known.empty() ? "" : ", ") + k.kind + (k.argument.empty() ? "" : ":" + k.argument);
-  }
+  for (const DeviceKind& k : device_kinds()) known += (known.empty() ? "" : ", ") + written(k);
   throw DeviceError("device '" + kind + "': no such kind; there are " + known);
 }
 

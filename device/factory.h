@@ -12,12 +12,15 @@ namespace vallecula::device {
 
 struct DeviceKind {
   std::string kind;      ///< "mouse"
-  std::string argument;  ///< what may follow the colon; empty: nothing
+  std::string argument;  ///< what follows the colon; "": nothing; "[NAME]": it may be left out
   std::string description;
 };
 
 /// Every kind make_device() knows.
 std::vector<DeviceKind> device_kinds();
+
+/// The form a person writes: "mouse", "scripted:FILE.csv", "touch[:NAME]".
+std::string written(const DeviceKind& kind);
 
 /// Makes a device of `kind` with `argument` (the text after the colon of KIND[:ARG]). "scripted" takes a trajectory
 /// file (read_trajectory_csv) and firm_hand(); hands with other settings are made as ScriptedDevice. Throws DeviceError

@@ -1,5 +1,7 @@
 #include "device/found_devices.h"
 
+#include "device/drivers/hdapi/hd_device.h"
+
 namespace vallecula::device {
 
 std::vector<FoundDevice> find_devices() {
@@ -9,6 +11,7 @@ std::vector<FoundDevice> find_devices() {
   mouse.info.kind = "mouse";
   mouse.info.model = "mouse and keyboard";
   found.push_back(mouse);
+  for (const FoundDevice& touch : hdapi::find_touch()) found.push_back(touch);
   return found;
 }
 

@@ -32,9 +32,11 @@ bool is_scripted_hand(const DeviceName& device) {
          std::find(kScriptedHands.begin(), kScriptedHands.end(), device.argument) != kScriptedHands.end();
 }
 
-/// Whether `given` has the form of `wanted`, the factory's word for an argument: "" nothing, "FILE.csv" that ending.
+/// Whether `given` has the form of `wanted`, the factory's word for an argument: "" nothing, "FILE.csv" that ending,
+/// "[NAME]" may be left out.
 bool fits(const std::string& wanted, const DeviceName& given) {
   if (wanted.empty()) return !given.has_argument;
+  if (wanted.front() == '[' && !given.has_argument) return true;
   const std::size_t dot = wanted.rfind('.');
   if (dot == std::string::npos) return !given.argument.empty();
   const std::string ending = wanted.substr(dot);
@@ -50,7 +52,7 @@ std::string device_names() {
     if (kind.kind == kScripted) {
       for (const char* hand : kScriptedHands) names.push_back(std::string(kScripted) + ":" + hand);
     }
-    names.push_back(kind.kind + (kind.argument.empty() ? "" : ":" + kind.argument));
+    names.push_back(device::written(kind));
   }
   std::string list;
   for (std::size_t i = 0; i < names.size(); ++i)
