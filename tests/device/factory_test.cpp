@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <set>
@@ -22,18 +23,27 @@ std::string error_of(const std::string& kind, const std::string& argument) {
 TEST(Factory, MakesEveryKindItLists) {
   const auto file = std::filesystem::path(::testing::TempDir()) / "vallecula-factory.csv";
   std::ofstream(file) << "0,0,0,0\n1,0,0,0.01\n";
+  setenv("VALLECULA_LIBHD", VALLECULA_STAND_IN_HD, 1);
   for (const DeviceKind& kind : device_kinds()) {
-    const auto device = make_device(kind.kind, kind.argument.empty() ? "" : file.string());
+    const bool without = kind.argument.empty() || kind.argument.front() == '[';
+    const auto device = make_device(kind.kind, without ? "" : file.string());
     ASSERT_NE(device, nullptr);
     EXPECT_EQ(device->info().kind, kind.kind);
     EXPECT_FALSE(kind.description.empty());
   }
+  unsetenv("VALLECULA_LIBHD");
   std::filesystem::remove(file);
 }
 
+TEST(Factory, WritesAKindAsAPersonWould) {
+  EXPECT_EQ(written({"mouse", "", ""}), "mouse");
+  EXPECT_EQ(written({"scripted", "FILE.csv", ""}), "scripted:FILE.csv");
+  EXPECT_EQ(written({"touch", "[NAME]", ""}), "touch[:NAME]");
+}
+
 TEST(Factory, NamesTheKindsThereAre) {
-  const std::string error = error_of("spacemouse", "");
-  EXPECT_NE(error.find("'spacemouse'"), std::string::npos) << error;
+  const std::string error = error_of("joystick", "");
+  EXPECT_NE(error.find("'joystick'"), std::string::npos) << error;
   for (const DeviceKind& kind : device_kinds()) EXPECT_NE(error.find(kind.kind), std::string::npos) << error;
 }
 

@@ -63,7 +63,7 @@ void Channel::attach(Handle handle, const Properties& properties) noexcept {
   period_s_ = 1.0 / properties.info.rate_hz;
   styles_ = properties.calibration_styles;
   motors_ = std::clamp(properties.motors, 1, kMostMotors);
-  turns_ = 0;
+  turns_ = on_since_ = 0;
   answers_ = false;
   noted_ = DeviceFault::none;
   turned_ns_.store(clock_ns(), std::memory_order_relaxed);
@@ -102,8 +102,8 @@ void Channel::look_slowly(const Functions& hd) noexcept {
 
   unsigned int status = hd.check_calibration();
   const unsigned int style = styles_ & kStyleAutomatic ? kStyleAutomatic : styles_ & kStyleInkWell;
-  if (status == kNeedsUpdate && style != 0) {
-    // Moves the origin under the hand: no force is shown while the status is not good.
+  // An update moves the origin under the hand: only when no force is shown, so at the next look if one is now.
+  if (status == kNeedsUpdate && style != 0 && fault_.load(std::memory_order_relaxed) != DeviceFault::none) {
     hd.update_calibration(style);
     status = hd.check_calibration();
   }
@@ -149,7 +149,8 @@ Vector Channel::force_to_show() noexcept {
       fault_.load(std::memory_order_relaxed) != DeviceFault::none) {
     return {0, 0, 0};
   }
-  const double share = std::clamp((elapsed_s_ - on_s_) / kRampS, 0.0, 1.0);
+  // By turns, not by the clock: a loop that stood still for a while makes no jump.
+  const double share = std::min(1.0, static_cast<double>(turns_ - on_since_) * period_s_ / kRampS);
   return scale(clamped(newest_command_.force_n, peak_n_), share);
 }
 
@@ -169,7 +170,7 @@ void Channel::settle(const Functions& hd) noexcept {
     noted_ = DeviceFault::none;
   } else if (held != DeviceFault::none && over(held)) {
     hd.enable(kForceOutput);
-    on_s_ = elapsed_s_;
+    on_since_ = turns_;
     fault_.store(DeviceFault::none, std::memory_order_relaxed);
   }
   state_.publish(now_);

@@ -76,9 +76,9 @@ class Channel {
   State now_;
   Command newest_command_;
   double elapsed_s_ = 0.0, last_s_ = 0.0;  ///< own time: a turn lasts its nominal period at least
-  double commanded_s_ = -1.0, error_s_ = 0.0, on_s_ = 0.0;
+  double commanded_s_ = -1.0, error_s_ = 0.0;
   DeviceFault noted_ = DeviceFault::none;
-  std::uint64_t turns_ = 0;
+  std::uint64_t turns_ = 0, on_since_ = 0;
   bool answers_ = false;
   // Handed over.
   LatestValue<State> state_{State{}};

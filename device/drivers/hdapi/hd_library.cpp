@@ -3,6 +3,7 @@
 #include <dlfcn.h>
 
 #include <cstdlib>
+#include <filesystem>
 
 namespace vallecula::device::hdapi {
 namespace {
@@ -20,8 +21,13 @@ std::string reason(const std::string& path) {
   const char* text = dlerror();
   std::string why = text != nullptr ? text : "unknown reason";
   if (why.rfind(path + ": ", 0) == 0) why.erase(0, path.size() + 2);
-  if (why.find("No such file") != std::string::npos && why.rfind("cannot open", 0) == 0) return "not there";
-  if (why.find("ELF") != std::string::npos) why += " (no library for this kind of processor, or a damaged file)";
+  // For a library of another kind of processor the loader, too, says that there is no such file.
+  const bool absent = why.find("No such file") != std::string::npos && why.rfind("cannot open", 0) == 0;
+  std::error_code error;
+  if (absent && !std::filesystem::exists(path, error)) return "not there";
+  if (absent || why.find("ELF") != std::string::npos) {
+    why = (absent ? std::string() : why + ": ") + "no library for this kind of processor, or a damaged file";
+  }
   return why;
 }
 
