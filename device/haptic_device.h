@@ -47,6 +47,7 @@ struct DeviceInfo {
   /// Readings and forces are in the device's axes (+x right, +y up, +z towards the person, origin in the middle of its
   /// workspace) and a WorkspaceMap carries them to the patient's; false: they are in the patient's already.
   bool own_axes = false;
+  double max_stiffness_n_m = 0.0;  ///< what it displays without buzzing; 0: it does not tell
 };
 
 class HapticDevice {

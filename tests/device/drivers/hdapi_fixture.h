@@ -1,0 +1,70 @@
+// A device of the driver over the stand-in libHD.so.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <functional>
+#include <memory>
+#include <thread>
+
+#include "device/drivers/hdapi/hd_device.h"
+#include "tests/device/stand_in_hd/control.h"
+
+namespace vallecula::device::hdapi {
+
+class HdapiTest : public ::testing::Test {
+ protected:
+  HdapiTest() : hd(VALLECULA_STAND_IN_HD) { setenv("VALLECULA_LIBHD", VALLECULA_STAND_IN_HD, 1); }
+  ~HdapiTest() override {
+    EXPECT_EQ(hd.violations(), "");
+    EXPECT_FALSE(hd.open(0));
+    EXPECT_FALSE(hd.open(1));
+    EXPECT_FALSE(hd.running());
+    EXPECT_EQ(hd.callbacks(), 0);
+    unsetenv("VALLECULA_LIBHD");
+  }
+
+  /// With the loop turned by hand: it is turned while the device waits to be ready, and then only by turn().
+  std::unique_ptr<HdDevice> open_by_hand(const std::string& name = "") const {
+    hd.by_hand();
+    std::atomic<bool> ready{false};
+    std::thread turning([&] {
+      while (!ready) {
+        hd.turn(1);
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      }
+    });
+    std::unique_ptr<HdDevice> device;
+    try {
+      device = std::make_unique<HdDevice>(name);
+    } catch (...) {
+      ready = true;
+      turning.join();
+      throw;
+    }
+    ready = true;
+    turning.join();
+    return device;
+  }
+  /// Writes the force and turns, as often as given.
+  void push(HdDevice& device, const Vector& force_n, int turns) const {
+    for (int i = 0; i < turns; ++i) {
+      device.write(force_n);
+      hd.turn(1);
+    }
+  }
+  static bool within(std::chrono::milliseconds longest, const std::function<bool()>& so) {
+    const auto until = std::chrono::steady_clock::now() + longest;
+    while (!so()) {
+      if (std::chrono::steady_clock::now() > until) return false;
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    return true;
+  }
+
+  const testing::StandIn hd;
+};
+
+}  // namespace vallecula::device::hdapi
