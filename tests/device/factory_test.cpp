@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <set>
@@ -23,7 +22,6 @@ std::string error_of(const std::string& kind, const std::string& argument) {
 TEST(Factory, MakesEveryKindItLists) {
   const auto file = std::filesystem::path(::testing::TempDir()) / "vallecula-factory.csv";
   std::ofstream(file) << "0,0,0,0\n1,0,0,0.01\n";
-  setenv("VALLECULA_LIBHD", VALLECULA_STAND_IN_HD, 1);
   for (const DeviceKind& kind : device_kinds()) {
     EXPECT_FALSE(kind.description.empty());
     if (kind.hardware) continue;  // made with stand-ins by the tests of its driver
@@ -31,14 +29,7 @@ TEST(Factory, MakesEveryKindItLists) {
     ASSERT_NE(device, nullptr);
     EXPECT_EQ(device->info().kind, kind.kind);
   }
-  unsetenv("VALLECULA_LIBHD");
   std::filesystem::remove(file);
-}
-
-TEST(Factory, WritesAKindAsAPersonWould) {
-  EXPECT_EQ(written({"mouse", "", ""}), "mouse");
-  EXPECT_EQ(written({"scripted", "FILE.csv", ""}), "scripted:FILE.csv");
-  EXPECT_EQ(written({"touch", "[NAME]", ""}), "touch[:NAME]");
 }
 
 TEST(Factory, NamesTheKindsThereAre) {
