@@ -6,8 +6,9 @@
 namespace vallecula::device {
 
 std::vector<DeviceKind> device_kinds() {
-  return {{"mouse", "", "mouse and keyboard; the force is drawn, not felt"},
-          {"scripted", "FILE.csv", "a hand that follows a trajectory t,x,y,z[,qw,qx,qy,qz] (s, m)"}};
+  return {
+      {"mouse", "", "mouse and keyboard; the force is drawn, not felt"},
+      {"scripted", "FILE.csv", "a hand that follows a trajectory t,x,y,z[,qw,qx,qy,qz] (s, m), with faults by time"}};
 }
 
 std::unique_ptr<HapticDevice> make_device(const std::string& kind, const std::string& argument) {
@@ -17,7 +18,9 @@ std::unique_ptr<HapticDevice> make_device(const std::string& kind, const std::st
   }
   if (kind == "scripted") {
     if (argument.empty()) throw DeviceError("device scripted: needs a trajectory file; write scripted:FILE.csv");
-    return std::make_unique<ScriptedDevice>(Trajectory(read_trajectory_csv(argument)), firm_hand());
+    HandScript script = read_hand_script(argument);
+    return std::make_unique<ScriptedDevice>(Trajectory(std::move(script.keyframes)), script.hand,
+                                            std::move(script.faults));
   }
   std::string known;
   for (const DeviceKind& k : device_kinds()) {
