@@ -17,12 +17,13 @@ bool is_pose(const DeviceReading& reading) noexcept {
 
 }  // namespace
 
-GuardSettings guard_for(const DeviceInfo& info) {
+GuardSettings guard_for(const DeviceInfo& info, const MapSettings& map) {
   GuardSettings settings;
+  settings.map = map;
   settings.limits.peak_force_n = info.peak_force_n;
   settings.limits.continuous_force_n = info.continuous_force_n;
   if (info.own_axes && info.peak_force_n > 0.0)
-    settings.limits.force_scale = std::min(1.0, info.peak_force_n / kFullForceN);
+    settings.limits.force_scale = std::min(1.0, info.peak_force_n / (kFullForceN * map.motion_scale));
   return settings;
 }
 

@@ -15,9 +15,9 @@ struct GuardSettings {
   std::uint32_t clutch_button = 2;  ///< bit of the button (after the map) that frees the hand; own axes only; 0: none
 };
 
-/// What the device itself asks for: its forces as limits, and the force scaled down where its peak is below
-/// kFullForceN, so that the whole range of a laryngoscopy can be felt on a weak device.
-GuardSettings guard_for(const DeviceInfo& info);
+/// What the device itself asks for: its forces as limits, and of a device with own axes the force scaled down where its
+/// peak is below kFullForceN, so that the whole range of a laryngoscopy can be felt on a weak one.
+GuardSettings guard_for(const DeviceInfo& info, const MapSettings& map = {});
 constexpr double kFullForceN = 7.9;  ///< the Touch X's, with which the method was published
 
 /// The largest force on the tool (N, in the patient) that the device can show under these settings; 0: shows none.

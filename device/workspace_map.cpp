@@ -23,7 +23,7 @@ std::uint32_t first_two_exchanged(std::uint32_t buttons) noexcept {
 }  // namespace
 
 WorkspaceMap::WorkspaceMap(const MapSettings& settings)
-    : scale_(within(settings.motion_scale, 0.2, 3.0, "motion_scale")), swaps_buttons_(settings.left_handed) {
+    : scale_(within(settings.motion_scale, kLeastMotionScale, kMostMotionScale, "motion_scale")), swaps_buttons_(settings.left_handed) {
   const double turned = within(settings.turned_rad, -M_PI, M_PI, "turned_rad");
   turned_ = about_axis({0, 1, 0}, settings.left_handed ? -turned : turned);
   set_view_axes({-1, 0, 0}, {0, -1, 0});  // somebody who stands at the head and looks down the body

@@ -5,9 +5,11 @@
 
 namespace vallecula::device {
 
+constexpr double kLeastMotionScale = 0.2, kMostMotionScale = 3.0;
+
 /// How one device stands and is held; kept per device.
 struct MapSettings {
-  double motion_scale = 1.0;  ///< way of the tool over way of the hand, 0.2 to 3
+  double motion_scale = 1.0;  ///< way of the tool over way of the hand
   /// How far the device is turned about its up axis against the person, rad, anticlockwise seen from above, -pi to pi.
   double turned_rad = 0.0;
   /// The same for the other hand: the device stands mirrored (turned the other way) and its first two buttons change

@@ -5,7 +5,6 @@
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
-#include <QSettings>
 #include <QStackedWidget>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -17,6 +16,7 @@
 #include "gui/pages/trial_page.h"
 #include "gui/session/builtin_patient.h"
 #include "gui/session/user_paths.h"
+#include "gui/session/user_settings.h"
 #include "gui/views/patient_look.h"
 
 namespace vallecula::gui {
@@ -31,11 +31,6 @@ struct Prepared {
 struct Cancelled : std::runtime_error {
   Cancelled() : std::runtime_error("cancelled") {}
 };
-
-std::unique_ptr<QSettings> settings() {
-  const QString file = QString::fromStdString((user_data_folder() / "settings.ini").string());
-  return std::make_unique<QSettings>(file, QSettings::IniFormat);
-}
 
 }  // namespace
 
@@ -108,7 +103,7 @@ QWidget* MainWindow::make_prepare_page() {
 void MainWindow::show_start(const curricula::Curriculum& curriculum) {
   has_start_ = true;
   start_->set_curriculum(curriculum);
-  const auto kept = settings();
+  const auto kept = user_settings();
   start_->select(kept->value("scenario").toString(), kept->value("device", "mouse").toString());
   add_imported_patients();
   const std::filesystem::path patient = kept->value("patient").toString().toStdString();
@@ -136,7 +131,7 @@ void MainWindow::prepare_choice(const Choice& choice) {
   setup.curriculum = choice.curriculum;
   setup.scenario = choice.scenario.id;
   setup.device = choice.device.toStdString();
-  const auto kept = settings();
+  const auto kept = user_settings();
   kept->setValue("scenario", QString::fromStdString(choice.scenario.id));
   kept->setValue("device", choice.device);
   kept->setValue("patient", QString::fromStdString(choice.patient.string()));
