@@ -10,6 +10,8 @@
 #include <QVBoxLayout>
 
 #include "device/factory.h"
+#include "device/found_devices.h"
+#include "gui/pages/device_dialog.h"
 
 namespace vallecula::gui {
 
@@ -60,7 +62,15 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
   auto* form = new QFormLayout;
   form->setVerticalSpacing(12);
   form->addRow("Patient", patient_row);
-  form->addRow("Device", device_);
+  auto* device_row = new QHBoxLayout;
+  device_row->setSpacing(8);
+  auto* set_up = new QPushButton("Device settings ...", this);
+  connect(set_up, &QPushButton::clicked, this, [this] {
+    if (const auto dialog = device_settings()) dialog->exec();
+  });
+  device_row->addWidget(device_, 1);
+  device_row->addWidget(set_up);
+  form->addRow("Device", device_row);
   auto* right_panel = new QFrame(this);
   right_panel->setObjectName("panel");
   auto* right = new QVBoxLayout(right_panel);
@@ -124,6 +134,19 @@ void StartPage::add_patient(const std::filesystem::path& package, bool choose) {
     patient_->setItemData(index, path, Qt::ToolTipRole);
   }
   if (choose) patient_->setCurrentIndex(index);
+}
+
+std::unique_ptr<QDialog> StartPage::device_settings() {
+  const std::string name = device_->currentData().toString().toStdString();
+  for (const device::FoundDevice& found : device::find_devices()) {
+    if (found.name != name && found.info.kind != name) continue;
+    if (DeviceDialog::has_settings(found.info)) {
+      set_message("");
+      return std::make_unique<DeviceDialog>(found.info, this);
+    }
+  }
+  set_message("There is nothing to set: this device is not plugged in, or is a script.");
+  return nullptr;
 }
 
 void StartPage::browse() {
