@@ -5,7 +5,6 @@
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
-#include <QSettings>
 #include <QStackedWidget>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -20,6 +19,7 @@
 #include "gui/session/builtin_patient.h"
 #include "gui/session/device_choice.h"
 #include "gui/session/user_paths.h"
+#include "gui/session/user_settings.h"
 #include "gui/views/patient_look.h"
 
 namespace vallecula::gui {
@@ -34,11 +34,6 @@ struct Prepared {
 struct Cancelled : std::runtime_error {
   Cancelled() : std::runtime_error("cancelled") {}
 };
-
-std::unique_ptr<QSettings> settings() {
-  const QString file = QString::fromStdString((user_data_folder() / "settings.ini").string());
-  return std::make_unique<QSettings>(file, QSettings::IniFormat);
-}
 
 }  // namespace
 
@@ -64,7 +59,7 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
   connect(devices_, &DevicesPage::found, start_, &StartPage::set_found_devices);
   connect(devices_, &DevicesPage::chosen, this, [this](const device::FoundDevice& device) {
     start_->choose_device(QString::fromStdString(device.name), device_label(device));
-    settings()->setValue("device", QString::fromStdString(device.name));
+    user_settings()->setValue("device", QString::fromStdString(device.name));
     back_to_start();
   });
   connect(import_, &ImportWizard::left, this, &MainWindow::back_to_start);
@@ -121,7 +116,7 @@ QWidget* MainWindow::make_prepare_page() {
 void MainWindow::show_start(const curricula::Curriculum& curriculum) {
   has_start_ = true;
   start_->set_curriculum(curriculum);
-  const auto kept = settings();
+  const auto kept = user_settings();
   const QString device = kept->value("device", "mouse").toString();
   choose_last_device(device);
   start_->select(kept->value("scenario").toString(), device);
@@ -164,7 +159,7 @@ void MainWindow::prepare_choice(const Choice& choice) {
   setup.curriculum = choice.curriculum;
   setup.scenario = choice.scenario.id;
   setup.device = choice.device.toStdString();
-  const auto kept = settings();
+  const auto kept = user_settings();
   kept->setValue("scenario", QString::fromStdString(choice.scenario.id));
   kept->setValue("device", choice.device);
   kept->setValue("patient", QString::fromStdString(choice.patient.string()));
