@@ -124,11 +124,11 @@ done
 run_tool "$tree/packaging/test" --fuzz 30
 check "test --fuzz builds the targets" recorded 'cmake --build --preset fuzz .*--target fuzz_seeds fuzz_ct_parse fuzz_ct_reader fuzz_falcon_packets fuzz_spacemouse_report'
 check "test --fuzz builds the helper program" recorded 'cmake --build --preset release .*--target vallecula-ct$'
-check "test --fuzz runs each for its share of the time" recorded '^fuzz_ct_reader .*-max_total_time=10 '
+check "test --fuzz runs each for its share of the time" recorded '^fuzz_ct_reader .*-max_total_time=8 '
 check "test --fuzz runs no tests" not recorded '^ctest'
 check "test --fuzz is content when nothing is found" test "$status" -eq 0
 run_tool "$tree/packaging/test" --fuzz
-check "test --fuzz has a time of its own" recorded '^fuzz_ct_parse .*-max_total_time=20 '
+check "test --fuzz has a time of its own" recorded '^fuzz_ct_parse .*-max_total_time=15 '
 FUZZ_STATUS=77 run_tool "$tree/packaging/test" --fuzz 2
 check "test --fuzz fails when a target finds something" test "$status" -eq 1
 
