@@ -12,9 +12,13 @@ namespace vallecula::device {
 
 struct DeviceKind {
   std::string kind;      ///< "mouse"
-  std::string argument;  ///< what follows the colon; "": nothing; "[NAME]": it may be left out
+  std::string argument;  ///< what must follow the colon, [in brackets] what may; empty: nothing
   std::string description;
+  bool hardware = false;  ///< can be made only where such a device is plugged in
 };
+
+/// As a person writes it: "mouse", "scripted:FILE.csv", "spacemouse[:SERIAL]".
+std::string form_of(const DeviceKind& kind);
 
 /// Every kind make_device() knows.
 std::vector<DeviceKind> device_kinds();

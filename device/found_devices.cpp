@@ -1,6 +1,8 @@
 #include "device/found_devices.h"
 
+#include "device/drivers/falcon/falcon_device.h"
 #include "device/drivers/hdapi/hd_device.h"
+#include "device/drivers/spacemouse/spacemouse_list.h"
 
 namespace vallecula::device {
 
@@ -12,6 +14,8 @@ std::vector<FoundDevice> find_devices() {
   mouse.info.model = "mouse and keyboard";
   found.push_back(mouse);
   for (const FoundDevice& touch : hdapi::find_touch()) found.push_back(touch);
+  for (const FoundDevice& falcon : find_falcon()) found.push_back(falcon);
+  for (const FoundDevice& spacemouse : find_spacemouse()) found.push_back(spacemouse);
   return found;
 }
 

@@ -33,10 +33,10 @@ bool is_scripted_hand(const DeviceName& device) {
 }
 
 /// Whether `given` has the form of `wanted`, the factory's word for an argument: "" nothing, "FILE.csv" that ending,
-/// "[NAME]" may be left out.
+/// "[SERIAL]" nothing or something.
 bool fits(const std::string& wanted, const DeviceName& given) {
   if (wanted.empty()) return !given.has_argument;
-  if (wanted.front() == '[' && !given.has_argument) return true;
+  if (wanted.front() == '[') return !given.has_argument || !given.argument.empty();
   const std::size_t dot = wanted.rfind('.');
   if (dot == std::string::npos) return !given.argument.empty();
   const std::string ending = wanted.substr(dot);
@@ -52,7 +52,7 @@ std::string device_names() {
     if (kind.kind == kScripted) {
       for (const char* hand : kScriptedHands) names.push_back(std::string(kScripted) + ":" + hand);
     }
-    names.push_back(device::written(kind));
+    names.push_back(device::form_of(kind));
   }
   std::string list;
   for (std::size_t i = 0; i < names.size(); ++i)

@@ -23,15 +23,13 @@ std::string error_of(const std::string& kind, const std::string& argument) {
 TEST(Factory, MakesEveryKindItLists) {
   const auto file = std::filesystem::path(::testing::TempDir()) / "vallecula-factory.csv";
   std::ofstream(file) << "0,0,0,0\n1,0,0,0.01\n";
-  setenv("VALLECULA_LIBHD", VALLECULA_STAND_IN_HD, 1);
   for (const DeviceKind& kind : device_kinds()) {
-    const bool without = kind.argument.empty() || kind.argument.front() == '[';
-    const auto device = make_device(kind.kind, without ? "" : file.string());
+    EXPECT_FALSE(kind.description.empty());
+    if (kind.hardware) continue;  // made with stand-ins by the tests of its driver
+    const auto device = make_device(kind.kind, kind.argument.empty() ? "" : file.string());
     ASSERT_NE(device, nullptr);
     EXPECT_EQ(device->info().kind, kind.kind);
-    EXPECT_FALSE(kind.description.empty());
   }
-  unsetenv("VALLECULA_LIBHD");
   std::filesystem::remove(file);
 }
 
@@ -45,6 +43,12 @@ TEST(Factory, NamesTheKindsThereAre) {
   const std::string error = error_of("joystick", "");
   EXPECT_NE(error.find("'joystick'"), std::string::npos) << error;
   for (const DeviceKind& kind : device_kinds()) EXPECT_NE(error.find(kind.kind), std::string::npos) << error;
+}
+
+TEST(Factory, WritesAnArgumentAsAPersonDoes) {
+  EXPECT_EQ(form_of({"mouse", "", ""}), "mouse");
+  EXPECT_EQ(form_of({"scripted", "FILE.csv", ""}), "scripted:FILE.csv");
+  EXPECT_EQ(form_of({"spacemouse", "[SERIAL]", ""}), "spacemouse[:SERIAL]");
 }
 
 TEST(Factory, SaysWhatIsWrongWithTheArgument) {
