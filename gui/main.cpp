@@ -79,6 +79,7 @@ int main(int argc, char** argv) {
   add_series_command(app, exit_code);
   add_compare_command(app, exit_code);
   add_export_command(app, exit_code);
+  add_devices_command(app, exit_code);
   add_trial_command(app, exit_code);
   add_replay_command(app, exit_code);
   add_score_command(app, exit_code);

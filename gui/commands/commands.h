@@ -15,6 +15,7 @@ void add_import_command(CLI::App& app, int& exit_code);
 void add_series_command(CLI::App& app, int& exit_code);
 void add_compare_command(CLI::App& app, int& exit_code);
 void add_export_command(CLI::App& app, int& exit_code);
+void add_devices_command(CLI::App& app, int& exit_code);
 void add_trial_command(CLI::App& app, int& exit_code);
 void add_replay_command(CLI::App& app, int& exit_code);
 void add_score_command(CLI::App& app, int& exit_code);

@@ -11,11 +11,14 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "device/factory.h"
 #include "gui/import/import_wizard.h"
 #include "gui/pages/background.h"
+#include "gui/pages/devices_page.h"
 #include "gui/pages/result_page.h"
 #include "gui/pages/trial_page.h"
 #include "gui/session/builtin_patient.h"
+#include "gui/session/device_choice.h"
 #include "gui/session/user_paths.h"
 #include "gui/views/patient_look.h"
 
@@ -43,17 +46,27 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
   setWindowTitle("Vallecula");
   pages_ = new QStackedWidget(this);
   start_ = new StartPage(pages_);
+  devices_ = new DevicesPage(pages_);
   import_ = new ImportWizard(pages_);
   prepare_page_ = make_prepare_page();
   trial_ = new TrialPage(pages_);
   result_ = new ResultPage(pages_);
-  for (QWidget* page : {static_cast<QWidget*>(start_), static_cast<QWidget*>(import_), prepare_page_,
-                        static_cast<QWidget*>(trial_), static_cast<QWidget*>(result_)})
+  for (QWidget* page :
+       {static_cast<QWidget*>(start_), static_cast<QWidget*>(devices_), static_cast<QWidget*>(import_), prepare_page_,
+        static_cast<QWidget*>(trial_), static_cast<QWidget*>(result_)})
     pages_->addWidget(page);
   setCentralWidget(pages_);
   resize(1280, 800);
   connect(start_, &StartPage::chosen, this, &MainWindow::prepare_choice);
   connect(start_, &StartPage::import_wanted, this, [this] { import_series(); });
+  connect(start_, &StartPage::devices_wanted, this, [this] { pages_->setCurrentWidget(devices_); });
+  connect(devices_, &DevicesPage::left, this, &MainWindow::back_to_start);
+  connect(devices_, &DevicesPage::found, start_, &StartPage::set_found_devices);
+  connect(devices_, &DevicesPage::chosen, this, [this](const device::FoundDevice& device) {
+    start_->choose_device(QString::fromStdString(device.name), device_label(device));
+    settings()->setValue("device", QString::fromStdString(device.name));
+    back_to_start();
+  });
   connect(import_, &ImportWizard::left, this, &MainWindow::back_to_start);
   connect(import_, &ImportWizard::finished, this, [this](const QString& package) {
     start_->add_patient(package.toStdString(), true);
@@ -109,11 +122,26 @@ void MainWindow::show_start(const curricula::Curriculum& curriculum) {
   has_start_ = true;
   start_->set_curriculum(curriculum);
   const auto kept = settings();
-  start_->select(kept->value("scenario").toString(), kept->value("device", "mouse").toString());
+  const QString device = kept->value("device", "mouse").toString();
+  choose_last_device(device);
+  start_->select(kept->value("scenario").toString(), device);
+  devices_->refresh();
   add_imported_patients();
   const std::filesystem::path patient = kept->value("patient").toString().toStdString();
   if (!patient.empty() && std::filesystem::exists(patient / "patient.yaml")) start_->add_patient(patient, true);
   back_to_start();
+}
+
+void MainWindow::choose_last_device(const QString& name) {
+  for (const device::DeviceKind& kind : device::device_kinds()) {
+    if (!kind.hardware || name.section(':', 0, 0).toStdString() != kind.kind) continue;
+    try {
+      check_device_name(name.toStdString());
+      start_->choose_device(name, name + " (used last)");  // until it is found, and is told by its model
+    } catch (const UnknownDevice&) {
+      return;  // what an older version kept
+    }
+  }
 }
 
 void MainWindow::add_imported_patients() {
@@ -229,7 +257,12 @@ void MainWindow::back_to_start() {
 
 QString MainWindow::page_name() const {
   const QWidget* page = pages_->currentWidget();
-  return page == start_ ? "start" : page == import_ ? "import" : page == prepare_page_ ? "prepare" : page == trial_ ? "trial" : "result";
+  return page == start_          ? "start"
+         : page == devices_      ? "devices"
+         : page == import_       ? "import"
+         : page == prepare_page_ ? "prepare"
+         : page == trial_        ? "trial"
+                                 : "result";
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

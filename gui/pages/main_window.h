@@ -17,6 +17,7 @@ class QStackedWidget;
 
 namespace vallecula::gui {
 
+class DevicesPage;
 class ImportWizard;
 class ResultPage;
 class TrialPage;
@@ -36,7 +37,8 @@ class MainWindow : public QMainWindow {
   TrialPage& trial_page() { return *trial_; }
   StartPage& start_page() { return *start_; }
   ImportWizard& import_wizard() { return *import_; }
-  QString page_name() const;  ///< "start", "import", "prepare", "trial", "result"
+  DevicesPage& devices_page() { return *devices_; }
+  QString page_name() const;  ///< "start", "devices", "import", "prepare", "trial", "result"
 
  signals:
   void prepared();
@@ -54,10 +56,12 @@ class MainWindow : public QMainWindow {
   void show_failure(const QString& message);
   void back_to_start();
   void add_imported_patients();
+  void choose_last_device(const QString& name);
   QWidget* make_prepare_page();
 
   QStackedWidget* pages_;
   StartPage* start_;
+  DevicesPage* devices_;
   ImportWizard* import_;
   QWidget* prepare_page_;
   QLabel* prepare_stage_;

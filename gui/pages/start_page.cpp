@@ -8,10 +8,18 @@
 #include <QListWidget>
 #include <QPushButton>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "device/factory.h"
+#include "gui/pages/devices_page.h"
 
 namespace vallecula::gui {
+namespace {
+
+/// Marks an entry that stands for something plugged in.
+constexpr int kPluggedIn = Qt::UserRole + 1;
+
+}  // namespace
 
 StartPage::StartPage(QWidget* parent) : QWidget(parent) {
   auto* title = new QLabel("Vallecula", this);
@@ -31,7 +39,7 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
   patient_->addItem("Built-in manikin, made for the scenario", QString());
   device_ = new QComboBox(this);
   for (const device::DeviceKind& kind : device::device_kinds()) {
-    if (!kind.argument.empty()) continue;  // asks for more than a choice
+    if (!kind.argument.empty() || kind.hardware) continue;  // asks for more than a choice; offered when it is found
     const QString about = QString::fromStdString(kind.description);
     device_->addItem(about.left(1).toUpper() + about.mid(1), QString::fromStdString(kind.kind));
   }
@@ -41,6 +49,8 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
   connect(browse, &QPushButton::clicked, this, &StartPage::browse);
   auto* from_ct = new QPushButton("New patient from a CT ...", this);
   connect(from_ct, &QPushButton::clicked, this, &StartPage::import_wanted);
+  auto* devices = new QPushButton("Devices ...", this);
+  connect(devices, &QPushButton::clicked, this, &StartPage::devices_wanted);
   go_ = new QPushButton("Prepare the trial", this);
   go_->setObjectName("primary");
   go_->setDefault(true);
@@ -60,7 +70,11 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
   auto* form = new QFormLayout;
   form->setVerticalSpacing(12);
   form->addRow("Patient", patient_row);
-  form->addRow("Device", device_);
+  auto* device_row = new QHBoxLayout;
+  device_row->setSpacing(8);
+  device_row->addWidget(device_, 1);
+  device_row->addWidget(devices);
+  form->addRow("Device", device_row);
   auto* right_panel = new QFrame(this);
   right_panel->setObjectName("panel");
   auto* right = new QVBoxLayout(right_panel);
@@ -124,6 +138,38 @@ void StartPage::add_patient(const std::filesystem::path& package, bool choose) {
     patient_->setItemData(index, path, Qt::ToolTipRole);
   }
   if (choose) patient_->setCurrentIndex(index);
+}
+
+void StartPage::set_found_devices(const std::vector<device::FoundDevice>& devices) {
+  const auto is_there = [&devices](const QString& name) {
+    return std::any_of(devices.begin(), devices.end(),
+                       [&name](const device::FoundDevice& one) { return one.name == name.toStdString(); });
+  };
+  for (int i = device_->count() - 1; i >= 0; --i)
+    if (device_->itemData(i, kPluggedIn).toBool() && i != device_->currentIndex() &&
+        !is_there(device_->itemData(i).toString()))
+      device_->removeItem(i);
+  for (const device::FoundDevice& one : devices) {
+    const QString name = QString::fromStdString(one.name);
+    if (name.isEmpty() || !one.problem.empty()) continue;
+    const int index = device_->findData(name);
+    if (index < 0) {
+      device_->addItem(device_label(one), name);
+      device_->setItemData(device_->count() - 1, true, kPluggedIn);
+    } else if (device_->itemData(index, kPluggedIn).toBool()) {
+      device_->setItemText(index, device_label(one));
+    }
+  }
+}
+
+void StartPage::choose_device(const QString& name, const QString& label) {
+  int index = device_->findData(name);
+  if (index < 0) {
+    device_->addItem(label, name);
+    index = device_->count() - 1;
+    device_->setItemData(index, true, kPluggedIn);
+  }
+  device_->setCurrentIndex(index);
 }
 
 void StartPage::browse() {

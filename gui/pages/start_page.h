@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "curricula/scenario.h"
+#include "device/found_devices.h"
 
 class QComboBox;
 class QLabel;
@@ -28,6 +29,10 @@ class StartPage : public QWidget {
   /// Replaces the list of scenarios; keeps the last choice where it is still to be had.
   void set_curriculum(const curricula::Curriculum& curriculum);
   void add_patient(const std::filesystem::path& package, bool choose);
+  /// Offers what is plugged in beside what is always there; what is gone is no longer offered, unless it is chosen.
+  void set_found_devices(const std::vector<device::FoundDevice>& devices);
+  /// Offers this device and chooses it.
+  void choose_device(const QString& name, const QString& label);
   void set_message(const QString& message);
   bool select(const QString& scenario, const QString& device);
   Choice choice() const;
@@ -35,6 +40,7 @@ class StartPage : public QWidget {
  signals:
   void chosen(const vallecula::gui::Choice& choice);
   void import_wanted();
+  void devices_wanted();
 
  private:
   void show_scenario(int row);

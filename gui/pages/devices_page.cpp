@@ -1,0 +1,146 @@
+#include "gui/pages/devices_page.h"
+
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QPushButton>
+#include <QTableWidget>
+#include <QVBoxLayout>
+
+#include "gui/pages/background.h"
+#include "gui/session/device_rows.h"
+
+namespace vallecula::gui {
+namespace {
+
+constexpr int kRefreshMs = 1000;
+
+/// The same device in two lists, whether it can be used or not.
+bool same_device(const device::FoundDevice& a, const device::FoundDevice& b) {
+  return a.info.kind == b.info.kind && a.info.model == b.info.model && a.info.serial == b.info.serial &&
+         a.name == b.name;
+}
+
+}  // namespace
+
+QString device_label(const device::FoundDevice& device) {
+  const QString label = QString::fromStdString(device_row(device).model);
+  return label.left(1).toUpper() + label.mid(1);
+}
+
+DevicesPage::DevicesPage(QWidget* parent, Finder find) : QWidget(parent), find_(std::move(find)) {
+  auto* title = new QLabel("Devices", this);
+  title->setObjectName("title");
+  auto* sub = new QLabel("What is plugged in. The list follows: plug a device in and it appears.", this);
+  sub->setObjectName("faint");
+  table_ = new QTableWidget(0, static_cast<int>(kDeviceColumns.size()), this);
+  table_->setAccessibleName("Devices");
+  QStringList headings;
+  for (const char* column : kDeviceColumns) headings << QString(column).left(1).toUpper() + QString(column).mid(1);
+  table_->setHorizontalHeaderLabels(headings);
+  table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
+  table_->setSelectionMode(QAbstractItemView::SingleSelection);
+  table_->verticalHeader()->hide();
+  table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  table_->horizontalHeader()->setStretchLastSection(true);
+  about_ = new QLabel(this);
+  about_->setWordWrap(true);
+  about_->setMinimumHeight(3 * about_->fontMetrics().lineSpacing());
+  about_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+  about_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  auto* back = new QPushButton("Back", this);
+  use_ = new QPushButton("Use this one", this);
+  use_->setObjectName("primary");
+  use_->setEnabled(false);
+
+  auto* buttons = new QHBoxLayout;
+  buttons->addWidget(back);
+  buttons->addStretch(1);
+  buttons->addWidget(use_);
+  auto* all = new QVBoxLayout(this);
+  all->setContentsMargins(26, 20, 26, 18);
+  all->addWidget(title);
+  all->addWidget(sub);
+  all->addSpacing(10);
+  all->addWidget(table_, 1);
+  all->addWidget(about_);
+  all->addLayout(buttons);
+
+  connect(back, &QPushButton::clicked, this, &DevicesPage::left);
+  connect(use_, &QPushButton::clicked, this, [this] {
+    if (const auto* device = selected()) emit chosen(device::FoundDevice(*device));
+  });
+  connect(table_, &QTableWidget::itemSelectionChanged, this, &DevicesPage::show_selected);
+  clock_.setInterval(kRefreshMs);
+  connect(&clock_, &QTimer::timeout, this, &DevicesPage::refresh);
+}
+
+DevicesPage::~DevicesPage() {
+  if (worker_) worker_->wait();
+}
+
+void DevicesPage::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  refresh();
+  clock_.start();
+}
+
+void DevicesPage::hideEvent(QHideEvent* event) {
+  clock_.stop();
+  QWidget::hideEvent(event);
+}
+
+void DevicesPage::refresh() {
+  if (worker_) return;  // the last answer is still to come
+  worker_ = run_in_background<std::vector<device::FoundDevice>>(
+      this, find_, [this](std::vector<device::FoundDevice> devices) { show_list(devices); },
+      [this](const QString& message) { about_->setText("The devices cannot be listed: " + message); });
+}
+
+void DevicesPage::show_list(const std::vector<device::FoundDevice>& devices) {
+  const auto* before = selected();
+  const device::FoundDevice kept = before != nullptr ? *before : device::FoundDevice();
+  const bool had = before != nullptr;
+  devices_ = devices;
+  int row_of_kept = -1;
+  {
+    const QSignalBlocker quiet(table_);
+    table_->setRowCount(static_cast<int>(devices_.size()));
+    for (std::size_t r = 0; r < devices_.size(); ++r) {
+      const auto cells = cells_of(device_row(devices_[r]));
+      for (std::size_t c = 0; c < cells.size(); ++c) {
+        auto* item = new QTableWidgetItem(QString::fromStdString(cells[c]));
+        if (!devices_[r].problem.empty()) item->setForeground(palette().color(QPalette::Disabled, QPalette::Text));
+        table_->setItem(static_cast<int>(r), static_cast<int>(c), item);
+      }
+      if (had && same_device(devices_[r], kept)) row_of_kept = static_cast<int>(r);
+    }
+    if (row_of_kept >= 0)
+      table_->selectRow(row_of_kept);
+    else
+      table_->clearSelection();
+  }
+  show_selected();
+  emit found(devices_);
+}
+
+const device::FoundDevice* DevicesPage::selected() const {
+  const auto rows = table_->selectionModel()->selectedRows();
+  if (rows.isEmpty() || rows.front().row() >= static_cast<int>(devices_.size())) return nullptr;
+  return &devices_[static_cast<std::size_t>(rows.front().row())];
+}
+
+void DevicesPage::show_selected() {
+  const auto* device = selected();
+  use_->setEnabled(device != nullptr && device->problem.empty() && !device->name.empty());
+  if (device == nullptr) {
+    about_->setText("Choose one to see what it needs.");
+    return;
+  }
+  const std::string trouble = device_row(*device).trouble;
+  about_->setText(device_label(*device) + ": " +
+                  (trouble.empty() ? QString("ready.") : QString::fromStdString(trouble) + "."));
+}
+
+}  // namespace vallecula::gui
