@@ -23,9 +23,6 @@ std::string form_of(const DeviceKind& kind);
 /// Every kind make_device() knows.
 std::vector<DeviceKind> device_kinds();
 
-/// The form a person writes: "mouse", "scripted:FILE.csv", "touch[:NAME]".
-std::string written(const DeviceKind& kind);
-
 /// Makes a device of `kind` with `argument` (the text after the colon of KIND[:ARG]). "scripted" takes a trajectory
 /// file (read_trajectory_csv) and firm_hand(); hands with other settings are made as ScriptedDevice. Throws DeviceError
 /// naming the kinds there are, or what is wrong with the argument.

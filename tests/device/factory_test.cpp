@@ -34,9 +34,9 @@ TEST(Factory, MakesEveryKindItLists) {
 }
 
 TEST(Factory, WritesAKindAsAPersonWould) {
-  EXPECT_EQ(written({"mouse", "", ""}), "mouse");
-  EXPECT_EQ(written({"scripted", "FILE.csv", ""}), "scripted:FILE.csv");
-  EXPECT_EQ(written({"touch", "[NAME]", ""}), "touch[:NAME]");
+  EXPECT_EQ(form_of({"mouse", "", ""}), "mouse");
+  EXPECT_EQ(form_of({"scripted", "FILE.csv", ""}), "scripted:FILE.csv");
+  EXPECT_EQ(form_of({"touch", "[NAME]", ""}), "touch[:NAME]");
 }
 
 TEST(Factory, NamesTheKindsThereAre) {
