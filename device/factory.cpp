@@ -9,11 +9,12 @@
 namespace vallecula::device {
 
 std::vector<DeviceKind> device_kinds() {
-  return {{"mouse", "", "mouse and keyboard; the force is drawn, not felt"},
-          {"falcon", "[FIRMWARE.bin]", "a Novint Falcon: position and force; its grip does not turn the blade", true},
-          {"spacemouse", "[SERIAL]", "a SpaceMouse: the cap steers by speed; the force is drawn, not felt", true},
-          {"touch", "[NAME]", "3D Systems Touch, Touch X and other HDAPI devices; NAME as their set-up calls it", true},
-          {"scripted", "FILE.csv", "a hand that follows a trajectory t,x,y,z[,qw,qx,qy,qz] (s, m)"}};
+  return {
+      {"mouse", "", "mouse and keyboard; the force is drawn, not felt"},
+      {"falcon", "[FIRMWARE.bin]", "a Novint Falcon: position and force; its grip does not turn the blade", true},
+      {"spacemouse", "[SERIAL]", "a SpaceMouse: the cap steers by speed; the force is drawn, not felt", true},
+      {"touch", "[NAME]", "3D Systems Touch, Touch X and other HDAPI devices; NAME as their set-up calls it", true},
+      {"scripted", "FILE.csv", "a hand that follows a trajectory t,x,y,z[,qw,qx,qy,qz] (s, m), with faults by time"}};
 }
 
 std::string form_of(const DeviceKind& kind) {
@@ -29,7 +30,9 @@ std::unique_ptr<HapticDevice> make_device(const std::string& kind, const std::st
   if (kind == "spacemouse") return std::make_unique<SpaceMouseDevice>(argument);
   if (kind == "scripted") {
     if (argument.empty()) throw DeviceError("device scripted: needs a trajectory file; write scripted:FILE.csv");
-    return std::make_unique<ScriptedDevice>(Trajectory(read_trajectory_csv(argument)), firm_hand());
+    HandScript script = read_hand_script(argument);
+    return std::make_unique<ScriptedDevice>(Trajectory(std::move(script.keyframes)), script.hand,
+                                            std::move(script.faults));
   }
   if (kind == "touch") return std::make_unique<hdapi::HdDevice>(argument);
   if (kind == "falcon") return std::make_unique<FalconDevice>(argument);

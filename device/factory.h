@@ -24,7 +24,7 @@ std::string form_of(const DeviceKind& kind);
 std::vector<DeviceKind> device_kinds();
 
 /// Makes a device of `kind` with `argument` (the text after the colon of KIND[:ARG]). "scripted" takes a trajectory
-/// file (read_trajectory_csv) and firm_hand(); hands with other settings are made as ScriptedDevice. Throws DeviceError
+/// file (read_hand_script); hands with other settings are made as ScriptedDevice. Throws DeviceError
 /// naming the kinds there are, or what is wrong with the argument.
 std::unique_ptr<HapticDevice> make_device(const std::string& kind, const std::string& argument);
 

@@ -3,14 +3,32 @@
 
 namespace vallecula::device {
 
+namespace {
+
+constexpr std::array<const char*, 9> kNames = {"none",       "force_exceeded", "communication_lost",
+                                               "unplugged",  "motor_warm",     "non_finite_command",
+                                               "servo_late", "not_calibrated", "driver_error"};
+
+}  // namespace
+
+const char* name_of(DeviceFault fault) noexcept {
+  const auto index = static_cast<std::size_t>(fault);
+  return index < kNames.size() ? kNames[index] : "unknown";
+}
+
+DeviceFault fault_named(const std::string& name) noexcept {
+  for (std::size_t i = 0; i < kNames.size(); ++i)
+    if (name == kNames[i]) return static_cast<DeviceFault>(i);
+  return DeviceFault::none;
+}
+
 const char* describe(DeviceFault fault) noexcept {
   switch (fault) {
     case DeviceFault::none:
       return "The device works.";
     case DeviceFault::force_exceeded:
-      return "The device was pressed against its force limit for too long and switched its force off: ease the hand, "
-             "it comes "
-             "back by itself.";
+      return "The device was pressed against its force limit for too long and switched its force off: ease the "
+             "hand.";
     case DeviceFault::communication_lost:
       return "The device does not answer: check its cable and its power.";
     case DeviceFault::unplugged:

@@ -13,7 +13,8 @@ struct DeviceReading {
   std::array<double, 3> position_m{0, 0, 0};
   std::array<double, 4> rotation_wxyz{1, 0, 0, 0};
   std::uint32_t buttons = 0;
-  bool valid = true;  ///< false: a fault holds; the pose is the last known one
+  bool valid =
+      true;  ///< false: a fault holds; the pose is the hand's where it is still sensed, else the last known one
 };
 
 enum class DeviceFault : std::uint8_t {
@@ -29,6 +30,10 @@ enum class DeviceFault : std::uint8_t {
 };
 /// One plain sentence for a person.
 const char* describe(DeviceFault fault) noexcept;
+/// Its name in a file, as it is written here: "force_exceeded".
+const char* name_of(DeviceFault fault) noexcept;
+/// The fault of that name; none for any other.
+DeviceFault fault_named(const std::string& name) noexcept;
 
 /// Whether a device knows where it stands. No force is shown before it does.
 enum class Calibration : std::uint8_t { not_needed, good, needs_update, needs_hand };
@@ -62,6 +67,8 @@ class HapticDevice {
   virtual Calibration calibration() const noexcept { return Calibration::not_needed; }
   /// 0 cold to 1 where the device switches off; negative: it does not tell.
   virtual double motor_warmth() const noexcept { return -1.0; }
+  /// True where a fault that is over needs no hand to confirm it (a record of one that had).
+  virtual bool confirms_itself() const noexcept { return false; }
   /// True when nothing more will come (the end of a script). A live device never finishes.
   virtual bool finished(double time_s) const noexcept {
     (void)time_s;

@@ -40,14 +40,33 @@ inline Rotation about_axis(const Vector& unit_axis, double angle_rad) noexcept {
   return {std::cos(0.5 * angle_rad), unit_axis[0] * s, unit_axis[1] * s, unit_axis[2] * s};
 }
 
+inline Vector cross(const Vector& a, const Vector& b) noexcept {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+inline Rotation inverse(const Rotation& unit) noexcept { return {unit[0], -unit[1], -unit[2], -unit[3]}; }
+
+/// The rotation that turns the axes x, y, z into these (orthonormal, right-handed). Shepperd 1978: the largest of the
+/// four components is found first, so that none is divided by a small one.
+inline Rotation from_axes(const Vector& x, const Vector& y, const Vector& z) noexcept {
+  const double trace = x[0] + y[1] + z[2];
+  if (trace >= x[0] && trace >= y[1] && trace >= z[2]) {
+    return normalised({1.0 + trace, y[2] - z[1], z[0] - x[2], x[1] - y[0]});
+  }
+  if (x[0] >= y[1] && x[0] >= z[2]) {
+    return normalised({y[2] - z[1], 1.0 + x[0] - y[1] - z[2], y[0] + x[1], z[0] + x[2]});
+  }
+  if (y[1] >= z[2]) return normalised({z[0] - x[2], y[0] + x[1], 1.0 - x[0] + y[1] - z[2], z[1] + y[2]});
+  return normalised({x[1] - y[0], z[0] + x[2], z[1] + y[2], 1.0 - x[0] - y[1] + z[2]});
+}
+
 inline Vector rotate(const Rotation& q, const Vector& v) noexcept {
-  const Rotation r = multiply(multiply(q, {0, v[0], v[1], v[2]}), {q[0], -q[1], -q[2], -q[3]});
+  const Rotation r = multiply(multiply(q, {0, v[0], v[1], v[2]}), inverse(q));
   return {r[1], r[2], r[3]};
 }
 
 /// Angle between two rotations, 0..pi.
 inline double angle_between(const Rotation& a, const Rotation& b) noexcept {
-  const Rotation d = multiply({a[0], -a[1], -a[2], -a[3]}, b);
+  const Rotation d = multiply(inverse(a), b);
   return 2.0 * std::atan2(length({d[1], d[2], d[3]}), std::abs(d[0]));
 }
 

@@ -69,7 +69,8 @@ Criterion glottis_seen(const Scenario& scenario, const Score& score) {
 
 Criterion attempt_time(const Scenario& scenario, const Score& score) {
   std::string when =
-      " (" + second(score.attempt_start_s) + " to " + second(score.attempt_start_s + score.attempt_time_s);
+      " (" + second(score.attempt_start_s) + " to " + second(score.attempt_start_s + score.attempt_time_s + score.attempt_paused_s);
+  if (score.attempt_paused_s > 0.0) when += ", paused for " + second(score.attempt_paused_s);
   if (score.mouth_entries > 1) when += ", the blade went in " + std::to_string(score.mouth_entries) + " times";
   if (!score.blade_out) when += ", the blade was still in the mouth";
   return at_most("attempt_time_s", "s", score.attempt_time_s, scenario.pass.attempt_time_s, score.attempt_start_s,

@@ -19,33 +19,46 @@ void measure_attempt(const TrialLog& log, Score& score) {
   const auto mouth = mouth_from_landmarks(log.header.landmarks_m);
   if (!mouth) return;
   double last_inside_s = 0.0;
+  long long paused = 0, paused_at_start = 0, paused_at_last = 0;
   for (const LogTick& tick : log.ticks) {
+    if (!tick.device_valid) {
+      ++paused;
+      continue;
+    }
     if (tick.step_used < 0 || !mouth->holds(tick.proxy_pose.position_m)) continue;  // no step yet: no proxy yet
     if (!score.attempt_begun) {
       score.attempt_begun = true;
       score.attempt_start_s = tick.time_s;
       score.mouth_entries = 1;
+      paused_at_start = paused;
     } else if (tick.time_s - last_inside_s > kOutForAnEntryS) {
       ++score.mouth_entries;
     }
     last_inside_s = tick.time_s;
+    paused_at_last = paused;
   }
   if (!score.attempt_begun) return;
-  score.attempt_time_s = last_inside_s + log.header.servo_period_s - score.attempt_start_s;
+  score.attempt_paused_s = static_cast<double>(paused_at_last - paused_at_start) * log.header.servo_period_s;
+  score.attempt_time_s = last_inside_s + log.header.servo_period_s - score.attempt_start_s - score.attempt_paused_s;
   score.blade_out = last_inside_s < log.ticks.back().time_s;
 }
 
 void measure_sight(const TrialLog& log, const Scenario& scenario, Score& score) {
+  double attempt_paused_s = 0.0;
   for (const LogTick& tick : log.ticks) {
+    const bool in_attempt = score.attempt_begun && tick.time_s >= score.attempt_start_s;
+    if (!tick.device_valid) {
+      if (in_attempt) attempt_paused_s += log.header.servo_period_s;
+      continue;
+    }
     if (!tick.has_sight || !std::isfinite(tick.glottis_visible)) continue;
     const double percent = 100.0 * tick.glottis_visible;
     if (percent > score.glottis_visible_max_percent) {
       score.glottis_visible_max_percent = percent;
       score.time_of_glottis_max_s = tick.time_s;
     }
-    const bool in_attempt = score.attempt_begun && tick.time_s >= score.attempt_start_s;
     if (in_attempt && percent >= scenario.sight_percent && score.time_to_trachea_visible_s < 0.0) {
-      score.time_to_trachea_visible_s = tick.time_s - score.attempt_start_s;
+      score.time_to_trachea_visible_s = tick.time_s - score.attempt_start_s - attempt_paused_s;
     }
   }
 }
@@ -55,6 +68,8 @@ Moments measure_forces(const TrialLog& log, const Scenario& scenario, Score& sco
   Moments moments;
   long long over_target = 0, over_device_limit = 0;  // counted in ticks: sums of 0.001 would drift past a limit
   long long stay = 0, longest_stay = 0;
+  long long paused = 0;
+  bool after_pause = false;  ///< the device has not taken hold again yet
   double stay_began_s = 0.0;
   for (const LogTick& tick : log.ticks) {
     for (int structure = 0; structure < kStructures; ++structure) {
@@ -63,6 +78,7 @@ Moments measure_forces(const TrialLog& log, const Scenario& scenario, Score& sco
         if (moments.not_finite_s < 0.0) moments.not_finite_s = tick.time_s;
         continue;
       }
+      if (!tick.device_valid) continue;
       if (force_n > score.peak_force_n[static_cast<std::size_t>(structure)]) {
         score.peak_force_n[static_cast<std::size_t>(structure)] = force_n;
         score.time_of_peak_s[static_cast<std::size_t>(structure)] = tick.time_s;
@@ -73,12 +89,15 @@ Moments measure_forces(const TrialLog& log, const Scenario& scenario, Score& sco
       }
     }
     const double displayed_n = magnitude(tick.displayed_force_n);
-    if (std::isfinite(displayed_n)) {
+    if (std::isfinite(displayed_n)) {  // zero in a pause
       score.peak_displayed_force_n = std::fmax(score.peak_displayed_force_n, displayed_n);
     } else if (moments.not_finite_s < 0.0) {
       moments.not_finite_s = tick.time_s;
     }
-    if (tick.state != LoggedState::tracking) {
+    paused += !tick.device_valid;
+    after_pause = !tick.device_valid || (after_pause && (tick.state == LoggedState::lost ||
+                                                         tick.state == LoggedState::recovering));
+    if (tick.state != LoggedState::tracking && !after_pause) {
       ++over_device_limit;
       if (stay++ == 0) stay_began_s = tick.time_s;
       if (stay > longest_stay) {
@@ -89,6 +108,7 @@ Moments measure_forces(const TrialLog& log, const Scenario& scenario, Score& sco
       stay = 0;
     }
   }
+  score.paused_s = static_cast<double>(paused) * log.header.servo_period_s;
   score.time_over_target_s = static_cast<double>(over_target) * log.header.servo_period_s;
   score.time_over_force_limit_s = static_cast<double>(over_device_limit) * log.header.servo_period_s;
   score.peak_tongue_force_n = score.peak_force_n[kTongue];

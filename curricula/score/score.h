@@ -32,6 +32,8 @@ struct Score {
   double attempt_time_s = 0.0;           ///< blade into the mouth to blade out (NEAR4NEOS)
   double attempt_start_s = 0.0;          ///< in trial time
   double time_over_force_limit_s = 0.0;  ///< device at its limit or lost: state not `tracking`
+  double paused_s = 0.0;                 ///< the device could not be used; counts for nothing else
+  double attempt_paused_s = 0.0;         ///< the part of it within the attempt
   double time_over_target_s = 0.0;       ///< tongue force over the scenario's target
   double loop_rate_hz = 0.0;
   long long deadline_misses = 0;  ///< forces written more than 1 ms after they were due
@@ -54,6 +56,9 @@ struct Score {
 };
 
 /// Definitions (times are trial time; a tick counts for servo_period_s):
+/// - a tick is paused when the device could not be used (device_valid is false): the tool stands still and nothing that
+///   happens then is the hand's doing. Paused ticks count for nothing below but that a figure is a number: no time, no
+///   force, no sight.
 /// - the attempt runs from the first tick with the proxy's tip in the mouth (score/mouth.h) to the last one: blade into
 /// the
 ///   mouth to blade out (NEAR4NEOS). Short ways out do not stop the clock. Simplification: one trial holds one attempt,
@@ -61,8 +66,8 @@ struct Score {
 /// - peaks are the largest single tick of the model force's magnitude, over the whole trial, unfiltered.
 /// - in sight: the first sight sample since the attempt's start with at least scenario.sight_percent of the glottis.
 /// - over the device limit: the haptic state was not `tracking`, so a tick counts while the device is at its limit,
-///   while it is lost (it faulted or let go after too long a stay there), and until it has taken hold again. The
-///   reason cites the start of the longest such stay.
+///   while it is lost (it let go after too long a stay there), and until it has taken hold again; but taking hold again
+///   after a pause does not count. The reason cites the start of the longest such stay.
 /// - over the target: model force on the tongue above it.
 /// - passed: the log is complete and finite, the attempt took place, and every limit of scenario.pass is kept.
 /// Never throws for a log that read_trial_log gave.

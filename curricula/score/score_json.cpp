@@ -25,6 +25,7 @@ std::string score_to_json(const Score& score, const TrialLog& log, const Scenari
   o["glottis_visible_max_percent"] = number_or_null(score.glottis_visible_max_percent);
   o["peak_gum_force_n"] = number_or_null(score.peak_gum_force_n);
   o["attempt_time_s"] = number_or_null(score.attempt_time_s);
+  o["paused_s"] = number_or_null(score.paused_s);
   o["time_over_force_limit_s"] = number_or_null(score.time_over_force_limit_s);
   o["time_over_target_s"] = number_or_null(score.time_over_target_s);
   o["loop_rate_hz"] = number_or_null(score.loop_rate_hz, score.loop_rate_hz > 0.0);

@@ -21,16 +21,27 @@ void require(double value, double low, double high, const char* name) {
 /// 53 bits of the generator, 0 <= u < 1. The standard's distributions differ between libraries, the generator does not.
 double uniform(std::mt19937_64& generator) { return static_cast<double>(generator() >> 11) * 0x1.0p-53; }
 
+/// Whether the hand is still sensed while the fault holds.
+bool senses(DeviceFault fault) noexcept {
+  return fault != DeviceFault::communication_lost && fault != DeviceFault::unplugged &&
+         fault != DeviceFault::not_calibrated && fault != DeviceFault::driver_error;
+}
+
 }  // namespace
 
-ScriptedDevice::ScriptedDevice(Trajectory trajectory, const HandSettings& hand)
-    : trajectory_(std::move(trajectory)), hand_(hand) {
+ScriptedDevice::ScriptedDevice(Trajectory trajectory, const HandSettings& hand, std::vector<InjectedFault> faults)
+    : trajectory_(std::move(trajectory)), hand_(hand), faults_(std::move(faults)) {
   require(hand.stiffness_n_m, 1.0, 1e5, "stiffness_n_m");
   require(hand.damping_n_s_m, 2.0, 1e5, "damping_n_s_m");
   require(hand.tremor_amplitude_m, 0.0, 0.01, "tremor_amplitude_m");
+  require(hand.max_force_n, 0.1, 1000.0, "max_force_n");
   require(hand.device_limit_n, 0.1, 100.0, "device_limit_n");
   require(hand.limit_time_s, 0.0, 3600.0, "limit_time_s");
   require(hand.recovery_time_s, 0.0, 3600.0, "recovery_time_s");
+  for (const InjectedFault& f : faults_) {
+    require(f.from_s, 0.0, 1e6, "a fault's time");
+    require(f.for_s, 0.0, 1e6, "a fault's duration");
+  }
   std::mt19937_64 generator(hand.tremor_seed);
   for (auto& axis : waves_) {
     for (Wave& wave : axis) {
@@ -70,27 +81,45 @@ void ScriptedDevice::enter_fault(DeviceFault fault) noexcept {
   given_ = {0, 0, 0};
 }
 
+DeviceFault ScriptedDevice::injected(double time_s) const noexcept {
+  for (const InjectedFault& f : faults_)
+    if (time_s >= f.from_s && time_s < f.from_s + f.for_s) return f.fault;
+  return DeviceFault::none;
+}
+
+void ScriptedDevice::give_way(double elapsed_s) noexcept {
+  const double bent_n = hand_.stiffness_n_m * length(yield_);
+  if (bent_n >= hand_.max_force_n && length(given_) > hand_.max_force_n) {
+    // The hand holds with all it has, and the rest moves it: damping * dx/dt = force - max_force.
+    const Vector held = scale(yield_, hand_.max_force_n / length(yield_));
+    yield_ = add(yield_, scale(subtract(given_, held), elapsed_s / hand_.damping_n_s_m));
+    return;
+  }
+  // damping * dx/dt + stiffness * x = force, integrated exactly over the tick for a constant force.
+  const double share = 1.0 - std::exp(-elapsed_s * hand_.stiffness_n_m / hand_.damping_n_s_m);
+  yield_ = add(yield_, scale(subtract(scale(given_, 1.0 / hand_.stiffness_n_m), yield_), share));
+}
+
 DeviceReading ScriptedDevice::read(double time_s) noexcept {
   const double elapsed_s = started_ ? std::max(0.0, time_s - now_s_) : 0.0;
   now_s_ = time_s;
   started_ = true;
+  give_way(elapsed_s);
 
-  // damping * dx/dt + stiffness * x = force, integrated exactly over the tick for a constant force.
-  const double share = 1.0 - std::exp(-elapsed_s * hand_.stiffness_n_m / hand_.damping_n_s_m);
-  yield_ = add(yield_, scale(subtract(scale(given_, 1.0 / hand_.stiffness_n_m), yield_), share));
-
-  if (fault() != DeviceFault::none && now_s_ - fault_since_s_ >= hand_.recovery_time_s &&
-      commanded_n_ < kDemandGoneShare * hand_.device_limit_n) {
+  const DeviceFault now = injected(time_s);
+  if (now != DeviceFault::none) {
+    if (fault() != now) enter_fault(now);
+    injected_ = true;
+  } else if (injected_ || (fault() != DeviceFault::none && now_s_ - fault_since_s_ >= hand_.recovery_time_s &&
+                           commanded_n_ < kDemandGoneShare * hand_.device_limit_n)) {
     fault_.store(DeviceFault::none, std::memory_order_relaxed);
+    injected_ = false;
   }
-  if (fault() != DeviceFault::none) {
-    last_.valid = false;
-    return last_;
-  }
+  last_.valid = fault() == DeviceFault::none;
+  if (!senses(fault())) return last_;
   const Keyframe intended = trajectory_.at(time_s);
   last_.position_m = add(add(intended.position_m, tremor(time_s)), yield_);
   last_.rotation_wxyz = intended.rotation_wxyz;
-  last_.valid = true;
   return last_;
 }
 

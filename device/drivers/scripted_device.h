@@ -3,6 +3,8 @@
 #pragma once
 
 #include <atomic>
+#include <filesystem>
+#include <vector>
 
 #include "device/trajectory.h"
 
@@ -13,6 +15,7 @@ struct HandSettings {
   double damping_n_s_m = 8.0;    ///< the yielding lags by damping/stiffness; at least 2, or a stiff scene would chatter
   double tremor_amplitude_m = 0.0;  ///< bound of the physiological tremor (8-12 Hz) along each axis
   unsigned tremor_seed = 1;         ///< same seed, same tremor, on every machine
+  double max_force_n = 50.0;        ///< what the hand can hold: pushed harder it gives way (assumed: an arm's)
   double device_limit_n = 7.9;      ///< what the device can give: larger commands are clamped
   double limit_time_s = 0.5;        ///< commanded at the limit for longer than this: fault force_exceeded
   double recovery_time_s = 1.0;     ///< after a fault the device stays unusable at least this long
@@ -26,21 +29,44 @@ inline HandSettings firm_hand() {
   return hand;
 }
 
+/// A fault that comes and goes by the script.
+struct InjectedFault {
+  DeviceFault fault = DeviceFault::none;
+  double from_s = 0.0, for_s = 0.0;
+};
+
 /// A command of at least this share of the limit counts as "at the limit".
 constexpr double kAtLimitShare = 0.99;
 /// After a fault the device comes back only once the commanded force is below this share of the limit.
 constexpr double kDemandGoneShare = 0.5;
 
+/// What a file says of a scripted hand: rows as read_trajectory_csv() takes them and, among the lines that start with
+/// #,
+///   # fault KIND FROM_S FOR_S     KIND as name_of() has it: force_exceeded, unplugged, ...
+///   # hand NAME VALUE             NAME a field of HandSettings: stiffness_n_m, max_force_n, tremor_seed, ...
+/// Other remarks are skipped.
+struct HandScript {
+  std::vector<Keyframe> keyframes;
+  HandSettings hand = firm_hand();
+  std::vector<InjectedFault> faults;
+};
+/// Throws DeviceError naming file and line.
+HandScript read_hand_script(const std::filesystem::path& file);
+
 class ScriptedDevice final : public HapticDevice {
  public:
   /// Throws DeviceError when a setting is not finite or out of its range.
-  ScriptedDevice(Trajectory trajectory, const HandSettings& hand);
+  ScriptedDevice(Trajectory trajectory, const HandSettings& hand, std::vector<InjectedFault> faults = {});
 
   DeviceInfo info() const override;
-  /// Intended pose + tremor + what the hand yielded; while a fault holds: the last pose, not valid.
+  /// Intended pose + tremor + what the hand yielded; while a fault holds it is not valid, and the last one where the
+  /// fault is one of the senses (lost, unplugged, not calibrated, driver error).
   DeviceReading read(double time_s) noexcept override;
   void write(const std::array<double, 3>& force_n) noexcept override;
   DeviceFault fault() const noexcept override { return fault_.load(std::memory_order_relaxed); }
+  Calibration calibration() const noexcept override {
+    return fault() == DeviceFault::not_calibrated ? Calibration::needs_hand : Calibration::not_needed;
+  }
   bool finished(double time_s) const noexcept override { return time_s > trajectory_.end_s(); }
 
   /// How often a fault began.
@@ -56,9 +82,12 @@ class ScriptedDevice final : public HapticDevice {
   };
   std::array<double, 3> tremor(double time_s) const noexcept;
   void enter_fault(DeviceFault fault) noexcept;
+  DeviceFault injected(double time_s) const noexcept;
+  void give_way(double elapsed_s) noexcept;
 
   Trajectory trajectory_;
   HandSettings hand_;
+  std::vector<InjectedFault> faults_;
   std::array<std::array<Wave, kTremorWaves>, 3> waves_{};
   std::array<double, 3> yield_{0, 0, 0};  ///< displacement of the hand by the force, m
   std::array<double, 3> given_{0, 0, 0};
@@ -67,6 +96,7 @@ class ScriptedDevice final : public HapticDevice {
   bool started_ = false;
   double at_limit_since_s_ = -1.0;  ///< negative: not at the limit
   double fault_since_s_ = 0.0;
+  bool injected_ = false;  ///< the fault that holds is the script's: it goes by the script
   DeviceReading last_;
   std::atomic<DeviceFault> fault_{DeviceFault::none};
   std::atomic<int> fault_count_{0};

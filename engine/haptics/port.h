@@ -17,6 +17,8 @@ class HapticPort {
   virtual ~HapticPort() = default;
   /// `time_s`: nominal time of the tick.
   virtual PortInput read(double time_s) noexcept = 0;
+  /// The tool as the scene holds it, once it does; between read and write.
+  virtual void see_tool(const Pose& tool) noexcept { (void)tool; }
   /// Force in world axes, N. Called once after every read.
   virtual void write(const Vec3& force_n) noexcept = 0;
 };

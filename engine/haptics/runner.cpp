@@ -194,6 +194,11 @@ struct Runner::Impl {
     port.write(force);
   }
 
+  void show(const TickRecord& record) {
+    if (record.step_used >= 0) port.see_tool(record.proxy_pose);
+    show(record.displayed_force_n);
+  }
+
   void servo_loop() {
     servo_priority = raise_this_thread(80);
     const std::int64_t period = static_cast<std::int64_t>(scene->model.step_s * 1e9 + 0.5);
@@ -212,7 +217,7 @@ struct Runner::Impl {
       const StepResult& used = newest >= 0 ? results[newest % kResultSlots] : none;
       const std::int64_t feeding = idle ? last_fed + 1 : -1;
       const TickRecord record = servo_tick(*scene, tick, in, feeding, used, !idle, servo);
-      show(record.displayed_force_n);
+      show(record);
       if (now_ns() - due > kMissNs) misses.fetch_add(1, std::memory_order_relaxed);
       if (idle) {
         input.device = in.pose;
@@ -306,7 +311,7 @@ void Runner::run(std::int64_t ticks, const std::function<void(const TickRecord&)
     m.fed = feeding;
     m.simulate(feeding);
     const TickRecord record = servo_tick(*m.scene, tick, in, feeding, m.results[feeding % kResultSlots], false, m.servo);
-    m.show(record.displayed_force_n);
+    m.show(record);
     m.ticks = tick + 1;
     m.last_ticks.add(record);
     sink(record);

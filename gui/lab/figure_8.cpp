@@ -126,10 +126,10 @@ Record play(const FigureSetting& setting, const engine::SceneDescription& wanted
             const LipTouch& lips, const std::function<void(const engine::Snapshot&)>& each) {
   const std::unique_ptr<device::HapticDevice> device = make_device(hand, setting.package, setting.scenario);
   engine::SceneDescription description = wanted;
-  device::OutputLimits limits;
-  if (device->info().peak_force_n > 0)
-    limits.peak_force_n = description.haptics.device_limit_n = device->info().peak_force_n;
-  DevicePort port(*device, limits);
+  const device::GuardSettings settings = device::guard_for(device->info());
+  if (settings.limits.peak_force_n > 0) description.haptics.device_limit_n = device::largest_model_force_n(settings);
+  device::GuardedDevice guard(*device, settings);
+  DevicePort port(guard);
   engine::Runner runner(engine::build_scene(description), port);
   Record record;
   double now_s = 0.0;

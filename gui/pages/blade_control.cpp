@@ -3,7 +3,9 @@
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QWheelEvent>
+#include <algorithm>
 
+#include "gui/session/user_settings.h"
 #include "gui/views/operator_view.h"
 
 namespace vallecula::gui {
@@ -14,6 +16,7 @@ constexpr double kAdvancePerNotch = 0.0015;  // m
 constexpr double kKeySpeed = 0.030;          // m/s while a key is held
 constexpr double kFineShare = 0.25;          // with Shift
 constexpr double kKeyTurn = 0.6;             // rad/s
+constexpr double kGainStep = 1.25;
 
 std::array<double, 3> plain(const engine::Vec3& v) { return {v.x(), v.y(), v.z()}; }
 
@@ -35,6 +38,14 @@ void BladeControl::release_all() {
 }
 
 bool BladeControl::key(QKeyEvent* event, bool pressed) {
+  const bool more = event->key() == Qt::Key_Plus, less = event->key() == Qt::Key_Minus;
+  if (more || less) {
+    if (pressed) {
+      gain_ = std::clamp(gain_ * (more ? kGainStep : 1.0 / kGainStep), kLeastMouseGain, kMostMouseGain);
+      emit gain_changed(gain_);
+    }
+    return true;
+  }
   switch (event->key()) {
     case Qt::Key_Space:
     case Qt::Key_Backspace:
@@ -70,7 +81,7 @@ void BladeControl::advance(double seconds) {
   const auto axis = [&](int plus, int minus) {
     return (held_.count(plus) ? 1.0 : 0.0) - (held_.count(minus) ? 1.0 : 0.0);
   };
-  const double share = seconds * (held_.count(Qt::Key_Shift) ? kFineShare : 1.0), way = kKeySpeed * share,
+  const double share = gain_ * seconds * (held_.count(Qt::Key_Shift) ? kFineShare : 1.0), way = kKeySpeed * share,
                turn = kKeyTurn * share;
   device_->move(way * axis(Qt::Key_Right, Qt::Key_Left), way * axis(Qt::Key_Up, Qt::Key_Down));
   device_->advance(way * axis(Qt::Key_PageUp, Qt::Key_PageDown));
@@ -80,10 +91,14 @@ void BladeControl::advance(double seconds) {
   if (pitch != 0.0 || yaw != 0.0 || roll != 0.0) device_->turn(pitch, yaw, roll);
 }
 
-QString BladeControl::help() {
-  return "Drag: move the blade   |   right-drag or W A S D: turn it (Q E: roll)   |   wheel or PgUp PgDn: deeper, back "
-         "  |   "
-         "arrows: move (Shift: fine)   |   hold Space: lift along the handle, Backspace: lower";
+QString BladeControl::help() const {
+  return QString(
+             "Drag: move the blade   |   Ctrl-drag, right-drag or W A S D: turn it (Q E: roll)   |   wheel or PgUp "
+             "PgDn: "
+             "deeper, back   |   arrows: move (Shift: fine)   |   hold Space: lift along the handle, Backspace: lower  "
+             " |  "
+             " + -: gain, now %1")
+      .arg(gain_, 0, 'g', 3);
 }
 
 bool BladeControl::eventFilter(QObject*, QEvent* event) {
@@ -96,18 +111,19 @@ bool BladeControl::eventFilter(QObject*, QEvent* event) {
       auto* mouse = static_cast<QMouseEvent*>(event);
       const QPoint moved = mouse->pos() - last_;
       last_ = mouse->pos();
-      const double fine = mouse->modifiers() & Qt::ShiftModifier ? kFineShare : 1.0;
-      if (mouse->buttons() & Qt::LeftButton) {
+      const double fine = gain_ * (mouse->modifiers() & Qt::ShiftModifier ? kFineShare : 1.0);
+      const bool turns = (mouse->buttons() & Qt::RightButton) || (mouse->modifiers() & Qt::ControlModifier);
+      if ((mouse->buttons() & Qt::LeftButton) && !turns) {
         const double metres = fine * 1e-3 * view_->mm_per_pixel();
         device_->move(metres * moved.x(), -metres * moved.y());
-      } else if (mouse->buttons() & Qt::RightButton) {
+      } else if (mouse->buttons() & (Qt::LeftButton | Qt::RightButton)) {
         device_->turn(fine * kTurnPerPixel * moved.y(), fine * kTurnPerPixel * moved.x(), 0.0);
       }
       return true;
     }
     case QEvent::Wheel: {
       auto* wheel = static_cast<QWheelEvent*>(event);
-      const double fine = wheel->modifiers() & Qt::ShiftModifier ? kFineShare : 1.0;
+      const double fine = gain_ * (wheel->modifiers() & Qt::ShiftModifier ? kFineShare : 1.0);
       device_->advance(fine * kAdvancePerNotch * wheel->angleDelta().y() / 120.0);
       return true;
     }

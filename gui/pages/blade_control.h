@@ -27,8 +27,14 @@ class BladeControl : public QObject {
   /// True when the key is one of the blade's.
   bool key(QKeyEvent* event, bool pressed);
   void release_all();
+  /// Way of the blade over way of the mouse; also of keys and wheel.
+  void set_gain(double gain) { gain_ = gain; }
   /// One line for the screen.
-  static QString help();
+  QString help() const;
+
+ signals:
+  /// By a key (+ and -).
+  void gain_changed(double gain);
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -37,6 +43,7 @@ class BladeControl : public QObject {
   OperatorView* view_;
   device::MouseDevice* device_ = nullptr;
   QPoint last_;
+  double gain_ = 1.0;
   std::set<int> held_;
 };
 

@@ -5,7 +5,6 @@
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
-#include <QSettings>
 #include <QStackedWidget>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -20,6 +19,7 @@
 #include "gui/session/builtin_patient.h"
 #include "gui/session/device_choice.h"
 #include "gui/session/user_paths.h"
+#include "gui/session/user_settings.h"
 #include "gui/views/patient_look.h"
 
 namespace vallecula::gui {
@@ -35,11 +35,6 @@ struct Cancelled : std::runtime_error {
   Cancelled() : std::runtime_error("cancelled") {}
 };
 
-std::unique_ptr<QSettings> settings() {
-  const QString file = QString::fromStdString((user_data_folder() / "settings.ini").string());
-  return std::make_unique<QSettings>(file, QSettings::IniFormat);
-}
-
 }  // namespace
 
 MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
@@ -51,9 +46,8 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
   prepare_page_ = make_prepare_page();
   trial_ = new TrialPage(pages_);
   result_ = new ResultPage(pages_);
-  for (QWidget* page :
-       {static_cast<QWidget*>(start_), static_cast<QWidget*>(devices_), static_cast<QWidget*>(import_), prepare_page_,
-        static_cast<QWidget*>(trial_), static_cast<QWidget*>(result_)})
+  for (QWidget* page : {static_cast<QWidget*>(start_), static_cast<QWidget*>(devices_), static_cast<QWidget*>(import_),
+                        prepare_page_, static_cast<QWidget*>(trial_), static_cast<QWidget*>(result_)})
     pages_->addWidget(page);
   setCentralWidget(pages_);
   resize(1280, 800);
@@ -121,7 +115,7 @@ QWidget* MainWindow::make_prepare_page() {
 void MainWindow::show_start(const curricula::Curriculum& curriculum) {
   has_start_ = true;
   start_->set_curriculum(curriculum);
-  const auto kept = settings();
+  const auto kept = user_settings();
   const QString device = kept->value("device", "mouse").toString();
   choose_last_device(device);
   start_->select(kept->value("scenario").toString(), device);
@@ -164,7 +158,7 @@ void MainWindow::prepare_choice(const Choice& choice) {
   setup.curriculum = choice.curriculum;
   setup.scenario = choice.scenario.id;
   setup.device = choice.device.toStdString();
-  const auto kept = settings();
+  const auto kept = user_settings();
   kept->setValue("scenario", QString::fromStdString(choice.scenario.id));
   kept->setValue("device", choice.device);
   kept->setValue("patient", QString::fromStdString(choice.patient.string()));

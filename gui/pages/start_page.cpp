@@ -11,6 +11,8 @@
 #include <algorithm>
 
 #include "device/factory.h"
+#include "device/found_devices.h"
+#include "gui/pages/device_dialog.h"
 #include "gui/pages/devices_page.h"
 
 namespace vallecula::gui {
@@ -74,6 +76,12 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
   device_row->setSpacing(8);
   device_row->addWidget(device_, 1);
   device_row->addWidget(devices);
+  auto* set_up = new QPushButton("Device settings ...", this);
+  connect(set_up, &QPushButton::clicked, this, [this] {
+    if (const auto dialog = device_settings()) dialog->exec();
+  });
+  device_row->addWidget(device_, 1);
+  device_row->addWidget(set_up);
   form->addRow("Device", device_row);
   auto* right_panel = new QFrame(this);
   right_panel->setObjectName("panel");
@@ -170,6 +178,19 @@ void StartPage::choose_device(const QString& name, const QString& label) {
     device_->setItemData(index, true, kPluggedIn);
   }
   device_->setCurrentIndex(index);
+}
+
+std::unique_ptr<QDialog> StartPage::device_settings() {
+  const std::string name = device_->currentData().toString().toStdString();
+  for (const device::FoundDevice& found : device::find_devices()) {
+    if (found.name != name && found.info.kind != name) continue;
+    if (DeviceDialog::has_settings(found.info)) {
+      set_message("");
+      return std::make_unique<DeviceDialog>(found.info, this);
+    }
+  }
+  set_message("There is nothing to set: this device is not plugged in, or is a script.");
+  return nullptr;
 }
 
 void StartPage::browse() {

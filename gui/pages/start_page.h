@@ -3,12 +3,14 @@
 
 #include <QWidget>
 #include <filesystem>
+#include <memory>
 #include <vector>
 
 #include "curricula/scenario.h"
 #include "device/found_devices.h"
 
 class QComboBox;
+class QDialog;
 class QLabel;
 class QListWidget;
 class QPushButton;
@@ -45,6 +47,8 @@ class StartPage : public QWidget {
  private:
   void show_scenario(int row);
   void browse();
+  /// Of the chosen device, as it is plugged in; null: it is not, or has none.
+  std::unique_ptr<QDialog> device_settings();
   curricula::Curriculum curriculum_;
   QListWidget* list_;
   QLabel *curriculum_title_, *briefing_, *message_;

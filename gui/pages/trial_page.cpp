@@ -14,7 +14,9 @@
 #include "device/drivers/mouse_device.h"
 #include "gui/pages/background.h"
 #include "gui/pages/blade_control.h"
-#include "gui/session/scripted_hands.h"
+#include "gui/pages/mouse_introduction.h"
+#include "gui/session/device_choice.h"
+#include "gui/session/user_settings.h"
 #include "gui/views/force_bars.h"
 #include "gui/views/operator_view.h"
 #include "gui/views/sagittal_view.h"
@@ -39,6 +41,11 @@ TrialPage::TrialPage(QWidget* parent) : QWidget(parent) {
   operator_view_ = new OperatorView(this);
   operator_view_->setMinimumSize(480, 400);
   control_ = new BladeControl(operator_view_);
+  introduction_ = new MouseIntroduction(this);
+  connect(control_, &BladeControl::gain_changed, this, [this](double gain) {
+    keep_mouse_gain(gain);
+    show_help();
+  });
   title_ = new QLabel(this);
   title_->setObjectName("heading");
   banner_ = new QLabel(this);
@@ -48,7 +55,10 @@ TrialPage::TrialPage(QWidget* parent) : QWidget(parent) {
   auto* main = new QVBoxLayout;
   main->setSpacing(6);
   main->addWidget(title_);
-  main->addWidget(operator_view_, 1);
+  auto* picture = new QGridLayout;  // the introduction lies over the view
+  picture->addWidget(operator_view_, 0, 0);
+  picture->addWidget(introduction_, 0, 0, Qt::AlignCenter);
+  main->addLayout(picture, 1);
   main->addWidget(banner_);
   auto* columns = new QHBoxLayout;
   columns->addLayout(main, 17);
@@ -145,17 +155,28 @@ void TrialPage::open(std::shared_ptr<TrialSession> session, std::shared_ptr<Pati
   readings_->set_scenario(scenario, curricula::mouth_from_landmarks(landmarks_m));
   auto* mouse = dynamic_cast<device::MouseDevice*>(&session_->device());
   control_->steer(mouse);
-  help_->setText(mouse != nullptr                                     ? BladeControl::help()
-                 : session_->device().info().kind == "scripted" ? "A scripted hand holds the blade. Esc ends the trial."
-                                                                      : "Enter starts the trial, Esc ends it.");
+  control_->set_gain(mouse_gain());
+  introduction_->hide();
+  if (mouse != nullptr) introduction_->show_if_wanted();
+  show_help();
   show_banner("");
   show_buttons();
   timer_.start();
   setFocus();
 }
 
+void TrialPage::show_help() {
+  const std::string kind = session_ ? session_->device().info().kind : "";
+  help_->setText(control_->steering() ? control_->help()
+                 : kind == "scripted" ? "A scripted hand holds the blade. Esc ends the trial."
+                 : kind == "recorded" ? "The hand of a recorded trial holds the blade. Esc ends the trial."
+                                      : "Enter starts the trial and takes hold again after a pause, Esc ends it. The "
+                                        "device's second button, held, frees your hand: the blade stays.");
+}
+
 void TrialPage::start() {
   if (!session_ || running_ || ending_) return;
+  introduction_->dismiss();
   try {
     session_->start();
   } catch (const std::exception& error) {
@@ -176,8 +197,7 @@ void TrialPage::reset() {
     session_->reset([this] {
       auto* mouse = dynamic_cast<device::MouseDevice*>(&session_->device());
       if (mouse == nullptr) return;  // the hand begins anew as well, once the old attempt is no longer recorded
-      const device::Trajectory expert = scripted_hand("expert", session_->package(), session_->scenario());
-      const device::Keyframe begin = expert.at(expert.start_s());
+      const device::Keyframe begin = starting_pose(session_->package(), session_->scenario());
       mouse->place(begin.position_m, begin.rotation_wxyz);
     });
   } catch (const std::exception& error) {
@@ -265,9 +285,10 @@ void TrialPage::frame() {
       sagittal_view_->update_from(snapshot, session_->scenario().sight_percent);
       sagittal_view_->draw();
     }
-    readings_->show_snapshot(snapshot);
+    readings_->show_snapshot(snapshot, session_->paused_s());
     bars_->show_forces(load(snapshot, engine::Structure::tongue), load(snapshot, engine::Structure::gum));
-    show_banner(banner_for(snapshot, QString::fromStdString(session_->fault())));
+    show_banner(
+        banner_for(snapshot, QString::fromStdString(session_->fault()), QString::fromStdString(session_->pause())));
     ++frames_;
     if (frame_hook_) frame_hook_(snapshot);
     if (session_->finished()) end("finished");
@@ -300,11 +321,15 @@ void TrialPage::show_buttons() {
 }
 
 void TrialPage::keyPressEvent(QKeyEvent* event) {
+  introduction_->dismiss();  // whoever presses keys knows them; the key does its work as well
   if (control_->steering() && control_->key(event, true)) return;
   switch (event->key()) {
     case Qt::Key_Return:
     case Qt::Key_Enter:
-      start_->click();
+      if (running_)
+        session_->confirm();
+      else
+        start_->click();
       return;
     case Qt::Key_Escape:
       if (running_)

@@ -17,6 +17,7 @@ namespace vallecula::gui {
 
 class BladeControl;
 class ForceBars;
+class MouseIntroduction;
 class OperatorView;
 class SagittalView;
 class TrialReadings;
@@ -61,6 +62,7 @@ class TrialPage : public QWidget {
  private:
   void frame();
   void show_buttons();
+  void show_help();
   void show_banner(const QString& text);
   QWidget* make_side();
   QWidget* make_foot();
@@ -72,6 +74,7 @@ class TrialPage : public QWidget {
   ForceBars* bars_;
   TrialReadings* readings_;
   BladeControl* control_;
+  MouseIntroduction* introduction_;
   QLabel *title_, *banner_, *help_;
   QPushButton *start_, *end_, *reset_, *leave_, *zoom_;
   QTimer timer_;

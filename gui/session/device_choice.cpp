@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 
+#include "curricula/trial_log.h"
 #include "device/drivers/mouse_device.h"
+#include "device/drivers/recorded_device.h"
 #include "device/drivers/scripted_device.h"
 #include "device/factory.h"
 #include "gui/session/scripted_hands.h"
@@ -15,6 +17,9 @@ namespace {
 /// Hands planned from the patient's landmarks: the only devices the factory cannot make, for it knows no patient.
 constexpr std::array<const char*, 3> kScriptedHands = {"expert", "novice", "press"};
 constexpr const char* kScripted = "scripted";
+/// Nor does it know a trial's log.
+constexpr const char* kRecorded = "recorded";
+constexpr const char* kRecord = "TRIAL.vtrial";
 
 struct DeviceName {
   std::string kind, argument;
@@ -54,21 +59,45 @@ std::string device_names() {
     }
     names.push_back(device::form_of(kind));
   }
+  names.push_back(std::string(kRecorded) + ":" + kRecord);
   std::string list;
   for (std::size_t i = 0; i < names.size(); ++i)
     list += (i == 0 ? "" : i + 1 == names.size() ? " or " : ", ") + names[i];
   return list;
 }
 
-bool is_scripted(const std::string& name) { return split(name).kind == kScripted; }
+bool is_scripted(const std::string& name) {
+  const std::string kind = split(name).kind;
+  return kind == kScripted || kind == kRecorded;
+}
 
 void check_device_name(const std::string& name) {
   const DeviceName given = split(name);
-  if (is_scripted_hand(given)) return;
+  if (is_scripted_hand(given) || (given.kind == kRecorded && fits(kRecord, given))) return;
   for (const device::DeviceKind& kind : device::device_kinds()) {
     if (kind.kind == given.kind && fits(kind.argument, given)) return;
   }
   throw UnknownDevice("there is no device '" + name + "'; take " + device_names());
+}
+
+namespace {
+
+std::unique_ptr<device::HapticDevice> recorded_hand(const std::string& file) {
+  const curricula::TrialLog log = curricula::read_trial_log(file);
+  std::vector<device::TimedReading> readings(log.ticks.size());
+  for (std::size_t i = 0; i < readings.size(); ++i) {
+    const curricula::LogTick& tick = log.ticks[i];
+    readings[i] = {tick.time_s,
+                   {tick.device_pose.position_m, tick.device_pose.rotation_wxyz, tick.buttons, tick.device_valid}};
+  }
+  return std::make_unique<device::RecordedDevice>(std::move(readings), log.header.device_limit_n);
+}
+
+}  // namespace
+
+device::Keyframe starting_pose(const pipeline::PatientPackage& package, const curricula::Scenario& scenario) {
+  const device::Trajectory expert = scripted_hand("expert", package, scenario);
+  return expert.at(expert.start_s());
 }
 
 std::unique_ptr<device::HapticDevice> make_device(const std::string& name, const pipeline::PatientPackage& package,
@@ -79,11 +108,10 @@ std::unique_ptr<device::HapticDevice> make_device(const std::string& name, const
     return std::make_unique<device::ScriptedDevice>(scripted_hand(given.argument, package, scenario),
                                                     device::firm_hand());
   }
+  if (given.kind == kRecorded) return recorded_hand(given.argument);
   std::unique_ptr<device::HapticDevice> made = device::make_device(given.kind, given.argument);
   if (auto* mouse = dynamic_cast<device::MouseDevice*>(made.get())) {
-    // The person begins where the scripted expert does: in front of the mouth, blade ready.
-    const device::Trajectory expert = scripted_hand("expert", package, scenario);
-    const device::Keyframe start = expert.at(expert.start_s());
+    const device::Keyframe start = starting_pose(package, scenario);
     mouse->place(start.position_m, start.rotation_wxyz);
   }
   return made;

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "curricula/scenario.h"
-#include "device/haptic_device.h"
+#include "device/trajectory.h"
 #include "pipeline/package/patient_package.h"
 
 namespace vallecula::gui {
@@ -20,14 +20,17 @@ class UnknownDevice : public std::runtime_error {
 
 /// The forms `name` may have, for a person: "mouse, scripted:expert, ...".
 std::string device_names();
-/// Nobody's hand: it starts by itself and ends by itself.
+/// Nobody's hand (a script or a record): it starts by itself and ends by itself.
 bool is_scripted(const std::string& name);
 /// Throws UnknownDevice when `name` is none of the forms that make_device takes. Reads no file.
 void check_device_name(const std::string& name);
 
 /// `name` is KIND[:ARG] with a kind of device::device_kinds(), or "scripted:expert", "scripted:novice",
-/// "scripted:press". Throws UnknownDevice, or std::runtime_error naming the file at fault.
+/// "scripted:press", or "recorded:TRIAL.vtrial", the hand of that trial. Throws UnknownDevice, or std::runtime_error
+/// naming the file at fault.
 std::unique_ptr<device::HapticDevice> make_device(const std::string& name, const pipeline::PatientPackage& package,
                                                   const curricula::Scenario& scenario);
+/// Where a person's hand begins: as the scripted expert does, in front of the mouth, blade ready.
+device::Keyframe starting_pose(const pipeline::PatientPackage& package, const curricula::Scenario& scenario);
 
 }  // namespace vallecula::gui

@@ -1,16 +1,16 @@
 // The engine's port onto a device: a pose in, a force out.
 #pragma once
 
-#include "device/haptic_device.h"
-#include "device/output_chain.h"
+#include "device/guarded_device.h"
 #include "engine/haptics/port.h"
 
 namespace vallecula::gui {
 
-/// The engine's port onto a device; every force goes through the device's output chain.
+/// The engine's port onto a guarded device. A pause of the device is an input that is not valid, so that all that
+/// changes the engine's way is in the tick's record.
 class DevicePort final : public engine::HapticPort {
  public:
-  DevicePort(device::HapticDevice& device, const device::OutputLimits& limits) : device_(device), chain_(limits) {}
+  explicit DevicePort(device::GuardedDevice& device) : device_(device) {}
 
   engine::PortInput read(double time_s) noexcept override {
     const device::DeviceReading reading = device_.read(time_s);
@@ -23,19 +23,16 @@ class DevicePort final : public engine::HapticPort {
     return input;
   }
 
-  void write(const engine::Vec3& force_n) noexcept override {
-    chain_.send(device_, {force_n.x(), force_n.y(), force_n.z()});
+  void see_tool(const engine::Pose& tool) noexcept override {
+    const engine::Vec3& p = tool.position;
+    const engine::Quat& q = tool.rotation;
+    device_.see_tool({p.x(), p.y(), p.z()}, {q.w(), q.x(), q.y(), q.z()});
   }
 
-  /// Not under the chain's rate limit: nobody drives the device any more.
-  void let_go() noexcept {
-    chain_.reset();
-    device_.write({0.0, 0.0, 0.0});
-  }
+  void write(const engine::Vec3& force_n) noexcept override { device_.write({force_n.x(), force_n.y(), force_n.z()}); }
 
  private:
-  device::HapticDevice& device_;
-  device::OutputChain chain_;
+  device::GuardedDevice& device_;
 };
 
 }  // namespace vallecula::gui

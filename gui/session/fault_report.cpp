@@ -58,6 +58,14 @@ std::string fault_words(std::uint32_t faults) {
   return "";
 }
 
+std::string pause_words(device::GuardState state, device::DeviceFault fault) {
+  if (state == device::GuardState::paused) return device::describe(fault);
+  if (state == device::GuardState::confirming)
+    return "The device is back. To go on press one of its buttons or Enter, or hold the grey blade on the steel one for "
+           "half a second.";
+  return "";
+}
+
 std::string fault_csv(const std::vector<engine::TickRecord>& ticks) {
   std::string out =
       "tick,time_s,faults,state,device_valid,step_fed,step_used,device_x_m,device_y_m,device_z_m,device_qx,device_qy,"

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "device/guarded_device.h"
 #include "engine/tick_record.h"
 
 namespace vallecula::gui {
@@ -14,6 +15,9 @@ constexpr std::uint32_t kLoopFaults = engine::kFaultDevicePose | engine::kFaultT
 
 /// One sentence for a person; empty without one of kLoopFaults.
 std::string fault_words(std::uint32_t faults);
+
+/// Why the trial is paused and what to do; empty while it is not.
+std::string pause_words(device::GuardState state, device::DeviceFault fault);
 
 /// One row a tick, oldest first; units in the column names, world axes (patient LPS).
 std::string fault_csv(const std::vector<engine::TickRecord>& ticks);

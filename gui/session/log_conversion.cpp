@@ -128,6 +128,18 @@ std::map<std::string, double> settings_of(const engine::SceneDescription& descri
           {"step_s", description.step_s}};
 }
 
+std::map<std::string, double> settings_of(const device::GuardSettings& guard) {
+  const device::OutputLimits& limits = guard.limits;
+  return {{"device_force_scale", limits.force_scale},
+          {"device_motion_scale", guard.map.motion_scale},
+          {"device_peak_force_n", limits.peak_force_n},
+          {"device_continuous_force_n", limits.continuous_force_n},
+          {"device_thermal_time_s", limits.thermal_time_s},
+          {"device_soft_start_s", limits.soft_start_s},
+          {"device_force_rate_n_s", limits.rate_n_s},
+          {"device_cutoff_hz", limits.cutoff_hz}};
+}
+
 Difference first_difference(const LogTick& recorded, const LogTick& recomputed) {
   static constexpr std::array<const char*, curricula::kStructures> kNames = {"tongue", "epiglottis", "gum",
                                                                              "palate", "teeth",      "larynx"};

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "curricula/trial_log.h"
+#include "device/guarded_device.h"
 #include "engine/scene.h"
 #include "engine/tick_record.h"
 
@@ -16,6 +17,9 @@ engine::TickRecord from_log(const curricula::LogTick& tick);
 /// The engine settings a trial ran with, by name with unit; what the package or the scenario determines is not
 /// repeated.
 std::map<std::string, double> settings_of(const engine::SceneDescription& description);
+
+/// What stood between the engine and the device, likewise.
+std::map<std::string, double> settings_of(const device::GuardSettings& guard);
 
 /// A quantity that is not the same to the last bit.
 struct Difference {

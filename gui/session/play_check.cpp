@@ -52,9 +52,8 @@ struct Played {
 Played play(const PatientPackage& package, const std::shared_ptr<const engine::Scene>& scene,
             const curricula::Scenario& scenario, const std::function<void(double)>& progress) {
   const auto device = make_device("scripted:expert", package, scenario);
-  device::OutputLimits limits;
-  limits.peak_force_n = device->info().peak_force_n;
-  DevicePort port(*device, limits);
+  device::GuardedDevice guard(*device, device::guard_for(device->info()));
+  DevicePort port(guard);
   engine::Runner runner(scene, port);
   Played played;
   bool first = true;

@@ -19,10 +19,12 @@
 #include "gui/session/files.h"
 #include "gui/session/log_conversion.h"
 #include "gui/session/log_paths.h"
+#include "gui/session/operator_axes.h"
 #include "gui/session/placed_tool.h"
 #include "gui/session/results_folder.h"
 #include "gui/session/scene_from_package.h"
 #include "gui/session/user_paths.h"
+#include "gui/session/user_settings.h"
 
 namespace vallecula::gui {
 
@@ -31,6 +33,8 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr auto kRecorderPeriod = std::chrono::milliseconds(5);  ///< the ring holds 8 s
+constexpr double kPeriodS = 0.001;                        ///< of the servo
+constexpr double kLongestPauseS = 600.0;                  ///< a device that is away for longer ends the trial
 constexpr std::int64_t kChunkTicks = 10;  ///< not in real time: ticks between two looks at the stop flag
 
 curricula::Curriculum curriculum_with(const fs::path& file, const std::string& scenario) {
@@ -74,6 +78,8 @@ struct TrialSession::Impl {
   std::string tool_ply;  ///< of a tool of its own: the bytes of its file; else empty
   ResultsFolder results;
   std::unique_ptr<device::HapticDevice> device;
+  device::GuardSettings guarding;
+  std::unique_ptr<device::GuardedDevice> guard;
   std::unique_ptr<DevicePort> port;
   std::unique_ptr<engine::Runner> runner;
   std::unique_ptr<curricula::TrialLogWriter> writer;
@@ -82,8 +88,10 @@ struct TrialSession::Impl {
   std::atomic<bool> stop_asked{false};
   std::atomic<bool> ended{false};
   std::atomic<std::uint32_t> loop_fault{0};  ///< of the first tick that had one
+  std::atomic<std::int64_t> paused{0};       ///< ticks in which the device could not be used
   // Below: the worker's until it is joined.
   std::int64_t recorded = 0;
+  std::int64_t pause_began = 0;  ///< tick of the last one that was not paused
   std::string ended_by;
   std::exception_ptr failure;
 };
@@ -101,8 +109,9 @@ TrialSession::Impl::Impl(const TrialSetup& given)
     tool_ply = tool_to_ply(*setup.tool);
   }
   device = new_device();
-  const device::DeviceInfo info = device->info();
-  if (info.peak_force_n > 0.0) description.haptics.device_limit_n = info.peak_force_n;
+  guarding = guard_settings(device->info());
+  if (guarding.limits.peak_force_n > 0.0)
+    description.haptics.device_limit_n = device::largest_model_force_n(guarding);
   { const curricula::Records opens(records_database()); }  // a database that cannot be used is named before the trial
   scene = engine::build_scene(description);
   make_runner();
@@ -140,9 +149,14 @@ std::string TrialSession::Impl::keep_fault(const fs::path& file) const {
 
 void TrialSession::Impl::make_runner() {
   runner.reset();
-  device::OutputLimits limits;
-  limits.peak_force_n = device->info().peak_force_n;
-  port = std::make_unique<DevicePort>(*device, limits);
+  guard = std::make_unique<device::GuardedDevice>(*device, guarding);
+  if (device->info().own_axes) {
+    const device::Keyframe start = starting_pose(package, scenario);
+    const OperatorAxes axes = operator_axes(package);
+    guard->set_view_axes({axes.right.x(), axes.right.y(), axes.right.z()}, {axes.up.x(), axes.up.y(), axes.up.z()});
+    guard->begin_at(start.position_m, start.rotation_wxyz);
+  }
+  port = std::make_unique<DevicePort>(*guard);
   runner = std::make_unique<engine::Runner>(scene, *port);
 }
 
@@ -160,10 +174,11 @@ curricula::LogHeader TrialSession::Impl::header() const {
   header.scenario_sha256 = sha256_of_bytes(scenario.yaml);
   if (!tool_ply.empty()) header.tool_sha256 = sha256_of_bytes(tool_ply);
   header.device_kind = device->info().kind;
-  header.servo_period_s = 0.001;
+  header.servo_period_s = kPeriodS;
   header.device_limit_n = description.haptics.device_limit_n;
   header.realtime = setup.realtime;
   header.settings = settings_of(description);
+  header.settings.merge(settings_of(guarding));
   for (const auto& [name, point] : package.landmarks) {
     const double scale = name == "glottis_normal" ? 1.0 : 1e-3;
     header.landmarks_m[name] = {point[0] * scale, point[1] * scale, point[2] * scale};
@@ -194,6 +209,8 @@ void TrialSession::Impl::start() {
   ended = false;
   stop_asked = false;
   loop_fault = 0;
+  paused = 0;
+  pause_began = -1;
   if (setup.realtime) runner->start();
   worker = std::thread([this] {
     try {
@@ -209,7 +226,7 @@ void TrialSession::Impl::stop() {
   stop_asked = true;
   if (worker.joinable()) worker.join();
   if (runner) runner->stop();
-  if (port) port->let_go();  // no hand is left with the last force
+  if (guard) guard->let_go();  // no hand is left with the last force
 }
 
 void TrialSession::Impl::record(const engine::TickRecord& tick) {
@@ -221,10 +238,16 @@ void TrialSession::Impl::record(const engine::TickRecord& tick) {
   ++recorded;
   if (loop_fault == 0) loop_fault = tick.faults & kLoopFaults;
   if (!ended_by.empty()) return;
+  if (tick.device_valid)
+    pause_began = tick.tick;
+  else
+    ++paused;
   if (device->finished(tick.time_s)) {
     ended_by = "finished";
-  } else if (tick.time_s >= scenario.max_attempt_s) {
+  } else if (tick.time_s - kPeriodS * static_cast<double>(paused) >= scenario.max_attempt_s) {
     ended_by = "the scenario's time was over";
+  } else if (kPeriodS * static_cast<double>(tick.tick - pause_began) > kLongestPauseS) {
+    ended_by = "the device did not come back";
   }
 }
 
@@ -325,6 +348,11 @@ const curricula::Scenario& TrialSession::scenario() const { return impl_->scenar
 const engine::SceneDescription& TrialSession::scene() const { return impl_->description; }
 device::HapticDevice& TrialSession::device() { return *impl_->device; }
 void TrialSession::start() { impl_->start(); }
+std::string TrialSession::pause() const {
+  return pause_words(impl_->guard->state(), impl_->guard->fault());
+}
+void TrialSession::confirm() { impl_->guard->confirm(); }
+double TrialSession::paused_s() const { return kPeriodS * static_cast<double>(impl_->paused); }
 std::string TrialSession::fault() const { return fault_words(impl_->loop_fault); }
 bool TrialSession::finished() const { return impl_->ended; }
 const engine::Snapshot& TrialSession::latest() { return impl_->runner->latest(); }

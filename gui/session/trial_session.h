@@ -53,6 +53,13 @@ class TrialSession {
   device::HapticDevice& device();  ///< a mouse device is fed through this (dynamic_cast to device::MouseDevice)
 
   void start();
+  /// Why the trial is paused and what to do, for a person; empty: it is not. While it is, the tool stays where it was, no
+  /// force is shown, and the trial's clock stands. Any thread, while no reset() runs.
+  std::string pause() const;
+  /// The hand confirms by a key that it has hold of the device again.
+  void confirm();
+  /// How long this attempt has been paused so far, s. Any thread.
+  double paused_s() const;
   /// The first fault of the loop in this attempt, in plain words; empty: none yet. Any thread.
   std::string fault() const;
   bool finished() const;  ///< the script or the scenario's time is over

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gui/session/operator_axes.h"
 #include "gui/views/tissue_shading.h"
 
 namespace vallecula::gui {
@@ -90,9 +91,7 @@ void OperatorView::aim() {
   // Close to, the view is centred on the opening as it is seen, not on the nose below it.
   const engine::Vec3 at =
       vec(framing.mouth) + eased * (vec(framing.inside) - vec(framing.mouth) + 0.10 * across_mm_ * screen_up());
-  const engine::Vec3 forward = (at - eye).normalized();
-  engine::Vec3 up = -engine::Vec3::UnitY();  // anterior is up
-  up = (up - up.dot(forward) * forward).normalized();
+  const engine::Vec3 up = operator_axes(eye, at).up;
   auto* camera = renderer()->GetActiveCamera();
   camera->SetPosition(eye.x(), eye.y(), eye.z());
   camera->SetFocalPoint(at.x(), at.y(), at.z());
@@ -103,15 +102,11 @@ void OperatorView::aim() {
 }
 
 engine::Vec3 OperatorView::screen_up() const {
-  if (!look_) return -engine::Vec3::UnitY();
-  const engine::Vec3 forward = (vec(look_->framing.mouth) - vec(look_->framing.eye)).normalized();
-  const engine::Vec3 up = -engine::Vec3::UnitY();
-  return (up - up.dot(forward) * forward).normalized();
+  return look_ ? operator_axes(vec(look_->framing.eye), vec(look_->framing.mouth)).up : OperatorAxes().up;
 }
 
 engine::Vec3 OperatorView::screen_right() const {
-  if (!look_) return -engine::Vec3::UnitX();
-  return (vec(look_->framing.mouth) - vec(look_->framing.eye)).normalized().cross(screen_up());
+  return look_ ? operator_axes(vec(look_->framing.eye), vec(look_->framing.mouth)).right : OperatorAxes().right;
 }
 
 double OperatorView::mm_per_pixel() const { return across_mm_ / std::max(1, height()); }

@@ -64,9 +64,12 @@ StateWords words_for(engine::HapticState state, bool device_invalid) {
   return {};
 }
 
-QString banner_for(const engine::Snapshot& snapshot, const QString& fault) {
+QString banner_for(const engine::Snapshot& snapshot, const QString& fault, const QString& pause) {
   QStringList sentences;
-  sentences << words_for(snapshot.state, (snapshot.faults & engine::kFaultDeviceInvalid) != 0).banner;
+  if (!pause.isEmpty())
+    sentences << "Paused. " + pause;
+  else
+    sentences << words_for(snapshot.state, (snapshot.faults & engine::kFaultDeviceInvalid) != 0).banner;
   if (!fault.isEmpty()) sentences << "A fault: " + fault + ". Reset to begin anew; what led to it is kept.";
   sentences.removeAll("");
   return sentences.join(" ");
@@ -137,12 +140,13 @@ void TrialReadings::clear() {
   steps_->setText("not running");
 }
 
-void TrialReadings::show_snapshot(const engine::Snapshot& snapshot) {
+void TrialReadings::show_snapshot(const engine::Snapshot& snapshot, double paused_s) {
   const double percent = 100.0 * snapshot.glottis_visible;
   best_percent_ = std::max(best_percent_, percent);
   const engine::Vec3& tip = snapshot.proxy_pose.position;
-  if (attempt_start_s_ < 0.0 && mouth_->holds({tip.x(), tip.y(), tip.z()})) attempt_start_s_ = snapshot.time_s;
-  const double attempt_s = attempt_start_s_ < 0.0 ? 0.0 : snapshot.time_s - attempt_start_s_;
+  const double now_s = snapshot.time_s - paused_s;
+  if (attempt_start_s_ < 0.0 && mouth_->holds({tip.x(), tip.y(), tip.z()})) attempt_start_s_ = now_s;
+  const double attempt_s = attempt_start_s_ < 0.0 ? 0.0 : now_s - attempt_start_s_;
   clock_->setText(QString("%1 s").arg(attempt_s, 0, 'f', 1));
   clock_->setStyleSheet(attempt_s > attempt_limit_s_ ? QString("color: %1").arg(theme::kOver.name()) : QString());
   seen_->setText(QString("%1 %").arg(percent, 0, 'f', 0));

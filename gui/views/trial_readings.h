@@ -20,8 +20,9 @@ struct StateWords {
   QString name, banner;
 };
 StateWords words_for(engine::HapticState state, bool device_invalid);
-/// What the banner says of a snapshot's state and of the attempt's first fault (empty: none); a fault hides no limit.
-QString banner_for(const engine::Snapshot& snapshot, const QString& fault);
+/// What the banner says of a pause (empty: none), else of a snapshot's state, and of the attempt's first fault (empty:
+/// none); a fault hides no limit.
+QString banner_for(const engine::Snapshot& snapshot, const QString& fault, const QString& pause = {});
 
 class TrialReadings : public QWidget {
   Q_OBJECT
@@ -29,8 +30,9 @@ class TrialReadings : public QWidget {
   explicit TrialReadings(QWidget* parent = nullptr);
   /// `mouth`: where an attempt begins (as the score takes it); without one the clock counts from the start.
   void set_scenario(const curricula::Scenario& scenario, const std::optional<curricula::Mouth>& mouth);
-  /// To be called for every frame: the attempt's clock starts with the first snapshot whose tip is in the mouth.
-  void show_snapshot(const engine::Snapshot& snapshot);
+  /// To be called for every frame: the attempt's clock starts with the first snapshot whose tip is in the mouth, and
+  /// stands in a pause. `paused_s`: of the attempt until now.
+  void show_snapshot(const engine::Snapshot& snapshot, double paused_s = 0.0);
   void clear();
 
  private:

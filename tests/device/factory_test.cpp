@@ -59,8 +59,9 @@ TEST(Factory, SaysWhatIsWrongWithTheArgument) {
 
 TEST(Faults, EachHasItsOwnSentence) {
   std::set<std::string> sentences;
-  const auto faults = {DeviceFault::none,      DeviceFault::force_exceeded, DeviceFault::communication_lost,
-                       DeviceFault::unplugged, DeviceFault::motor_warm,     DeviceFault::non_finite_command};
+  const auto faults = {DeviceFault::none,       DeviceFault::force_exceeded, DeviceFault::communication_lost,
+                       DeviceFault::unplugged,  DeviceFault::motor_warm,     DeviceFault::non_finite_command,
+                       DeviceFault::servo_late, DeviceFault::not_calibrated, DeviceFault::driver_error};
   for (const DeviceFault fault : faults) sentences.insert(describe(fault));
   EXPECT_EQ(sentences.size(), faults.size());
 }

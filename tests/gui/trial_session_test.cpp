@@ -166,7 +166,7 @@ class BrokenDevice final : public device::HapticDevice {
     for (const double f : force_n) finite_ &= std::isfinite(f);
   }
   device::DeviceFault fault() const noexcept override { return device::DeviceFault::none; }
-  bool finished(double time_s) const noexcept override { return time_s > 0.6; }
+  bool finished(double time_s) const noexcept override { return time_s > 1.4; }
   ~BrokenDevice() override { EXPECT_TRUE(finite_); }
 
  private:
@@ -196,7 +196,7 @@ TEST_F(Session, AFaultIsNamedAndItsTicksAreKept) {
   EXPECT_NE(csv.find("\n251,0.251000,,tracking,1,"), std::string::npos) << csv;
   EXPECT_NE(csv.find("\n300,0.300000,device_pose,lost,1,"), std::string::npos) << csv;
   const curricula::TrialLog log = curricula::read_trial_log(outcome.log);
-  EXPECT_GE(log.ticks.size(), 600u);
+  EXPECT_FALSE(log.ticks[500].device_valid) << "paused until the hand has held still at the tool";
   EXPECT_EQ(log.ticks.back().faults, 0u) << "it went on";
   EXPECT_EQ(log.ticks[310].displayed_force_n, (std::array<double, 3>{0, 0, 0}));
 }

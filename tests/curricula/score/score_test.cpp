@@ -190,6 +190,48 @@ TEST(Score, EveryHapticStateButTrackingCounts) {
   }
 }
 
+// A device that is away takes nothing from the trainee and gives nothing: a good attempt with a pause of 3 s in its middle
+// is scored as the same attempt without.
+TEST(Score, APauseCountsForNothing) {
+  const TrialLog whole = log_of(14, good);
+  TrialLog broken = whole;
+  broken.ticks.clear();
+  for (const LogTick& tick : whole.ticks) {
+    LogTick t = tick;
+    if (t.tick == 5000) {
+      for (int i = 0; i < 3000; ++i) {
+        LogTick pause = t;
+        pause.tick = 5000 + i;
+        pause.time_s = pause.tick * kTick;
+        pause.device_valid = false;
+        pause.state = LoggedState::lost;
+        pause.has_sight = i % 20 == 0;
+        pause.glottis_visible = 0.99;  // none of it is the hand's doing
+        pause.loads[kTongue].force_n = {9.0, 0, 0};
+        broken.ticks.push_back(pause);
+      }
+    }
+    if (t.tick >= 5000) {
+      t.tick += 3000;
+      t.time_s = t.tick * kTick;
+      if (t.tick < 8400) t.state = LoggedState::recovering;
+    }
+    broken.ticks.push_back(t);
+  }
+  const Score a = score_trial(whole, scenario()), b = score_trial(broken, scenario());
+  EXPECT_TRUE(a.passed) << joined(a.reasons);
+  EXPECT_TRUE(b.passed) << joined(b.reasons);
+  EXPECT_NEAR(a.attempt_time_s, b.attempt_time_s, 1e-9);
+  EXPECT_NEAR(a.time_to_trachea_visible_s, b.time_to_trachea_visible_s, 1e-9);
+  EXPECT_EQ(a.peak_tongue_force_n, b.peak_tongue_force_n);
+  EXPECT_EQ(a.glottis_visible_max_percent, b.glottis_visible_max_percent);
+  EXPECT_EQ(a.time_over_target_s, b.time_over_target_s);
+  EXPECT_EQ(b.time_over_force_limit_s, 0.0) << "taking hold again after a pause is not the trainee's time";
+  EXPECT_NEAR(b.paused_s, 3.0, 1e-9);
+  EXPECT_EQ(a.paused_s, 0.0);
+  EXPECT_TRUE(any_contains(b.reasons, "2.00 s to 15.00 s, paused for 3.00 s")) << joined(b.reasons);
+}
+
 TEST(Score, TheReasonCitesTheLongestStayAtTheLimitNotTheFirstTouch) {
   const Score s = score_trial(log_of(14,
                                      [](LogTick& t) {

@@ -4,6 +4,8 @@
 
 #include <complex>
 #include <cstring>
+#include <filesystem>
+#include <fstream>
 #include <limits>
 #include <random>
 
@@ -86,16 +88,11 @@ TEST(ScriptedDevice, OverTheLimitTooLongIsAFaultAtTheStatedTime) {
   EXPECT_EQ(device.given_force_n(), (Vector{0, 0, 0}));
   EXPECT_EQ(device.fault_count(), 1);
 
-  const DeviceReading frozen = hold(device, tick, 1, {0, 0, 0});
-  EXPECT_FALSE(frozen.valid);
+  EXPECT_FALSE(hold(device, tick, 1, {0, 0, 0}).valid);
   int back = -1;
   while (back < 0 && tick < 5000) {
     const DeviceReading reading = hold(device, tick, 1, {0, 0, 0});
-    if (reading.valid) {
-      back = tick - 1;
-    } else {
-      EXPECT_EQ(reading.position_m, frozen.position_m);
-    }
+    if (reading.valid) back = tick - 1;
   }
   EXPECT_GE(back - fault_tick, 250);
   EXPECT_LE(back - fault_tick, 251);
@@ -181,6 +178,77 @@ TEST(ScriptedDevice, TremorStaysInItsBandAndBound) {
   EXPECT_LT(outside, 1e-3 * inside);
 }
 
+/// A device that gave up its force still senses where the hand goes; one that does not answer tells nothing.
+TEST(ScriptedDevice, EveryFaultComesAndGoesByTheScript) {
+  const Trajectory moving({{0, {0, 0, 0}}, {10, {0.1, 0, 0}}});
+  for (auto kind = DeviceFault::force_exceeded; kind <= DeviceFault::driver_error;
+       kind = static_cast<DeviceFault>(static_cast<int>(kind) + 1)) {
+    ScriptedDevice device(moving, HandSettings{}, {{kind, 1.0, 0.5}, {DeviceFault::unplugged, 3.0, 0.1}});
+    Vector at_fault{0, 0, 0}, last{0, 0, 0};
+    for (int tick = 0; tick < 4000; ++tick) {
+      const double t = tick * kTick;
+      const DeviceReading reading = device.read(t);
+      device.write({1, 0, 0});
+      const bool faulty = (t >= 1.0 && t < 1.5) || (t >= 3.0 && t < 3.1);
+      ASSERT_EQ(reading.valid, !faulty) << name_of(kind) << " at " << t;
+      ASSERT_EQ(device.fault(), !faulty ? DeviceFault::none : t < 2.0 ? kind : DeviceFault::unplugged) << t;
+      if (faulty) {
+        ASSERT_EQ(device.given_force_n(), (Vector{0, 0, 0}));
+      }
+      if (tick == 1010) at_fault = reading.position_m;
+      if (tick == 1490) last = reading.position_m;
+    }
+    const bool blind = kind == DeviceFault::communication_lost || kind == DeviceFault::unplugged ||
+                       kind == DeviceFault::not_calibrated || kind == DeviceFault::driver_error;
+    EXPECT_EQ(at_fault == last, blind) << name_of(kind);
+    EXPECT_EQ(fault_named(name_of(kind)), kind);
+    EXPECT_EQ(device.fault_count(), 2);
+  }
+}
+
+TEST(ScriptedDevice, PushedHarderThanItCanTheHandGivesWay) {
+  HandSettings hand;
+  hand.max_force_n = 3.0;
+  ScriptedDevice device(still(), hand);
+  int tick = 0;
+  EXPECT_NEAR(hold(device, tick, 500, {2.9, 0, 0}).position_m[0], 0.01 + 2.9 / 400.0, 1e-6);
+  const double from = hold(device, tick, 500, {5.0, 0, 0}).position_m[0];
+  // What is more than it can moves it: (5 - 3) N / 8 N s/m.
+  EXPECT_NEAR(hold(device, tick, 100, {5.0, 0, 0}).position_m[0] - from, 0.1 * 2.0 / 8.0, 1e-6);
+  EXPECT_NEAR(hold(device, tick, 2000, {0, 0, 0}).position_m[0], 0.01, 1e-9) << "it comes back when let";
+}
+
+TEST(HandScript, TellsOfTheHandAndItsFaults) {
+  const auto file = std::filesystem::path(::testing::TempDir()) / "vallecula-hand.csv";
+  const auto script = [&](const std::string& text) {
+    std::ofstream(file) << text;
+    return read_hand_script(file);
+  };
+  const HandScript read = script(
+      "# a remark on faults\n# hand stiffness_n_m 400\n#hand tremor_seed 7\nt,x,y,z\n0,0,0,0\n"
+      "# fault communication_lost 0.5 0.25\n1,0,0,0.01\n # fault motor_warm 2 1.5\n");
+  EXPECT_EQ(read.keyframes.size(), 2u);
+  EXPECT_EQ(read.hand.stiffness_n_m, 400.0);
+  EXPECT_EQ(read.hand.tremor_seed, 7u);
+  EXPECT_EQ(read.hand.damping_n_s_m, firm_hand().damping_n_s_m);
+  ASSERT_EQ(read.faults.size(), 2u);
+  EXPECT_EQ(read.faults[0].fault, DeviceFault::communication_lost);
+  EXPECT_EQ(read.faults[0].from_s, 0.5);
+  EXPECT_EQ(read.faults[1].for_s, 1.5);
+  for (const std::string bad : {"# fault sleepy 1 1", "# fault unplugged 1", "# fault unplugged x 1",
+                                "# fault none 1 1", "# fault unplugged -1 1", "# fault unplugged nan 1",
+                                "# hand stiffness 4", "# hand tremor_seed -1", "# hand max_force_n strong"}) {
+    try {
+      script("0,0,0,0\n" + bad + "\n");
+      ADD_FAILURE() << bad;
+    } catch (const DeviceError& error) {
+      EXPECT_NE(std::string(error.what()).find("line 2"), std::string::npos) << error.what();
+      EXPECT_NE(std::string(error.what()).find(bad[2] == 'f' ? "motor_warm" : "stiffness_n_m"), std::string::npos);
+    }
+  }
+  std::filesystem::remove(file);
+}
+
 TEST(ScriptedDevice, FinishesAfterItsLastKeyframe) {
   ScriptedDevice device(still(2.0), HandSettings{});
   EXPECT_FALSE(device.finished(0.0));
@@ -200,6 +268,7 @@ TEST(ScriptedDevice, RefusesAHandThatIsNone) {
   refused([](HandSettings& h) { h.tremor_amplitude_m = -1e-4; });
   refused([](HandSettings& h) { h.device_limit_n = std::numeric_limits<double>::infinity(); });
   refused([](HandSettings& h) { h.limit_time_s = -1; });
+  refused([](HandSettings& h) { h.max_force_n = 0; });
   refused([](HandSettings& h) { h.recovery_time_s = -1; });
 }
 

@@ -1,0 +1,104 @@
+#include "gui/pages/device_dialog.h"
+
+#include <QCheckBox>
+#include <QDialogButtonBox>
+#include <QDoubleSpinBox>
+#include <QFormLayout>
+#include <QLabel>
+#include <QSpinBox>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+
+#include "gui/session/user_settings.h"
+
+namespace vallecula::gui {
+namespace {
+
+constexpr double kDegree = M_PI / 180.0;
+
+QDoubleSpinBox* number(QWidget* parent, const char* name, double low, double high, double step, double value) {
+  auto* box = new QDoubleSpinBox(parent);
+  box->setObjectName(name);
+  box->setRange(low, high);
+  box->setSingleStep(step);
+  box->setDecimals(2);
+  box->setValue(value);
+  return box;
+}
+
+/// Bit of the n-th button, and back; 0: none.
+std::uint32_t bit_of(int button) { return button == 0 ? 0u : 1u << (button - 1); }
+int button_of(std::uint32_t bit) { return bit == 0 ? 0 : 1 + static_cast<int>(std::log2(bit)); }
+
+}  // namespace
+
+DeviceDialog::DeviceDialog(const device::DeviceInfo& info, QWidget* parent) : QDialog(parent) {
+  setWindowTitle("Device settings");
+  auto* title = new QLabel(QString::fromStdString(info.model), this);
+  title->setObjectName("heading");
+  auto* form = new QFormLayout;
+  form->setVerticalSpacing(10);
+  if (info.kind == "mouse")
+    set_mouse(*form);
+  else
+    set_device(*form, info);
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
+  connect(buttons, &QDialogButtonBox::accepted, this, [this] {
+    keep_();
+    accept();
+  });
+  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(20, 16, 20, 16);
+  column->addWidget(title);
+  column->addLayout(form);
+  column->addWidget(buttons);
+}
+
+void DeviceDialog::set_mouse(QFormLayout& form) {
+  auto* gain = number(this, "gain", kLeastMouseGain, kMostMouseGain, 0.25, mouse_gain());
+  gain->setToolTip("How far the blade goes for the way the mouse goes on the picture; + and - change it in a trial");
+  form.addRow("Gain", gain);
+  keep_ = [gain] { keep_mouse_gain(gain->value()); };
+}
+
+void DeviceDialog::set_device(QFormLayout& form, const device::DeviceInfo& info) {
+  const DeviceSettings kept = device_settings(info);
+  auto* scale =
+      number(this, "motion_scale", device::kLeastMotionScale, device::kMostMotionScale, 0.1, kept.map.motion_scale);
+  scale->setToolTip("How far the blade goes for the way your hand goes");
+  auto* turned = number(this, "turned", -180.0, 180.0, 5.0, kept.map.turned_rad / kDegree);
+  turned->setSuffix(QString::fromUtf8(" \xc2\xb0"));
+  turned->setToolTip("How far the device stands turned against you, anticlockwise seen from above");
+  auto* left = new QCheckBox("The device stands and is held on the other side", this);
+  left->setObjectName("left_handed");
+  left->setChecked(kept.map.left_handed);
+  left->setToolTip("Turned the other way, first and second button exchanged; right stays right");
+  auto* clutch = new QSpinBox(this);
+  clutch->setObjectName("clutch_button");
+  clutch->setRange(0, 16);
+  clutch->setSpecialValueText("none");
+  clutch->setValue(button_of(kept.clutch_button));
+  clutch->setToolTip("Held, it frees your hand: the blade stays where it is");
+  form.addRow("Motion", scale);
+  form.addRow("Turned", turned);
+  form.addRow("Left-handed", left);
+  form.addRow("Clutch button", clutch);
+  QDoubleSpinBox* force = nullptr;
+  if (info.peak_force_n > 0.0) {
+    force = number(this, "force_scale", 0.0, 1.0, kLeastForceScale, kept.force_scale);
+    force->setSpecialValueText("as the device can");
+    force->setToolTip("Force you feel over the force in the patient; it is kept in each trial's log");
+    form.addRow("Force", force);
+  }
+  keep_ = [=] {
+    DeviceSettings chosen = kept;
+    chosen.map = {scale->value(), std::min(M_PI, std::max(-M_PI, kDegree * turned->value())), left->isChecked()};
+    chosen.clutch_button = bit_of(clutch->value());
+    if (force != nullptr) chosen.force_scale = force->value();
+    keep_device_settings(info, chosen);
+  };
+}
+
+}  // namespace vallecula::gui

@@ -1,0 +1,69 @@
+#include "gui/session/user_settings.h"
+
+#include <QUrl>
+#include <algorithm>
+#include <cmath>
+
+#include "gui/session/user_paths.h"
+
+namespace vallecula::gui {
+namespace {
+
+QString group_of(const device::DeviceInfo& info) {
+  const std::string name = info.serial.empty() ? info.kind : info.kind + "-" + info.serial;
+  return "devices/" + QString::fromLatin1(QUrl::toPercentEncoding(QString::fromStdString(name)));
+}
+
+/// The kept number, or `otherwise` when it is none or out of its range.
+double number(const QSettings& kept, const char* key, double low, double high, double otherwise) {
+  bool is_number = false;
+  const double value = kept.value(key).toDouble(&is_number);
+  return is_number && value >= low && value <= high ? value : otherwise;
+}
+
+}  // namespace
+
+std::unique_ptr<QSettings> user_settings() {
+  const QString file = QString::fromStdString((user_data_folder() / "settings.ini").string());
+  return std::make_unique<QSettings>(file, QSettings::IniFormat);
+}
+
+DeviceSettings device_settings(const device::DeviceInfo& info) {
+  const auto kept = user_settings();
+  kept->beginGroup(group_of(info));
+  DeviceSettings settings;
+  settings.map.motion_scale =
+      number(*kept, "motion_scale", device::kLeastMotionScale, device::kMostMotionScale, settings.map.motion_scale);
+  settings.map.turned_rad = number(*kept, "turned_rad", -M_PI, M_PI, settings.map.turned_rad);
+  settings.map.left_handed = kept->value("left_handed", false).toBool();
+  settings.force_scale = number(*kept, "force_scale", kLeastForceScale, 1.0, 0.0);
+  settings.clutch_button = static_cast<std::uint32_t>(number(*kept, "clutch_button", 0, 65535, settings.clutch_button));
+  return settings;
+}
+
+void keep_device_settings(const device::DeviceInfo& info, const DeviceSettings& settings) {
+  const auto kept = user_settings();
+  kept->beginGroup(group_of(info));
+  kept->setValue("motion_scale", settings.map.motion_scale);
+  kept->setValue("turned_rad", settings.map.turned_rad);
+  kept->setValue("left_handed", settings.map.left_handed);
+  kept->setValue("force_scale", settings.force_scale);
+  kept->setValue("clutch_button", settings.clutch_button);
+}
+
+device::GuardSettings guard_settings(const device::DeviceInfo& info) {
+  if (!info.own_axes) return device::guard_for(info);
+  const DeviceSettings settings = device_settings(info);
+  device::GuardSettings guard = device::guard_for(info, settings.map);
+  guard.clutch_button = settings.clutch_button;
+  if (settings.force_scale > 0.0) guard.limits.force_scale = settings.force_scale;
+  return guard;
+}
+
+double mouse_gain() { return number(*user_settings(), "mouse/gain", kLeastMouseGain, kMostMouseGain, 1.0); }
+
+void keep_mouse_gain(double gain) {
+  user_settings()->setValue("mouse/gain", std::clamp(gain, kLeastMouseGain, kMostMouseGain));
+}
+
+}  // namespace vallecula::gui

@@ -1,0 +1,263 @@
+// A device that fails within a trial: the scene stays, no force is shown, the clock stands, the return is smooth, and
+// the log replays to the bit.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+#include <thread>
+
+#include "curricula/trial_log.h"
+#include "gui/commands/headless_application.h"
+#include "gui/session/device_choice.h"
+#include "gui/session/log_conversion.h"
+#include "gui/session/replay.h"
+#include "gui/session/trial_session.h"
+#include "gui/session/user_settings.h"
+#include "tests/gui/block_patient.h"
+#include "tests/gui/program.h"
+
+namespace vallecula::gui::test {
+namespace {
+
+namespace fs = std::filesystem;
+using curricula::LoggedState;
+using curricula::LogTick;
+
+double length(const std::array<double, 3>& v) { return std::hypot(std::hypot(v[0], v[1]), v[2]); }
+double apart(const std::array<double, 3>& a, const std::array<double, 3>& b) {
+  return length({a[0] - b[0], a[1] - b[1], a[2] - b[2]});
+}
+
+class TrialPause : public ::testing::Test {
+ protected:
+  TrialPause() { ::setenv("VALLECULA_HOME", box_.home().c_str(), 1); }
+
+  /// The blade over the block's dorsum at heights `z` (m) by time, tongue side down; `remarks` before.
+  std::string hand(const std::string& remarks, const std::vector<std::pair<double, double>>& time_and_z) {
+    std::string csv = remarks;
+    for (const auto& [time, z] : time_and_z)
+      csv += std::to_string(time) + ",0,0.005," + std::to_string(z) + ",0,0.70710678118654752,-0.70710678118654752,0\n";
+    write_text(box_ / "hand.csv", csv);
+    return "scripted:" + (box_ / "hand.csv").string();
+  }
+  TrialSetup setup(const std::string& device, const std::string& out) {
+    TrialSetup setup;
+    setup.patient = patient_;
+    setup.curriculum = curriculum_;
+    setup.scenario = "plain";
+    setup.device = device;
+    setup.out = box_ / out;
+    setup.realtime = false;
+    return setup;
+  }
+  static void wait(const TrialSession& session) {
+    for (int i = 0; i < 12000 && !session.finished(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    ASSERT_TRUE(session.finished());
+  }
+  TrialOutcome run(const TrialSetup& given) {
+    TrialSession session(given);
+    session.start();
+    wait(session);
+    return session.finish("ended");
+  }
+  /// What holds of every pause: zero force from its first tick on, the tool frozen, and no jump afterwards.
+  static void expect_harmless(const curricula::TrialLog& log) {
+    const double rate_n = log.header.settings.at("force_rate_n_s") * 0.001;
+    for (std::size_t i = 1; i < log.ticks.size(); ++i) {
+      const LogTick &t = log.ticks[i], &before = log.ticks[i - 1];
+      if (!t.device_valid) {
+        ASSERT_EQ(length(t.displayed_force_n), 0.0) << t.time_s;
+        // The engine stops the tool in the pause's first tick; it stands from the next one on.
+        if (!before.device_valid) {
+          ASSERT_EQ(t.proxy_pose.position_m, before.proxy_pose.position_m) << t.time_s;
+        }
+      } else {
+        ASSERT_LE(apart(t.displayed_force_n, before.displayed_force_n), rate_n * (1 + 1e-9)) << t.time_s;
+      }
+      ASSERT_LT(apart(t.proxy_pose.position_m, before.proxy_pose.position_m), 2e-4) << "0.2 m/s, at " << t.time_s;
+    }
+    EXPECT_EQ(log.ticks.back().state, LoggedState::tracking);
+    EXPECT_TRUE(log.ticks.back().device_valid);
+  }
+
+  HeadlessApplication application_;
+  Sandbox box_;
+  fs::path patient_ = write_block_patient(box_.folder());
+  fs::path curriculum_ = write_curriculum(box_.folder());
+};
+
+TEST_F(TrialPause, CommunicationLostInThePressGoesOnWithoutAJumpAndReplaysToTheBit) {
+  const TrialOutcome outcome =
+      run(setup(hand("# fault communication_lost 0.8 0.25\n",
+                     {{0, 0.006}, {0.2, 0.002}, {0.6, -0.0025}, {2.6, -0.0025}, {3.2, 0.006}, {3.4, 0.006}}),
+                "out"));
+  const curricula::TrialLog log = curricula::read_trial_log(outcome.log);
+  expect_harmless(log);
+  const auto first = std::find_if(log.ticks.begin(), log.ticks.end(), [](const LogTick& t) { return !t.device_valid; });
+  ASSERT_NE(first, log.ticks.end());
+  EXPECT_NEAR(first->time_s, 0.8, 1e-9);
+  double before_n = 0.0, after_n = 0.0, shown_after_n = 0.0;
+  for (const LogTick& t : log.ticks) {
+    const double tongue_n = length(t.loads[curricula::kTongue].force_n);
+    if (t.time_s < 0.8) before_n = std::max(before_n, tongue_n);
+    if (t.time_s > 1.0) after_n = std::max(after_n, tongue_n);
+    if (t.time_s > 2.3 && t.time_s < 2.5) shown_after_n = std::max(shown_after_n, length(t.displayed_force_n));
+  }
+  EXPECT_GT(before_n, 0.3) << "it was in the press";
+  EXPECT_LT(after_n, 1.15 * before_n) << "no blow when the hand takes hold again";
+  EXPECT_GT(shown_after_n, 0.8 * before_n) << "the force is back";
+  // 0.25 s away and half a second of holding still.
+  EXPECT_NEAR(outcome.score.paused_s, 0.75, 0.003);
+  EXPECT_EQ(outcome.score.time_over_force_limit_s, 0.0);
+
+  const Verification verified = verify_trial(log, recorded_scene(log, outcome.log, {}).description);
+  EXPECT_EQ(verified.difference.field, "");
+  EXPECT_EQ(verified.ticks, static_cast<std::int64_t>(log.ticks.size()));
+
+  // The recorded hand does the same trial, pause and all.
+  const curricula::TrialLog again =
+      curricula::read_trial_log(run(setup("recorded:" + outcome.log.string(), "again")).log);
+  EXPECT_EQ(again.header.device_kind, "recorded");
+  ASSERT_GE(again.ticks.size(), log.ticks.size());
+  for (std::size_t i = 0; i < log.ticks.size(); ++i)
+    ASSERT_EQ(first_difference(log.ticks[i], again.ticks[i]).field, "") << i;
+}
+
+// The paper's case: the device gives up at its maximum while the hand keeps pushing.
+TEST_F(TrialPause, AtItsMaximumTheSceneStaysTheGhostShowsTheHandAndTheReturnIsSmooth) {
+  const TrialOutcome outcome = run(
+      setup(hand("# hand device_limit_n 1.0\n# hand limit_time_s 0.15\n# hand recovery_time_s 0.3\n", {{0, 0.006},
+                                                                                                       {0.2, 0.002},
+                                                                                                       {0.8, -0.010},
+                                                                                                       {1.8, -0.010},
+                                                                                                       {2.3, -0.001},
+                                                                                                       {3.6, -0.001},
+                                                                                                       {4.2, 0.006},
+                                                                                                       {4.4, 0.006}}),
+            "out"));
+  const curricula::TrialLog log = curricula::read_trial_log(outcome.log);
+  expect_harmless(log);
+  bool limited = false;
+  double ghost_m = 0.0, deepest_z = 1.0;
+  for (const LogTick& t : log.ticks) {
+    limited |= t.state == LoggedState::limited;
+    if (t.step_used >= 0) deepest_z = std::min(deepest_z, t.proxy_pose.position_m[2]);
+    if (!t.device_valid) ghost_m = std::max(ghost_m, apart(t.device_pose.position_m, t.proxy_pose.position_m));
+    EXPECT_LE(length(t.displayed_force_n), 1.0 + 1e-9);
+  }
+  EXPECT_TRUE(limited);
+  EXPECT_GT(ghost_m, 0.003) << "the hand pushed on";
+  EXPECT_GT(deepest_z, -0.007) << "the tool did not follow it";
+  EXPECT_GT(outcome.score.paused_s, 0.5);
+  EXPECT_GT(outcome.score.time_over_force_limit_s, 0.1) << "the time at the limit is the hand's own";
+  // The block is at rest again when the blade is out.
+  EXPECT_EQ(log.ticks.back().loads[curricula::kTongue].contacts, 0);
+  const Verification verified = verify_trial(log, recorded_scene(log, outcome.log, {}).description);
+  EXPECT_EQ(verified.difference.field, "");
+}
+
+// A device with axes of its own begins where the expert does, and its right is the operator's right.
+TEST_F(TrialPause, ADeviceWithItsOwnAxesIsMappedIntoThePatient) {
+  class Pen final : public device::HapticDevice {
+   public:
+    device::DeviceInfo info() const override {
+      device::DeviceInfo info;
+      info.kind = "pen";
+      info.serial = "4711";
+      info.peak_force_n = 3.3;
+      info.continuous_force_n = 0.88;
+      info.own_axes = true;
+      return info;
+    }
+    device::DeviceReading read(double time_s) noexcept override {
+      device::DeviceReading reading;
+      reading.position_m = {0.05 + 0.01 * time_s, 0.02, -0.03};
+      return reading;
+    }
+    void write(const std::array<double, 3>&) noexcept override {}
+    device::DeviceFault fault() const noexcept override { return device::DeviceFault::none; }
+    bool finished(double time_s) const noexcept override { return time_s >= 0.5; }
+  };
+  DeviceSettings settings = device_settings(Pen().info());
+  settings.map.motion_scale = 2.0;
+  keep_device_settings(Pen().info(), settings);
+  TrialSetup mapped = setup("", "out");
+  mapped.own_device = [] { return std::make_unique<Pen>(); };
+  TrialSession session(mapped);
+  const device::Keyframe start = starting_pose(session.package(), session.scenario());
+  session.start();
+  wait(session);
+  const curricula::TrialLog log = curricula::read_trial_log(session.finish("ended").log);
+  const auto& begin = log.ticks.front().device_pose;
+  EXPECT_LT(apart(begin.position_m, start.position_m), 1e-12);
+  const auto& end = log.ticks[500].device_pose.position_m;
+  EXPECT_NEAR(apart(end, begin.position_m), 2.0 * 0.005, 1e-9);
+  EXPECT_NEAR(end[0] - begin.position_m[0], -2.0 * 0.005, 1e-9) << "the operator's right is the patient's right";
+  // Twice the way asks for half the force, and 3.3 N for 7.9 N; the limit is told in the patient's newtons.
+  EXPECT_DOUBLE_EQ(log.header.settings.at("device_force_scale"), 3.3 / (7.9 * 2.0));
+  EXPECT_EQ(log.header.settings.at("device_motion_scale"), 2.0);
+  EXPECT_EQ(log.header.settings.at("device_continuous_force_n"), 0.88);
+  EXPECT_NEAR(log.header.device_limit_n, 7.9, 1e-12);
+}
+
+class TrialPauseRealTime : public TrialPause {};
+
+TEST_F(TrialPauseRealTime, AKeyTakesHoldAgainAndThePauseIsToldInPlainWords) {
+  TrialSetup live =
+      setup(hand("# fault unplugged 0.3 0.3\n", {{0, 0.006}, {0.25, 0.006}, {0.7, 0.030}, {60, 0.030}}), "out");
+  live.realtime = true;
+  TrialSession session(live);
+  session.start();
+  const auto wait_for = [&](const std::string& words) {
+    for (int i = 0; i < 6000; ++i) {
+      if (words.empty() ? session.pause().empty() : session.pause().find(words) != std::string::npos) return true;
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    return false;
+  };
+  EXPECT_TRUE(wait_for("unplugged")) << session.pause();
+  EXPECT_TRUE(wait_for("The device is back")) << session.pause();
+  session.confirm();
+  EXPECT_TRUE(wait_for(""));
+  EXPECT_GT(session.paused_s(), 0.29);
+  session.finish("ended");
+}
+
+TEST_F(TrialPause, SettingsAreKeptPerDeviceAndNonsenseIsNone) {
+  device::DeviceInfo one, other;
+  one.kind = other.kind = "pen";
+  one.serial = "A/1";
+  other.serial = "A/2";
+  one.own_axes = other.own_axes = true;
+  one.peak_force_n = other.peak_force_n = 7.9;
+  DeviceSettings settings;
+  settings.map = {0.5, -0.25, true};
+  settings.force_scale = 0.5;
+  settings.clutch_button = 4;
+  keep_device_settings(one, settings);
+  const device::GuardSettings guard = guard_settings(one);
+  EXPECT_EQ(guard.map.motion_scale, 0.5);
+  EXPECT_EQ(guard.map.turned_rad, -0.25);
+  EXPECT_TRUE(guard.map.left_handed);
+  EXPECT_EQ(guard.limits.force_scale, 0.5);
+  EXPECT_EQ(guard.clutch_button, 4u);
+  EXPECT_EQ(guard_settings(other).map.motion_scale, 1.0);
+  one.own_axes = false;
+  EXPECT_EQ(guard_settings(one).limits.force_scale, 1.0) << "a script is nobody's device";
+  settings.map = {1e9, std::nan(""), false};
+  settings.force_scale = -3.0;
+  keep_device_settings(other, settings);
+  EXPECT_EQ(guard_settings(other).map.motion_scale, 1.0);
+  EXPECT_EQ(guard_settings(other).map.turned_rad, 0.0);
+  EXPECT_EQ(guard_settings(other).limits.force_scale, 1.0);
+  EXPECT_EQ(mouse_gain(), 1.0);
+  keep_mouse_gain(2.5);
+  EXPECT_EQ(mouse_gain(), 2.5);
+  keep_mouse_gain(1e9);
+  EXPECT_EQ(mouse_gain(), kMostMouseGain);
+}
+
+}  // namespace
+}  // namespace vallecula::gui::test
