@@ -58,7 +58,7 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
   connect(devices_, &DevicesPage::found, start_, &StartPage::set_found_devices);
   connect(devices_, &DevicesPage::chosen, this, [this](const device::FoundDevice& device) {
     start_->choose_device(QString::fromStdString(device.name), device_label(device));
-    settings()->setValue("device", QString::fromStdString(device.name));
+    user_settings()->setValue("device", QString::fromStdString(device.name));
     back_to_start();
   });
   connect(import_, &ImportWizard::left, this, &MainWindow::back_to_start);
