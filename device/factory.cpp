@@ -11,9 +11,9 @@ namespace vallecula::device {
 std::vector<DeviceKind> device_kinds() {
   return {
       {"mouse", "", "mouse and keyboard; the force is drawn, not felt"},
+      {"touch", "[NAME]", "3D Systems Touch, Touch X and other HDAPI devices; NAME as their set-up calls it", true},
       {"falcon", "[FIRMWARE.bin]", "a Novint Falcon: position and force; its grip does not turn the blade", true},
       {"spacemouse", "[SERIAL]", "a SpaceMouse: the cap steers by speed; the force is drawn, not felt", true},
-      {"touch", "[NAME]", "3D Systems Touch, Touch X and other HDAPI devices; NAME as their set-up calls it", true},
       {"scripted", "FILE.csv", "a hand that follows a trajectory t,x,y,z[,qw,qx,qy,qz] (s, m), with faults by time"}};
 }
 
@@ -37,9 +37,7 @@ std::unique_ptr<HapticDevice> make_device(const std::string& kind, const std::st
   if (kind == "touch") return std::make_unique<hdapi::HdDevice>(argument);
   if (kind == "falcon") return std::make_unique<FalconDevice>(argument);
   std::string known;
-  for (const DeviceKind& k : device_kinds()) {
-    known += (known.empty() ? "" : ", ") + form_of(k);
-  }
+  for (const DeviceKind& k : device_kinds()) known += (known.empty() ? "" : ", ") + form_of(k);
   throw DeviceError("device '" + kind + "': no such kind; there are " + known);
 }
 

@@ -74,13 +74,12 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
   form->addRow("Patient", patient_row);
   auto* device_row = new QHBoxLayout;
   device_row->setSpacing(8);
-  device_row->addWidget(device_, 1);
-  device_row->addWidget(devices);
   auto* set_up = new QPushButton("Device settings ...", this);
   connect(set_up, &QPushButton::clicked, this, [this] {
     if (const auto dialog = device_settings()) dialog->exec();
   });
   device_row->addWidget(device_, 1);
+  device_row->addWidget(devices);
   device_row->addWidget(set_up);
   form->addRow("Device", device_row);
   auto* right_panel = new QFrame(this);

@@ -3,9 +3,14 @@
 #pragma once
 
 #include <gtest/gtest.h>
-#include <umockdev.h>
 
 #include <string>
+
+// What Qt makes a macro is a name in glib.
+#pragma push_macro("signals")
+#undef signals
+#include <umockdev.h>
+#pragma pop_macro("signals")
 
 namespace vallecula::device {
 

@@ -117,18 +117,18 @@ check "setup does not ask for the fuzzer's compiler" not says "clang-14"
 run_tool "$tree/packaging/setup" --fuzz --list
 check "setup --fuzz does" says "clang-14"
 mkdir -p "$tree/build/fuzz"
-for target in fuzz_seeds fuzz_ct_parse fuzz_ct_reader; do
+for target in fuzz_seeds fuzz_ct_parse fuzz_ct_reader fuzz_falcon_packets fuzz_spacemouse_report; do
   printf '#!/bin/bash\nprintf "%%s\\n" "%s $*" >>"%s"\n[[ %s == fuzz_seeds ]] || exit ${FUZZ_STATUS:-0}\n' "$target" "$record" "$target" >"$tree/build/fuzz/$target"
   chmod +x "$tree/build/fuzz/$target"
 done
 run_tool "$tree/packaging/test" --fuzz 30
-check "test --fuzz builds the targets" recorded 'cmake --build --preset fuzz .*--target fuzz_seeds fuzz_ct_parse fuzz_ct_reader'
+check "test --fuzz builds the targets" recorded 'cmake --build --preset fuzz .*--target fuzz_seeds fuzz_ct_parse fuzz_ct_reader fuzz_falcon_packets fuzz_spacemouse_report'
 check "test --fuzz builds the helper program" recorded 'cmake --build --preset release .*--target vallecula-ct$'
-check "test --fuzz runs each for half the time" recorded '^fuzz_ct_reader .*-max_total_time=15 '
+check "test --fuzz runs each for its share of the time" recorded '^fuzz_ct_reader .*-max_total_time=8 '
 check "test --fuzz runs no tests" not recorded '^ctest'
 check "test --fuzz is content when nothing is found" test "$status" -eq 0
 run_tool "$tree/packaging/test" --fuzz
-check "test --fuzz has a time of its own" recorded '^fuzz_ct_parse .*-max_total_time=30 '
+check "test --fuzz has a time of its own" recorded '^fuzz_ct_parse .*-max_total_time=15 '
 FUZZ_STATUS=77 run_tool "$tree/packaging/test" --fuzz 2
 check "test --fuzz fails when a target finds something" test "$status" -eq 1
 

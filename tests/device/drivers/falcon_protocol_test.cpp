@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <random>
 #include <string>
 #include <vector>
@@ -77,6 +78,19 @@ TEST(FalconProtocol, TakesOutTheStatusOfEveryBusPacket) {
   EXPECT_EQ(std::vector<std::uint8_t>(bytes.begin(), bytes.begin() + left), payload);
   std::uint8_t status[2] = {0x01, 0x60};
   for (const std::size_t count : {0u, 1u, 2u}) EXPECT_EQ(strip_modem_status(status, count), 0u);
+}
+
+/// The rule that lets a person use it names the numbers the driver looks for.
+TEST(FalconProtocol, TheUdevRuleNamesIt) {
+  std::ifstream in(std::string(VALLECULA_SOURCE_DIR) + "/packaging/60-vallecula.rules");
+  bool named = false;
+  for (std::string line; std::getline(in, line);) {
+    named = named || (line.rfind("SUBSYSTEM==\"usb\"", 0) == 0 && line.find("{idVendor}==\"0403\"") != line.npos &&
+                      line.find("{idProduct}==\"cb48\"") != line.npos && line.find("uaccess") != line.npos);
+  }
+  EXPECT_TRUE(named);
+  EXPECT_EQ(kVendor, 0x0403);
+  EXPECT_EQ(kProduct, 0xcb48);
 }
 
 TEST(FalconReader, FindsAPacketHoweverItIsCut) {

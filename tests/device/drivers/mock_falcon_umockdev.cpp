@@ -9,6 +9,7 @@
 #include <cerrno>
 #include <cstddef>
 #include <cstring>
+#include <thread>
 
 namespace vallecula::device {
 namespace {
@@ -197,6 +198,7 @@ void MockFalcon::submit(UMockdevIoctlClient* client, UMockdevIoctlData* arg) {
   if (urb->type == USBDEVFS_URB_TYPE_CONTROL) {
     urb->actual_length = control(bytes_of(buffer), urb->buffer_length);
   } else if ((urb->endpoint & 0x80) == 0) {
+    if (faults_.blocks_ms > 0) std::this_thread::sleep_for(std::chrono::milliseconds(faults_.blocks_ms));
     if (faults_.stalls_out > 0) {
       --faults_.stalls_out;
       one.status = -EPIPE;

@@ -27,6 +27,7 @@ struct FalconFaults {
   int broken_packets = 0;             ///< so many answers lose their middle
   int flipped_packets = 0;            ///< so many answers have a wrong high nibble in the first encoder
   int late_ms = 0;                    ///< answers come so much later
+  int blocks_ms = 0;                  ///< every write stands so long in the kernel
   bool twice = false;                 ///< every answer comes twice
 };
 
