@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "pipeline/pose/bare_face.h"
 #include "pipeline/pose/resample.h"
 #include "pipeline/segment/landmarks.h"
 #include "pipeline/segment/upright.h"
@@ -161,6 +162,7 @@ PositionFacts put_into_position(Segmentation& s, const std::function<void(double
   facts.aim = aim_of(s);
   const auto& aim = facts.aim;
   if (!aim.any()) return facts;
+  facts.bared_mm3 = bare_face(s);
   std::map<std::string, Point> given;
   const auto parts = parts_of(s, aim);
   say(0.1);
