@@ -129,35 +129,24 @@ void label_again(Segmentation& s, const Labels& carried) {
   }
 }
 
-/// Tongue and leaf are one body by the ligament about the vallecula's floor, and the folds over it; where moving them left
-/// a seam of tissue between the two, it is tongue.
+/// Tongue and leaf are one body by the ligament about the vallecula's floor and the folds beside it. What tissue moving
+/// them left between the two is tongue; splinters of tongue that came off are not.
 void join_leaf(Segmentation& s, const Vector3& vallecula) {
   const double k = s.frame.scale;
   auto labels = cropped(s.labels, s.throat);
   const auto& g = labels.grid;
   const auto leaf = of_label(labels, kEpiglottis);
-  const auto tongue = of_label(labels, kTongue);
-  // From front to back: tongue, a little tissue, leaf.
-  const int thin = static_cast<int>(3.0 * k / g.spacing[1]);
-  for (int z = 0; z < g.size[2]; ++z) {
-    if (g.origin[2] + z * g.spacing[2] < vallecula[2]) continue;
-    for (int x = 0; x < g.size[0]; ++x) {
-      int from = -1;
-      for (int y = 0; y < g.size[1]; ++y) {
-        const auto label = labels.at(x, y, z);
-        if (label == kEpiglottis && from >= 0 && y - from <= thin)
-          for (int seam = from; seam < y; ++seam) labels.at(x, seam, z) = kTongue;
-        if (label == kTongue) from = y + 1;
-        if (label != kTongue && label != kSkin) from = -1;
-      }
-    }
+  const auto soft = any_of(leaf, of_label(labels, kTongue));
+  const auto between = all_of(closed(soft, 3.5 * k), dilated(leaf, 7.0 * k));
+  for (std::size_t i = 0; i < labels.voxels.size(); ++i) {
+    const auto p = g.position(i);
+    if (between.voxels[i] != 0 && labels.voxels[i] == kSkin && std::abs(p[0] - vallecula[0]) < 6.0 * k &&
+        p[2] > vallecula[2] - 4.0 * k)
+      labels.voxels[i] = kTongue;
   }
-  if (components(any_of(leaf, tongue)).sizes.size() >= 3) {
-    const auto seam = all_of(dilated(leaf, 2.5 * k), dilated(tongue, 2.5 * k));
-    for (std::size_t i = 0; i < labels.voxels.size(); ++i) {
-      if (seam.voxels[i] != 0 && labels.voxels[i] == kSkin && g.position(i)[2] < vallecula[2] + 5.0 * k)
-        labels.voxels[i] = kTongue;
-    }
+  const auto body = largest_component(where(labels, [](std::uint8_t v) { return v == kTongue || v == kEpiglottis; }));
+  for (std::size_t i = 0; i < labels.voxels.size(); ++i) {
+    if (labels.voxels[i] == kTongue && body.voxels[i] == 0) labels.voxels[i] = kSkin;
   }
   paste(labels, s.throat, s.labels);
 }
