@@ -14,8 +14,8 @@ constexpr double kThickestRod = 2.0;  // radius of a feeding tube
 constexpr double kThinTube = 2.6;     // diameter: below it a feeding tube, above it one for the windpipe
 // 11 mm outside is an adult's largest tube.
 constexpr TubeKind kWide{true, false, -600.0, 0.4, 5.6};
-// A feeding tube full of air: the blur lifts its lumen from -1000 HU to -600 and more.
-constexpr TubeKind kCapillary{true, true, -450.0, 0.15, 1.0};
+// A feeding tube full of air: the blur lifts its lumen from -1000 HU.
+constexpr TubeKind kCapillary{true, true, -250.0, 0.0, 1.0};
 constexpr TubeKind kRod{false, true, -600.0, 0.0, 0.0};
 
 /// Voxels that lie in the middle of a short run of like ones along two axes: where a tube's middle may be.
@@ -47,6 +47,29 @@ std::vector<std::size_t> middles(const Volume<float>& hu, const Test& in, double
         if (up + down <= reach && std::abs(up - down) <= 1) found.push_back(i);
       }
     }
+  }
+  return found;
+}
+
+/// Voxels darker than a limit that have brighter ones around them, a fine tube's wall away along two axes.
+std::vector<std::size_t> dark_middles(const Volume<float>& hu, double below, double by, int second) {
+  const auto& g = hu.grid;
+  std::vector<std::size_t> found;
+  std::array<int, 3> away{};
+  for (int a = 0; a < 3; ++a) away[a] = std::max(1, static_cast<int>(std::lround(0.9 / g.spacing[a])));
+  const std::array<std::size_t, 3> stride{1, static_cast<std::size_t>(g.size[0]),
+                                          static_cast<std::size_t>(g.size[0]) * g.size[1]};
+  for (std::size_t i = 0; i < hu.voxels.size(); ++i) {
+    const float here = hu.voxels[i];
+    if (here > below) continue;
+    const auto c = g.cell(i);
+    bool ringed = true;
+    for (const int axis : {0, second}) {
+      const auto step = stride[axis] * static_cast<std::size_t>(away[axis]);
+      ringed = ringed && c[axis] >= away[axis] && c[axis] + away[axis] < g.size[axis] &&
+               std::min(hu.voxels[i - step], hu.voxels[i + step]) > here + by;
+    }
+    if (ringed) found.push_back(i);
   }
   return found;
 }
@@ -165,8 +188,9 @@ void find_kind(const TubeKind& kind, const Thresholds& t, const Frame& frame, Vo
   const auto rod = [bright](float v) { return v > bright; };
   constexpr double kLean = 0.70710678118654752;
   for (const int second : {1, 2}) {
-    const auto candidates = kind.hollow ? middles(hu, lumen, 2.0 * kind.largest_inner, second)
-                                        : middles(hu, rod, 2.0 * kThickestRod, second);
+    const auto candidates = kind.hollow && kind.fine ? dark_middles(hu, kind.lumen_hu, 100.0, second)
+                            : kind.hollow            ? middles(hu, lumen, 2.0 * kind.largest_inner, second)
+                                                     : middles(hu, rod, 2.0 * kThickestRod, second);
     const Vector3 along = second == 1 ? Vector3{0, 0, 1} : Vector3{0, 1, 0};
     for (const auto i : candidates) {
       const auto p = hu.grid.position(i);

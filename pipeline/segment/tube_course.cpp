@@ -26,14 +26,20 @@ TubeFinder::TubeFinder(const Volume<float>& hu, const Thresholds& t, const TubeK
       air_hu_(t.air),
       kind_(kind),
       blur_(std::max(0.8, 1.6 * std::max(hu.grid.spacing[0], hu.grid.spacing[1]))),
-      drop_(std::max(150.0, 5.0 * t.noise)) {}
+      drop_(std::max(150.0, 5.0 * t.noise)),
+      hollow_(std::max(100.0, 5.0 * t.noise)) {}
 
 double TubeFinder::value(const Vector3& p) const { return value_at(hu_, p); }
 
 TubeFinder::Ray TubeFinder::ray(const Vector3& from, const Vector3& way) const {
   Ray out;
+  // The blur leaves lumen and wall of a fine tube at any grey value: what counts is that one is darker than the other.
+  const bool capillary = kind_.hollow && kind_.fine;
+  const double middle = value(from);
   double r = 0.0;
-  if (kind_.hollow) {
+  if (capillary) {
+    if (middle > kind_.lumen_hu) return out;
+  } else if (kind_.hollow) {
     while (r < kind_.largest_inner && value(from + r * way) < kind_.lumen_hu) r += kTubeRayStep;
     if (r >= kind_.largest_inner || r < kind_.least_inner) return out;
   }
@@ -44,14 +50,20 @@ TubeFinder::Ray TubeFinder::ray(const Vector3& from, const Vector3& way) const {
     if (v > out.peak) {
       out.peak = v;
       out.crest = r;
-    } else if (v < out.peak - drop_) {
+    } else if (v < out.peak - (capillary ? hollow_ : drop_)) {
       break;
     }
   }
   out.after = out.peak;
   for (r = out.crest; r < out.crest + kWallReach; r += kTubeRayStep)
     out.after = std::min(out.after, value(from + r * way));
-  out.wall = out.peak > kind_.lumen_hu + 150.0;
+  if (!capillary) {
+    out.wall = out.peak > kind_.lumen_hu + 150.0;
+    return out;
+  }
+  out.wall = out.peak > middle + hollow_;
+  while (out.inner < out.crest && value(from + out.inner * way) < 0.5 * (middle + out.peak))
+    out.inner += 0.5 * kTubeRayStep;
   return out;
 }
 
@@ -70,11 +82,14 @@ double TubeFinder::border(const Vector3& from, const Vector3& way, const Ray& r)
 /// The wall's outer side: half the width at half height is more than half the wall, by the blur.
 double TubeFinder::outside(const Vector3& from, const Vector3& way, const Ray& r) const {
   const double out = half_way_out(from, way, r);
-  if (kind_.fine) return out;
+  if (!kind_.hollow) return out;
+  const auto half_wall = [&](double half_width) {
+    return std::clamp(std::sqrt(std::max(0.0, half_width * half_width - 0.25 * blur_ * blur_)), 0.15, 0.6);
+  };
+  if (kind_.fine) return r.crest + half_wall(out - r.crest);
   double in = r.crest;
   while (in > 0.0 && value(from + in * way) > 0.5 * (r.peak - 1000.0)) in -= 0.5 * kTubeRayStep;
-  const double broad = out - in;
-  return 0.5 * (in + out) + 0.5 * std::clamp(std::sqrt(std::max(0.0, broad * broad - blur_ * blur_)), 0.3, 1.2);
+  return 0.5 * (in + out) + half_wall(0.5 * (out - in));
 }
 
 bool TubeFinder::cut(const Vector3& at, const Vector3& direction, double radius, int rays, TubeCut& out) const {

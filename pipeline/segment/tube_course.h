@@ -10,9 +10,9 @@ namespace vallecula::pipeline {
 
 /// What a tube looks like in a scan. Lengths are a tube's own, mm: they do not grow with the patient.
 struct TubeKind {
-  bool hollow = false;         ///< air inside that is seen as such; else a bright rod (a thin tube full of fluid)
-  bool fine = false;           ///< too thin for its wall to be seen apart from what it encloses
-  double lumen_hu = 0.0;       ///< the air inside is darker; where not hollow, what is no wall is
+  bool hollow = false;         ///< air inside that is seen; else a bright rod (a thin tube full of fluid)
+  bool fine = false;           ///< a feeding tube: the blur joins its wall with what it encloses
+  double lumen_hu = 0.0;       ///< hollow: the air inside is darker
   double least_inner = 0.0;    ///< hollow: radius at which the wall begins, at the least
   double largest_inner = 0.0;  ///< hollow: and at the most
 };
@@ -71,7 +71,8 @@ class TubeFinder {
   double air_hu_;
   TubeKind kind_;
   double blur_;
-  double drop_;  ///< HU by which it is darker behind a wall
+  double drop_;    ///< HU by which it is darker behind a wall
+  double hollow_;  ///< HU by which a fine tube's lumen is darker than its wall
 };
 
 }  // namespace vallecula::pipeline
