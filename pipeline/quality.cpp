@@ -80,14 +80,14 @@ void add_tetrahedra(const Segmentation& s, const PatientPackage& package, std::v
 void add_neighbours(const Segmentation& s, const PatientPackage& package, std::vector<QualityItem>& items) {
   const auto& mesh = package.tongue;
   const double k = s.frame.scale;
-  const TriangleTree jaw(package.surfaces.at("mandible"));
-  const TriangleTree head(package.surfaces.at("face"));
+  const SurfaceDistance jaw(package.surfaces.at("mandible"));
+  const SurfaceDistance head(package.surfaces.at("face"));
   double in_jaw = 0.0;
   double in_head = 0.0;
   std::vector<double> gaps;
   for (std::size_t v = 0; v < mesh.points.size(); ++v) {
-    in_jaw = std::max(in_jaw, -jaw.signed_distance(mesh.points[v]));
-    const double d = head.signed_distance(mesh.points[v]);
+    in_jaw = std::max(in_jaw, -jaw.at(mesh.points[v]));
+    const double d = head.at(mesh.points[v]);
     in_head = std::max(in_head, -d);
     if (mesh.anchor[v] == static_cast<std::uint8_t>(Anchor::mandible) ||
         mesh.anchor[v] == static_cast<std::uint8_t>(Anchor::hyoid))

@@ -63,22 +63,45 @@ double outside_of(const Grid& box, const Point& p) {
   return std::sqrt(d2);
 }
 
+/// Middles of the triangles that cross others.
+std::vector<Point> places_of(const Surface& s, const std::vector<std::array<int, 2>>& pairs) {
+  std::vector<Point> places;
+  for (const auto& pair : pairs) {
+    const auto& t = s.triangles[pair[0]];
+    places.push_back((1.0 / 3.0) * (s.points[t[0]] + s.points[t[1]] + s.points[t[2]]));
+  }
+  return places;
+}
+
 Surface finished(const Surface& rough, const RemeshOptions& options, const char* name) {
+  constexpr double kReach = 4.0;  // in wanted edges: so far about a crossing the triangles become smaller
+  constexpr double kFiner = 0.6;
+  constexpr int kTries = 3;
   const auto whole = largest_part(rough);
-  const double volume = facts_of(whole).volume_mm3;
+  const double volume = size_of(whole).volume_mm3;
   Surface best;
+  std::vector<Point> crossings;
   std::size_t fewest = 0;
-  // Where a sheet is thinner than the triangles are long, two sides may cross: smaller triangles part them.
-  for (const double factor : {1.0, 0.8, 0.64}) {
+  // Where a sheet is thinner than the triangles are long two sides may cross: smaller triangles there part them.
+  for (int attempt = 0; attempt < kTries; ++attempt) {
     auto finer = options;
-    finer.edge_mm = [&options, factor](const Point& p) { return factor * options.edge_mm(p); };
+    finer.edge_mm = [&](const Point& p) {
+      const double edge = options.edge_mm(p);
+      double factor = 1.0;
+      for (const auto& c : crossings) {
+        if (distance(c, p) < kReach * edge) factor = kFiner;
+      }
+      return factor * edge;
+    };
     const auto even = largest_part(remeshed(whole, finer));
     auto out = mended(inflated(even, inflation_to(even, volume)));
-    const auto left = self_intersections(out).size();
-    if (best.triangles.empty() || left < fewest) {
-      best = std::move(out);
-      fewest = left;
-    }
+    const auto left = self_intersections(out);
+    const bool better = attempt == 0 || left.size() < fewest;
+    const auto places = places_of(out, left);
+    crossings.insert(crossings.end(), places.begin(), places.end());
+    if (!better) break;
+    best = std::move(out);
+    fewest = left.size();
     if (fewest == 0) break;
   }
   require_solid(best, name);
