@@ -162,7 +162,7 @@ std::vector<QualityItem> segmentation_quality(const Segmentation& s) {
   const double gap = norm(Vector3(s.landmarks.at("upper_gum_midline")) - Vector3(s.landmarks.at("lower_gum_midline")));
   // CLINICAL.md; how far a mouth is open is the position's doing, so it is told and not judged.
   items.push_back(
-      plain("gap between the gums", gap, "mm", "widest opening below one month of age: 22.0 (20.4 to 23.6)"));
+      plain("gap between the gums", gap, "mm", "widest opening below one month of age: 22.0 mm (20.4 to 23.6)"));
   items.push_back(plain("glottis area", s.airway.glottis.area_mm2, "mm2", ""));
   return items;
 }

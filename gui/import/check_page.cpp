@@ -152,7 +152,7 @@ QWidget* CheckPage::make_tools() {
   opacity->setToolTip("Opacity of the structures' colours in the slices, %");
   opacity->setRange(0, 100);
   opacity->setValue(static_cast<int>(100.0 * scene_.opacity()));
-  opacity->setFixedWidth(110);
+  opacity->setFixedWidth(80);
   connect(opacity, &QSlider::valueChanged, this, [this](int percent) { scene_.set_opacity(0.01 * percent); });
   row->addWidget(opacity);
   row->addStretch(1);

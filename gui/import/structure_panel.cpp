@@ -100,7 +100,7 @@ StructurePanel::StructurePanel(SliceScene& scene, EditHistory& history, QWidget*
   grid->addWidget(seed_at_, 2, 1);
   auto* between = new QHBoxLayout;
   between->setSpacing(8);
-  between->addWidget(new QLabel("HU from", box));
+  between->addWidget(new QLabel("From", box));
   between->addWidget(low_, 1);
   between->addWidget(new QLabel("to", box));
   between->addWidget(high_, 1);

@@ -203,6 +203,10 @@ TEST(TimeLeft, IsTheRestAtThePaceSoFar) {
   EXPECT_LT(seconds_left(0.01, 10.0), 0.0) << "too little is done to tell";
   EXPECT_EQ(time_left_text(-1.0), "");
   EXPECT_EQ(time_left_text(11.2), "about 12 s left");
+  EXPECT_EQ(time_left_text(11.2, 4.0), "about 8 s left") << "it goes on between two reports";
+  EXPECT_EQ(time_left_text(61.0), "about 65 s left") << "no exactness that is not there";
+  EXPECT_EQ(time_left_text(11.2, 12.0), "about 1 s left");
+  EXPECT_EQ(time_left_text(11.2, 20.0), "takes longer than expected") << "and makes no promise any more";
   EXPECT_EQ(time_left_text(150.0), "about 3 min left");
 }
 
