@@ -26,6 +26,7 @@ QString window_message(const QString& message) {
   text.replace("(x to the left, y to the back, z to the head, mm)?", "? Click a point inside it");
   text.replace("choose one with --series NUMBER (`vallecula series` lists them)", "choose one in the list");
   text.replace("`vallecula series` lists what does", "choose one in the list");
+  text.replace("`vallecula series` lists them", "choose one in the list");
   text.replace("leave --series out", "choose that one in the list");
   text.replace("name a folder with", "choose a folder with");
   text.replace("another count (--tets)", "another count of tetrahedra");

@@ -1,6 +1,7 @@
 #include "gui/views/label_view.h"
 
 #include <vtkCamera.h>
+#include <vtkMath.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkSphereSource.h>
@@ -8,6 +9,7 @@
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QWheelEvent>
+#include <algorithm>
 #include <cmath>
 
 #include "gui/pages/background.h"
@@ -21,7 +23,7 @@ namespace {
 using Surfaces = std::map<std::uint8_t, vtkSmartPointer<vtkPolyData>>;
 
 constexpr double kDegreesAPixel = 0.5, kDegreesAKey = 10.0, kZoomANotch = 1.2, kGrab = 10.0;
-constexpr double kMarkRadius = 1.4;  // mm
+constexpr double kMarkPixels = 4.5;  // a landmark's radius, however near one looks
 
 }  // namespace
 
@@ -144,7 +146,7 @@ void LabelView::show_landmarks() {
   marks_.clear();
   for (const auto& [name, mark] : scene_.landmarks()) {
     auto ball = vtkSmartPointer<vtkSphereSource>::New();
-    ball->SetRadius(kMarkRadius);
+    ball->SetRadius(1.0);
     ball->SetThetaResolution(16);
     ball->SetPhiResolution(12);
     auto mapper = vtkSmartPointer<vtkPolyDataMapper>::New();
@@ -157,7 +159,19 @@ void LabelView::show_landmarks() {
     over_->AddActor(actor);
     marks_[name] = actor;
   }
+  size_marks();
   draw_soon();
+}
+
+void LabelView::size_marks() {
+  auto* camera = renderer()->GetActiveCamera();
+  const double high_mm = 2.0 * camera->GetDistance() * std::tan(0.5 * vtkMath::RadiansFromDegrees(camera->GetViewAngle()));
+  for (auto& [name, actor] : marks_) actor->SetScale(kMarkPixels * high_mm / std::max(1, height()));
+}
+
+void LabelView::resizeEvent(QResizeEvent* event) {
+  GlView::resizeEvent(event);
+  size_marks();
 }
 
 void LabelView::look_from_front() {
@@ -169,6 +183,7 @@ void LabelView::look_from_front() {
   renderer()->ResetCamera();
   camera->Zoom(1.2);
   renderer()->ResetCameraClippingRange();
+  size_marks();
   draw_soon();
 }
 
@@ -183,6 +198,7 @@ void LabelView::turn(double right_deg, double up_deg) {
 
 void LabelView::zoom(double factor) {
   renderer()->GetActiveCamera()->Dolly(factor);
+  size_marks();
   renderer()->ResetCameraClippingRange();
   draw_soon();
 }

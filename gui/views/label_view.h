@@ -34,6 +34,7 @@ class LabelView : public GlView {
 
  protected:
   void showEvent(QShowEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
   void focusInEvent(QFocusEvent* event) override;
   void focusOutEvent(QFocusEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
@@ -48,6 +49,7 @@ class LabelView : public GlView {
   void make_surfaces();
   void show_visible();
   void show_landmarks();
+  void size_marks();
   void look_from_front();
   void turn(double right_deg, double up_deg);
   void zoom(double factor);
