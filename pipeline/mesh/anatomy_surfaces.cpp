@@ -108,7 +108,7 @@ Surface finished(const Surface& rough, const RemeshOptions& options, const char*
   return best;
 }
 
-Surface face_surface(const Segmentation& s, const AnatomyFields& f) {
+Surface face_surface(const Segmentation& s, const AnatomyFields& f, const std::function<void(double)>& progress) {
   const double k = s.frame.scale;
   const auto [low, high] = corners(s.hu.grid);
   const auto throat = cropped(s.hu.grid, s.throat);
@@ -139,8 +139,10 @@ Surface face_surface(const Segmentation& s, const AnatomyFields& f) {
                    gum[2] + 8.0 * k - mouth.origin[2]};
   RemeshOptions options;
   options.rounds = 4;
+  options.progress = [&progress](double done) { progress(0.1 + 0.7 * done); };
   options.edge_mm = [mouth, k](const Point& p) { return graded(0.85 * k, 2.6 * k, outside_of(mouth, p), 45.0 * k); };
   const auto rough = isosurface(axes, values);
+  progress(0.1);
   auto face = finished(rough, options, "the face");
   face.tissue = face_tissue(face, s);
   smooth_tissue_borders(face, rough, 8);
@@ -203,16 +205,17 @@ Surface glottis_surface(const Segmentation& s) {
 }  // namespace
 
 std::map<std::string, Surface> surfaces_of(const Segmentation& s, const AnatomyFields& f,
-                                           const std::function<void(double)>& progress) {
-  const auto say = [&](double done) {
-    if (progress) progress(done);
+                                           const std::function<void(const std::string&, double)>& progress) {
+  const auto say = [&](const char* part, double done) {
+    if (progress) progress(part, done);
   };
   const double k = s.frame.scale;
   std::map<std::string, Surface> out;
-  out["face"] = face_surface(s, f);
-  say(0.6);
+  say("face", 0.0);
+  out["face"] = face_surface(s, f, [&](double done) { say("face", 0.8 * done); });
+  say("airway", 0.8);
   out["airway"] = airway_surface(s, f);
-  say(0.8);
+  say("jaw and palate", 0.9);
   if (count(s.bones.mandible) == 0)
     throw std::runtime_error(
         "the lower jaw could not be parted from the skull, so it has no surface; the series must show the whole jaw");
@@ -225,7 +228,7 @@ std::map<std::string, Surface> surfaces_of(const Segmentation& s, const AnatomyF
   out["palate"] = bone_surface(bone_field(s, kSkull, maxilla, any_of(without(s.bones.skull, maxilla), s.bones.mandible)),
                                1.4 * k, "the palate");
   out["glottis"] = glottis_surface(s);
-  say(1.0);
+  say("jaw and palate", 1.0);
   return out;
 }
 
