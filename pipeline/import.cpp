@@ -41,9 +41,10 @@ class Stages {
     start_ = std::chrono::steady_clock::now();
     say(0.0);
   }
-  void say(double fraction) {
+  /// `part`: of the stage, by name; for a person, who waits for it.
+  void say(double fraction, const std::string& part = {}) {
     done_ = std::max(done_, from_ + std::clamp(fraction, 0.0, 1.0) * (to_ - from_));
-    if (progress_) progress_(name_, done_);
+    if (progress_) progress_(part.empty() ? name_ : name_ + ": " + part, done_);
   }
   void end() {
     if (name_.empty()) return;
@@ -182,7 +183,7 @@ std::vector<QualityItem> Import::quality() const {
 void Import::read() {
   auto& w = *work_;
   guarded([&] {
-    w.stages.begin("read", 0.0, 0.1);
+    w.stages.begin("read", stage_begin::kRead, stage_begin::kSegment);
     w.series = read_ct_series(
         w.options.series, [&](double f) { w.stages.say(f); }, w.options.choose);
     w.stages.end();
@@ -192,12 +193,12 @@ void Import::read() {
 void Import::segment() {
   auto& w = *work_;
   guarded([&] {
-    w.stages.begin("segment", 0.1, 0.45);
+    w.stages.begin("segment", stage_begin::kSegment, stage_begin::kPosition);
     w.positioned = false;
     w.measured = Labels();
     auto edits = w.options.edits;
     w.edit_remarks = add_edit_files(w.options.edit_files, w.series.hu.grid, edits);
-    w.segmentation = pipeline::segment(w.series.hu, edits, [&](const std::string&, double f) { w.stages.say(f); });
+    w.segmentation = pipeline::segment(w.series.hu, edits, [&](const std::string& part, double f) { w.stages.say(f, part); });
     w.stages.end();
   });
 }
@@ -205,7 +206,7 @@ void Import::segment() {
 void Import::position() {
   auto& w = *work_;
   guarded([&] {
-    w.stages.begin("position", 0.45, 0.5);
+    w.stages.begin("position", stage_begin::kPosition, stage_begin::kSurfaces);
     if (!w.positioned) {
       const bool moves = !w.options.keep_position && aim_of(w.segmentation).any();
       if (moves || w.options.to_newborn_size) {
@@ -228,11 +229,11 @@ void Import::mesh() {
   guarded([&] {
     check_count(w.options.tetrahedra);
     w.package = PatientPackage();
-    w.stages.begin("surfaces", 0.5, 0.75);
+    w.stages.begin("surfaces", stage_begin::kSurfaces, stage_begin::kTetrahedra);
     if (w.options.generic_face) give_generic_face(w.segmentation);
     const auto fields = fields_of(w.segmentation);
-    w.package.surfaces = surfaces_of(w.segmentation, fields, [&](double f) { w.stages.say(f); });
-    w.stages.begin("tetrahedra", 0.75, 0.85);
+    w.package.surfaces = surfaces_of(w.segmentation, fields, [&](const std::string& part, double f) { w.stages.say(f, part); });
+    w.stages.begin("tetrahedra", stage_begin::kTetrahedra, stage_begin::kCheck);
     w.package.tongue = soft_mesh(w.segmentation, fields, w.options.tetrahedra);
     w.stages.end();
     w.package.provenance = provenance_of(w.series);
@@ -256,7 +257,7 @@ void Import::check() {
   w.played.clear();
   if (!w.options.check) return;
   guarded([&] {
-    w.stages.begin("check by playing", 0.85, 0.95);
+    w.stages.begin("check by playing", stage_begin::kCheck, stage_begin::kWrite);
     w.played = w.options.check(w.package, [&](double f) { w.stages.say(f); });
     w.stages.end();
   });
@@ -266,7 +267,7 @@ ImportReport Import::write() {
   auto& w = *work_;
   guarded([&] {
     check_out(w.options.out, w.options.replace);
-    w.stages.begin("write", 0.95, 1.0);
+    w.stages.begin("write", stage_begin::kWrite, 1.0);
     auto package = w.package;
     package.name = package_name(w.options.out);
     package.quality = quality();

@@ -20,20 +20,23 @@ double millilitres(const Labels& labels, std::uint8_t label) {
 }
 
 /// A figure that no published limit is known for at this size: shown, not judged.
-QualityItem plain(const std::string& name, double value, const std::string& unit, const std::string& note) {
+QualityItem plain(const std::string& name, std::optional<double> value, const std::string& unit,
+                  const std::string& note) {
   return {name, value, unit, true, note, false};
 }
 
 /// Limits in cubed term lengths: a tongue half or four times the usual is a segmentation to look at, not to trust.
 QualityItem volume_item(const std::string& name, double ml, double low, double high) {
   const bool ok = ml >= low && ml <= high;
-  return {name, ml, "ml", ok, ok ? "" : "outside what is usual for a head of this size; check the labels"};
+  std::ostringstream usual;
+  usual << std::setprecision(2) << "usual for a head of this size: " << low << " to " << high << " ml; check its labels";
+  return {name, ml, "ml", ok, ok ? "" : usual.str()};
 }
 
 /// A volume over that of the labels.
 QualityItem share_item(const std::string& name, double share) {
   const bool ok = std::abs(share - 1.0) <= 0.01;
-  return {name, share, "", ok, ok ? "" : "more than a hundredth off"};
+  return {name, 100.0 * share, "%", ok, ok ? "" : "more than 1 % larger or smaller than the labels it was made from"};
 }
 
 /// Closed, in one piece, not crossing itself, and as large as the label it stands for.
@@ -50,7 +53,7 @@ void add_surfaces(const Segmentation& s, const PatientPackage& package, std::vec
   for (const auto& [name, label] : {std::pair{"airway", kAirway}, std::pair{"mandible", kMandible}}) {
     const double ml = millilitres(s.labels, label);
     if (!(ml > 0.0)) continue;
-    items.push_back(share_item(std::string(name) + " surface over its label",
+    items.push_back(share_item(std::string("volume kept by the ") + name + " surface",
                                facts_of(package.surfaces.at(name)).volume_mm3 / 1000.0 / ml));
   }
 }
@@ -63,7 +66,7 @@ void add_tetrahedra(const Segmentation& s, const PatientPackage& package, std::v
                         std::to_string(leaf) + " of the epiglottis"));
   items.push_back({"tetrahedra volume", q.volume_mm3 / 1000.0, "ml", q.smallest_volume_mm3 > 0.0, ""});
   const double ml = millilitres(s.labels, kTongue) + millilitres(s.labels, kEpiglottis);
-  if (ml > 0.0) items.push_back(share_item("tetrahedra over their labels", q.volume_mm3 / 1000.0 / ml));
+  if (ml > 0.0) items.push_back(share_item("volume kept by the tetrahedra", q.volume_mm3 / 1000.0 / ml));
   items.push_back({"smallest dihedral angle", q.smallest_dihedral_deg, "degrees", q.smallest_dihedral_deg > 5.0, ""});
   std::size_t sharp = 0;
   for (const auto& t : mesh.tets) {
@@ -80,14 +83,14 @@ void add_tetrahedra(const Segmentation& s, const PatientPackage& package, std::v
 void add_neighbours(const Segmentation& s, const PatientPackage& package, std::vector<QualityItem>& items) {
   const auto& mesh = package.tongue;
   const double k = s.frame.scale;
-  const TriangleTree jaw(package.surfaces.at("mandible"));
-  const TriangleTree head(package.surfaces.at("face"));
+  const SurfaceDistance jaw(package.surfaces.at("mandible"));
+  const SurfaceDistance head(package.surfaces.at("face"));
   double in_jaw = 0.0;
   double in_head = 0.0;
   std::vector<double> gaps;
   for (std::size_t v = 0; v < mesh.points.size(); ++v) {
-    in_jaw = std::max(in_jaw, -jaw.signed_distance(mesh.points[v]));
-    const double d = head.signed_distance(mesh.points[v]);
+    in_jaw = std::max(in_jaw, -jaw.at(mesh.points[v]));
+    const double d = head.at(mesh.points[v]);
     in_head = std::max(in_head, -d);
     if (mesh.anchor[v] == static_cast<std::uint8_t>(Anchor::mandible) ||
         mesh.anchor[v] == static_cast<std::uint8_t>(Anchor::hyoid))
@@ -103,12 +106,12 @@ void add_neighbours(const Segmentation& s, const PatientPackage& package, std::v
 
 /// The skull's breadth grows by a half in the first year and by little after the sixth.
 QualityItem size_item(double scale) {
-  if (scale < 1.3) return plain("head size", scale, "of term", "breadth of the skull over a term infant's: an infant's head");
+  if (scale < 1.3) return plain("head size", scale, "x term", "breadth of the skull over a term infant's: an infant's head");
   if (scale < 1.55) {
-    return {"child size", scale, "of term", false,
+    return {"child size", scale, "x term", false,
             "a child's head, larger than an infant's: lengths in it are not a newborn's"};
   }
-  return {"adult size", scale, "of term", false,
+  return {"adult size", scale, "x term", false,
           "an adult's head, or that of a child of school age: lengths in it are not a newborn's"};
 }
 
@@ -148,8 +151,8 @@ std::vector<QualityItem> segmentation_quality(const Segmentation& s) {
   items.push_back(volume_item("airway volume", millilitres(s.labels, kAirway), 4.0 * k3, 80.0 * k3));
   items.push_back(volume_item("mandible volume", millilitres(s.labels, kMandible), 2.0 * k3, 25.0 * k3));
   const bool open = !s.head.lips.empty();
-  items.push_back({"mouth open", open ? 1.0 : 0.0, "", open,
-                   open ? "" : "the mouth is closed: good for pressing on the tongue, not for a view"});
+  items.push_back({"mouth open", std::nullopt, "", open,
+                   open ? "the lips stand apart" : "the mouth is closed: good for pressing on the tongue, not for a view"});
   const auto moved = [&](const char* name, double degrees, const char* how) {
     if (degrees != 0.0) items.push_back({name, degrees, "degrees", false, how});
   };
@@ -159,7 +162,7 @@ std::vector<QualityItem> segmentation_quality(const Segmentation& s) {
   const double gap = norm(Vector3(s.landmarks.at("upper_gum_midline")) - Vector3(s.landmarks.at("lower_gum_midline")));
   // CLINICAL.md; how far a mouth is open is the position's doing, so it is told and not judged.
   items.push_back(
-      plain("gap between the gums", gap, "mm", "widest opening below one month of age: 22.0 (20.4 to 23.6)"));
+      plain("gap between the gums", gap, "mm", "widest opening below one month of age: 22.0 mm (20.4 to 23.6)"));
   items.push_back(plain("glottis area", s.airway.glottis.area_mm2, "mm2", ""));
   return items;
 }
@@ -182,13 +185,43 @@ std::vector<QualityItem> quality_report(const Segmentation& s, const PatientPack
   items.push_back(
       plain("epiglottis stiffness", package.materials.at("epiglottis").young_pa, "Pa",
             "stands for cartilage of 1 MPa: one layer of linear tetrahedra bends too stiffly by that much"));
-  for (const auto& [name, finding] : package.findings) {
+  for (auto& item : finding_items(package.findings)) items.push_back(std::move(item));
+  for (const auto& text : notes) items.push_back(plain("note", std::nullopt, "", text));
+  return items;
+}
+
+std::vector<QualityItem> finding_items(const std::map<std::string, Finding>& findings) {
+  std::vector<QualityItem> items;
+  for (const auto& [name, finding] : findings) {
     // What a person gave needs no second look; what was not seen does.
     if (finding.origin == Origin::measured || finding.origin == Origin::given) continue;
-    items.push_back({name_of(finding.origin), 0.0, "", false, name + ": " + finding.how});
+    const std::string note = std::string(name_of(finding.origin)) + ": " + finding.how;
+    const auto same = std::find_if(items.begin(), items.end(), [&](const auto& item) { return item.note == note; });
+    if (same == items.end())
+      items.push_back({words_of(name), std::nullopt, "", false, note});
+    else
+      same->name += ", " + words_of(name);
   }
-  for (const auto& text : notes) items.push_back(plain("note", 0.0, "", text));
   return items;
+}
+
+std::vector<QualityGroup> in_groups(const std::vector<QualityItem>& items) {
+  std::vector<QualityGroup> groups{{"To be checked first", {}}, {"Within limits", {}}, {"For information", {}}};
+  for (const auto& item : items) groups[!item.judged ? 2 : item.ok ? 1 : 0].items.push_back(item);
+  const auto empty = [](const QualityGroup& group) { return group.items.empty(); };
+  groups.erase(std::remove_if(groups.begin(), groups.end(), empty), groups.end());
+  return groups;
+}
+
+std::string value_text(const QualityItem& item) {
+  if (!item.value) return {};
+  std::ostringstream text;
+  if (std::abs(*item.value) >= 1000.0)  // never 1.6e+04 triangles
+    text << std::fixed << std::setprecision(0) << *item.value;
+  else
+    text << std::setprecision(3) << *item.value;
+  if (!item.unit.empty()) text << " " << item.unit;
+  return text.str();
 }
 
 }  // namespace vallecula::pipeline

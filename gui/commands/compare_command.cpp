@@ -58,6 +58,15 @@ void print_table(const pipeline::Comparison& comparison) {
   }
 }
 
+/// Messages may withhold a file's name: which of the two it is must be said.
+pipeline::LabelImage read_side(const char* side, const std::string& file) {
+  try {
+    return pipeline::read_label_image(file);
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error(std::string(side) + ": " + error.what());
+  }
+}
+
 }  // namespace
 
 void add_compare_command(CLI::App& app, int& exit_code) {
@@ -71,8 +80,8 @@ void add_compare_command(CLI::App& app, int& exit_code) {
   command->add_option("B", options->b, "The one to compare with it")->required();
   command->add_flag("--json", options->json, "Print JSON instead of a table");
   command->callback([options, &exit_code] {
-    const auto a = pipeline::read_label_image(options->a);
-    const auto b = pipeline::read_label_image(options->b);
+    const auto a = read_side("A", options->a);
+    const auto b = read_side("B", options->b);
     const auto comparison = pipeline::compare_labels(a, b);
     exit_code = 0;
     if (options->json) return print_json(comparison, a.left_out, b.left_out);

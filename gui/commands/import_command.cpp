@@ -4,7 +4,6 @@
 #include <iomanip>
 #include <iostream>
 #include <memory>
-#include <sstream>
 
 #include "gui/commands/commands.h"
 #include "gui/commands/edit_options.h"
@@ -12,6 +11,7 @@
 #include "gui/commands/stage_lines.h"
 #include "gui/session/play_check.h"
 #include "pipeline/import.h"
+#include "pipeline/quality.h"
 
 namespace vallecula::gui {
 
@@ -28,12 +28,11 @@ void print_report(const pipeline::ImportReport& report) {
   rusage used{};
   getrusage(RUSAGE_SELF, &used);
   std::cout << " together " << seconds << " s; most memory " << used.ru_maxrss / 1024 << " MB\n" << std::defaultfloat;
-  for (const pipeline::QualityItem& item : report.quality) {
-    std::ostringstream value;
-    value << std::setprecision(5) << item.value << " " << item.unit;
-    const char* verdict = !item.judged ? "     " : item.ok ? "ok   " : "LOOK ";
-    std::cout << "  " << verdict << std::left << std::setw(38) << item.name << std::setw(18)
-              << value.str() << item.note << "\n";
+  for (const pipeline::QualityGroup& group : pipeline::in_groups(report.quality)) {
+    std::cout << group.title << " (" << group.items.size() << ")\n" << std::left;
+    for (const pipeline::QualityItem& item : group.items)
+      std::cout << "  " << std::setw(36) << item.name << " " << std::setw(16) << pipeline::value_text(item) << " "
+                << item.note << "\n";
   }
 }
 

@@ -23,11 +23,10 @@ BuildPage::BuildPage(ImportWork& work, QWidget* parent) : QWidget(parent), work_
   verdict_->setWordWrap(true);
   message_ = new QLabel(this);
   message_->setWordWrap(true);
-  message_->setStyleSheet(QString("color: %1;").arg(theme::kOver.name()));
   message_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  quality_ = new QualityList(this);
+  quality_ = new QualityList(QualityList::Remarks::beside, this);
   strip_ = new WorkStrip(work_, this);
-  leave_ = new QPushButton("Leave", this);
+  leave_ = new QPushButton("L&eave", this);
   back_ = new QPushButton("Back to the &check", this);
   again_ = new QPushButton("Build a&gain", this);
   save_ = new QPushButton("&Save the patient", this);
@@ -73,7 +72,7 @@ QWidget* BuildPage::make_choices() {
   name_->setAccessibleName("Name of the new patient");
   name_->setMaximumWidth(320);
   name_problem_ = new QLabel(panel);
-  name_problem_->setStyleSheet(message_->styleSheet());
+  name_problem_->setStyleSheet(QString("color: %1;").arg(theme::kOver.name()));
   auto* how = new QHBoxLayout;
   how->setSpacing(18);
   how->addWidget(keep_position_);
@@ -102,6 +101,8 @@ QWidget* BuildPage::make_choices() {
 }
 
 void BuildPage::begin(const QString& name) {
+  built_ = written_ = false;
+  report_.clear();
   const BuildChoice usual;
   keep_position_->setChecked(usual.keep_position);
   newborn_size_->setChecked(usual.to_newborn_size);
@@ -125,13 +126,15 @@ void BuildPage::show_building() {
   show_state();
 }
 
-void BuildPage::show_report(const std::vector<pipeline::QualityItem>& quality) {
+void BuildPage::show_report(const std::vector<pipeline::QualityItem>& quality,
+                            const std::vector<pipeline::QualityItem>& checked) {
   built_ = true;
-  quality_->show_items(quality);
-  const int look = quality_->to_look_at();
-  verdict_->setText(look == 0 ? QString("The patient is built. Nothing stands out.")
-                              : QString("The patient is built. %1 to be looked at first: marked LOOK.")
-                                    .arg(look == 1 ? QString("One thing is") : QString("%1 things are").arg(look)));
+  quality_->show_items(quality, report_.empty() ? checked : report_);
+  report_ = quality;
+  const int check = quality_->to_check();
+  verdict_->setText(check == 0 ? QString("The patient is built. Nothing stands out.")
+                               : QString("The patient is built. %1 to be checked before it is saved.")
+                                     .arg(check == 1 ? QString("One thing is") : QString("%1 things are").arg(check)));
   show_state();
   save_->setFocus();
 }
@@ -145,13 +148,18 @@ void BuildPage::show_writing() {
 void BuildPage::show_written(const QString& package) {
   written_ = true;
   verdict_->setText("The patient is saved.");
-  message_->setText("In " + package);
+  say("In " + package, false);
   show_state();
   practise_->setFocus();
 }
 
-void BuildPage::show_message(const QString& message) {
+void BuildPage::say(const QString& message, bool problem) {
+  message_->setStyleSheet(QString("color: %1;").arg((problem ? theme::kOver : theme::kText).name()));
   message_->setText(message);
+}
+
+void BuildPage::show_message(const QString& message) {
+  say(message, true);
   if (!built_) verdict_->setText("The patient could not be built.");
   show_state();
 }

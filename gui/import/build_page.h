@@ -27,11 +27,15 @@ class BuildPage : public QWidget {
   BuildChoice choice() const;
   QString name() const;
   void show_building();
-  void show_report(const std::vector<pipeline::QualityItem>& quality);
+  /// `checked`: the report of the check. Figures say what they were there, or in the build before this one.
+  void show_report(const std::vector<pipeline::QualityItem>& quality,
+                   const std::vector<pipeline::QualityItem>& checked);
   void show_writing();
   void show_written(const QString& package);
   void show_message(const QString& message);
   bool built() const { return built_; }
+  bool written() const { return written_; }
+  QualityList& quality() { return *quality_; }
 
  signals:
   void back_wanted();
@@ -43,9 +47,11 @@ class BuildPage : public QWidget {
  private:
   QWidget* make_choices();
   void show_state();
+  void say(const QString& message, bool problem);
   ImportWork& work_;
   bool built_ = false, written_ = false;
   BuildChoice built_with_;
+  std::vector<pipeline::QualityItem> report_;  ///< of the last build
   QLabel *verdict_, *message_, *name_problem_;
   QLineEdit* name_;
   QCheckBox *keep_position_, *newborn_size_;

@@ -23,24 +23,20 @@
 #include "gui/views/slice_view.h"
 #include "gui/views/theme.h"
 #include "pipeline/package/label_map.h"
+#include "pipeline/quality.h"
 
 namespace vallecula::gui {
 
 CheckPage::CheckPage(ImportWork& work, QWidget* parent) : QWidget(parent), work_(work) {
-  auto* views = new QGridLayout;
-  views->setSpacing(4);
+  views_ = new QGridLayout;
+  views_->setSpacing(4);
   const SlicePlane planes[] = {SlicePlane::axial, SlicePlane::sagittal, SlicePlane::coronal};
   QWidget* tools = make_tools();
   for (int i = 0; i < 3; ++i) {
     auto* slice = new SliceView(scene_, planes[i], this);
     slices_[static_cast<std::size_t>(planes[i])] = slice;
-    views->addWidget(slice, i / 2, i % 2);
-    connect(slice, &SliceView::alone_wanted, this, [this, slice] {
-      const bool alone = frame_3d_->isVisible();
-      for (QWidget* view : {static_cast<QWidget*>(slices_[0]), static_cast<QWidget*>(slices_[1]),
-                            static_cast<QWidget*>(slices_[2]), static_cast<QWidget*>(frame_3d_)})
-        view->setVisible(!alone || view == slice);
-    });
+    views_->addWidget(slice, i / 2, i % 2);
+    connect(slice, &SliceView::alone_wanted, this, [this, slice] { show_alone(slice); });
   }
   frame_3d_ = new QFrame(this);
   view_3d_ = new LabelView(scene_, frame_3d_);
@@ -52,17 +48,20 @@ CheckPage::CheckPage(ImportWork& work, QWidget* parent) : QWidget(parent), work_
   };
   show_focus(false);
   connect(view_3d_, &LabelView::focus_changed, this, show_focus);
-  views->addWidget(frame_3d_, 1, 1);
+  connect(view_3d_, &LabelView::alone_wanted, this, [this] { show_alone(frame_3d_); });
+  views_->addWidget(frame_3d_, 1, 1);
   for (int i = 0; i < 2; ++i) {
-    views->setRowStretch(i, 1);
-    views->setColumnStretch(i, 1);
+    views_->setRowStretch(i, 1);
+    views_->setColumnStretch(i, 1);
   }
   at_ = new QLabel(this);
   at_->setAccessibleName("Under the pointer");
+  at_->setToolTip("Place under the pointer (mm to the patient's left, back and head, as the scan has them), grey value "
+                  "(HU) and structure");
   auto* left = new QVBoxLayout;
   left->setSpacing(4);
   left->addWidget(tools);
-  left->addLayout(views, 1);
+  left->addLayout(views_, 1);
   left->addWidget(at_);
   auto* columns = new QHBoxLayout;
   columns->addLayout(left, 1);
@@ -81,12 +80,31 @@ CheckPage::CheckPage(ImportWork& work, QWidget* parent) : QWidget(parent), work_
     history_.change(what, edits);
     show_message("");
   });
-  connect(&work_, &ImportWork::file_failed, this, &CheckPage::show_message);
-  connect(&work_, &ImportWork::saved, this, [this](const QString& files) { show_message("Saved: " + files); });
+  connect(&work_, &ImportWork::file_failed, this,
+          [this](const QString& message) { show_message(message); });
+  connect(&work_, &ImportWork::saved, this, [this](const QString& files) { show_message("Saved: " + files, false); });
   show_state();
 }
 
 CheckPage::~CheckPage() = default;
+
+void CheckPage::show_alone(QWidget* view) {
+  bool alone = false;  // is it to be, or are all to come back?
+  for (int i = 0; i < views_->count(); ++i) {
+    QWidget* other = views_->itemAt(i)->widget();
+    alone = alone || (other != view && other->isVisible());
+  }
+  int row = 0, column = 0, rows = 0, columns = 0;
+  views_->getItemPosition(views_->indexOf(view), &row, &column, &rows, &columns);
+  for (int i = 0; i < views_->count(); ++i) {
+    QWidget* other = views_->itemAt(i)->widget();
+    other->setVisible(!alone || other == view);
+  }
+  for (int i = 0; i < 2; ++i) {  // an empty row takes no room
+    views_->setRowStretch(i, !alone || i == row ? 1 : 0);
+    views_->setColumnStretch(i, !alone || i == column ? 1 : 0);
+  }
+}
 
 void CheckPage::add_tool(QWidget* bar, const QString& text, const char* key, SliceTool tool, const QString& tip) {
   auto* button = new QToolButton(bar);
@@ -108,18 +126,21 @@ QWidget* CheckPage::make_tools() {
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(4);
   add_tool(bar, "Crosshair", "C", SliceTool::crosshair, "Take all slices to a point; drag landmarks");
-  add_tool(bar, "Grey", "G", SliceTool::window, "Drag: right wider, up darker; the right button does it with any tool");
-  add_tool(bar, "Ruler", "R", SliceTool::ruler, "Drag, or click two points; Delete takes the last one away");
-  add_tool(bar, "Angle", "A", SliceTool::angle, "Click three points, the corner second");
+  add_tool(bar, "Window", "W", SliceTool::window,
+           "Window and level (HU). Drag: right wider, up darker; the right button does it with any tool");
+  add_tool(bar, "Ruler", "R", SliceTool::ruler, "Length (mm). Drag, or click two points; Delete takes the last one away");
+  add_tool(bar, "Angle", "A", SliceTool::angle, "Angle (degrees). Click three points, the corner second");
   row->addSpacing(10);
   auto* presets = new QComboBox(bar);
-  presets->setAccessibleName("Grey values");
+  presets->setAccessibleName("Window and level for");
+  presets->setToolTip("Window and level for these tissues");
   for (const auto& preset : kGreyPresets) presets->addItem(preset.name);
   connect(presets, qOverload<int>(&QComboBox::activated), this,
           [this](int i) { scene_.set_grey(kGreyPresets[static_cast<std::size_t>(i)].window); });
   row->addWidget(presets);
   grey_ = new QLabel(bar);
   grey_->setObjectName("faint");
+  grey_->setToolTip("Window and level, HU");
   connect(&scene_, &SliceScene::changed, grey_, [this] {
     grey_->setText(QString("W %1  L %2").arg(scene_.grey().width, 0, 'f', 0).arg(scene_.grey().centre, 0, 'f', 0));
   });
@@ -128,9 +149,10 @@ QWidget* CheckPage::make_tools() {
   row->addWidget(new QLabel("Labels", bar));
   auto* opacity = new QSlider(Qt::Horizontal, bar);
   opacity->setAccessibleName("Opacity of the labels");
+  opacity->setToolTip("Opacity of the structures' colours in the slices, %");
   opacity->setRange(0, 100);
   opacity->setValue(static_cast<int>(100.0 * scene_.opacity()));
-  opacity->setFixedWidth(110);
+  opacity->setFixedWidth(80);
   connect(opacity, &QSlider::valueChanged, this, [this](int percent) { scene_.set_opacity(0.01 * percent); });
   row->addWidget(opacity);
   row->addStretch(1);
@@ -163,12 +185,12 @@ QWidget* CheckPage::make_side() {
   tabs_->tabBar()->setDrawBase(false);
   structures_ = new StructurePanel(scene_, history_, side);
   landmarks_ = new LandmarkPanel(scene_, history_, side);
-  quality_ = new QualityList(side);
+  quality_ = new QualityList(QualityList::Remarks::below, side);
   tabs_->addTab(structures_, "S&tructures");
   tabs_->addTab(landmarks_, "Land&marks");
   tabs_->addTab(quality_, "&Quality");
-  save_ = new QPushButton("Save for 3D Slicer ...", side);
-  load_ = new QPushButton("Load ...", side);
+  save_ = new QPushButton("Save &for 3D Slicer ...", side);
+  load_ = new QPushButton("L&oad ...", side);
   save_->setToolTip("Labels (.nrrd) and landmarks (.mrk.json beside them), to be painted and moved there");
   load_->setToolTip(
       "A label map (all structures in it) or landmarks (.mrk.json), as 3D Slicer saves them.\n"
@@ -201,11 +223,11 @@ QWidget* CheckPage::make_foot() {
   auto* foot = new QWidget(this);
   message_ = new QLabel(foot);
   message_->setWordWrap(true);
-  message_->setStyleSheet(QString("color: %1;").arg(theme::kOver.name()));
   message_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   strip_ = new WorkStrip(work_, foot);
-  back_ = new QPushButton("Leave", foot);
   again_ = new QPushButton("Run a&gain with the edits", foot);
+  again_->setToolTip("Finds the structures anew with the seeds, thresholds, label maps and landmarks given");
+  back_ = new QPushButton("L&eave", foot);
   build_ = new QPushButton("&Build the patient", foot);
   auto* row = new QHBoxLayout(foot);
   row->setContentsMargins(0, 0, 0, 0);
@@ -233,24 +255,26 @@ void CheckPage::show_scan(std::shared_ptr<const pipeline::Hounsfield> scan) {
   history_.clear();
   structures_->show_findings({});
   landmarks_->show_found({}, {});
+  report_.clear();
   quality_->show_items({});
+  tabs_->setTabText(2, "&Quality");
   message_->clear();
 }
 
 void CheckPage::show_segmentation(const SegmentedScan& scan) {
   const bool first = !found_.labels;
+  const auto before = report_;
   found_ = scan;
   scene_.set_labels(scan.labels);
   scene_.set_focus(scan.bounds[0], scan.bounds[1]);
   structures_->show_findings(scan.findings);
   landmarks_->show_found(scan.landmarks, scan.findings);
-  auto quality = scan.quality;
-  for (const auto& [name, finding] : scan.findings)
-    if (finding.origin == pipeline::Origin::inferred || finding.origin == pipeline::Origin::from_model)
-      quality.push_back({words_of(name).toStdString(), 0.0, "", false, finding_text(finding).toStdString()});
-  quality_->show_items(quality);
-  tabs_->setTabText(2, quality_->to_look_at() > 0 ? QString("&Quality (%1)").arg(quality_->to_look_at()) : "&Quality");
-  message_->clear();
+  report_ = scan.quality;
+  for (auto& item : pipeline::finding_items(scan.findings)) report_.push_back(std::move(item));
+  quality_->show_items(report_, before);
+  tabs_->setTabText(2, quality_->to_check() > 0 ? QString("&Quality (%1)").arg(quality_->to_check()) : "&Quality");
+  tabs_->setTabToolTip(2, "To be checked first: " + QString::number(quality_->to_check()));
+  show_message("");
   const auto glottis = scan.landmarks.find("glottis_centre");
   const auto vallecula = scan.landmarks.find("vallecula");
   // The middle of the throat tells more than the middle of the scan.
@@ -262,7 +286,8 @@ void CheckPage::show_segmentation(const SegmentedScan& scan) {
   show_state();
 }
 
-void CheckPage::show_message(const QString& message) {
+void CheckPage::show_message(const QString& message, bool problem) {
+  message_->setStyleSheet(QString("color: %1;").arg((problem ? theme::kOver : theme::kText).name()));
   message_->setText(message);
   show_state();
 }

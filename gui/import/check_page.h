@@ -9,6 +9,7 @@
 #include "gui/views/slice_scene.h"
 
 class QFrame;
+class QGridLayout;
 class QLabel;
 class QPushButton;
 class QTabWidget;
@@ -31,7 +32,7 @@ class CheckPage : public QWidget {
   /// A new scan: everything said of an earlier one goes.
   void show_scan(std::shared_ptr<const pipeline::Hounsfield> scan);
   void show_segmentation(const SegmentedScan& scan);
-  void show_message(const QString& message);
+  void show_message(const QString& message, bool problem = true);
   /// What a segmentation could not find, with how to go on.
   void show_failure(const QString& message);
   /// Lets go of the scan.
@@ -44,6 +45,9 @@ class CheckPage : public QWidget {
   SliceView& slice(SlicePlane plane) { return *slices_[static_cast<std::size_t>(plane)]; }
   LabelView& view_3d() { return *view_3d_; }
   StructurePanel& structures() { return *structures_; }
+  /// The report of the segmentation shown, with what was not seen in it.
+  const std::vector<pipeline::QualityItem>& report() const { return report_; }
+  QualityList& quality() { return *quality_; }
   /// Is there something said that the labels shown do not know of yet?
   bool edits_waiting() const;
   /// See ImportWork::load and save.
@@ -61,12 +65,15 @@ class CheckPage : public QWidget {
   QWidget* make_foot();
   void add_step(QWidget* bar, const QString& text, bool undo, const QKeySequence& key);
   void add_tool(QWidget* bar, const QString& text, const char* key, SliceTool tool, const QString& tip);
+  void show_alone(QWidget* view);
   void show_state();
 
   ImportWork& work_;
   SliceScene scene_;
   EditHistory history_;
   SegmentedScan found_;
+  std::vector<pipeline::QualityItem> report_;
+  QGridLayout* views_;
   std::array<SliceView*, 3> slices_{};
   LabelView* view_3d_;
   QFrame* frame_3d_;  ///< shows that the view has the keyboard

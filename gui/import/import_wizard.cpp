@@ -9,6 +9,7 @@
 #include "gui/import/build_page.h"
 #include "gui/import/check_page.h"
 #include "gui/import/source_page.h"
+#include "gui/import/window_message.h"
 #include "gui/import/work_strip.h"
 #include "gui/views/theme.h"
 
@@ -61,7 +62,7 @@ ImportWizard::ImportWizard(QWidget* parent) : QWidget(parent) {
     check_->show_busy();
     if (pages_->currentWidget() == segment_) show_page(check_);
   });
-  connect(&work_, &ImportWork::built, this, [this] { build_->show_report(work_.import()->quality()); });
+  connect(&work_, &ImportWork::built, this, [this] { build_->show_report(work_.import()->quality(), check_->report()); });
   connect(&work_, &ImportWork::written, this, [this](const QString& package) {
     package_ = package;
     build_->show_written(package);
@@ -112,10 +113,11 @@ void ImportWizard::stop() {
 }
 
 void ImportWizard::leave() {
-  const bool edited = check_->history().stack().count() > 0 && package_.isEmpty();
-  if (edited &&
+  const bool edited = check_->history().stack().count() > 0, built = build_->built();
+  if ((edited || built) && package_.isEmpty() &&
       QMessageBox::question(this, "Leave the import",
-                            "Leave without saving the patient? The edits made here are lost.") != QMessageBox::Yes)
+                            QString("Leave without saving the patient? %1 lost.")
+                                .arg(built ? "What was built is" : "The edits made here are")) != QMessageBox::Yes)
     return;
   stop();
   emit left();
@@ -135,9 +137,7 @@ void ImportWizard::begin_segmentation(const ImportChoice& choice) {
 }
 
 void ImportWizard::job_failed(const QString& said) {
-  QString message = said;
-  if (message.startsWith("series: ")) message = message.mid(8);  // which, a person knows
-  message = message.left(1).toUpper() + message.mid(1);
+  const QString message = window_sentence(said);
   QWidget* page = pages_->currentWidget();
   if (page == build_) {
     build_->show_message(build_->built() ? message

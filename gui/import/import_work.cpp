@@ -1,6 +1,5 @@
 #include "gui/import/import_work.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -12,6 +11,7 @@
 #include "pipeline/exchange/landmark_file.h"
 #include "pipeline/mesh/generic_face.h"
 #include "pipeline/quality.h"
+#include "pipeline/segment/reslice.h"
 #include "pipeline/segment/volume_ops.h"
 
 namespace vallecula::gui {
@@ -22,8 +22,8 @@ struct Left : std::runtime_error {
   Left() : std::runtime_error("cancelled") {}
 };
 
-/// The shares of the whole that pipeline::Import's stages report.
-constexpr double kReadFrom = 0.0, kSegmentFrom = 0.1, kBuildFrom = 0.45, kWriteFrom = 0.95, kEnd = 1.0;
+namespace begin = pipeline::stage_begin;
+constexpr double kEnd = 1.0;
 
 constexpr double kMargin = 5.0;  // mm about the patient in a fitted view
 
@@ -35,8 +35,9 @@ SegmentedScan result_of(const pipeline::Import& import, const EditState& edits) 
   const auto& grid = scan.labels->grid;
   scan.bounds = {grid.position(box.low[0] - 0.5, box.low[1] - 0.5, box.low[2] - 0.5),
                  grid.position(box.high[0] + 0.5, box.high[1] + 0.5, box.high[2] + 0.5)};
+  const auto to_scan = pipeline::inverse_of(s.pose.scan_to_package);
   for (const auto& [name, at] : s.landmarks)
-    if (is_place(name)) scan.landmarks[name] = to_scan(s.pose, at);
+    if (is_place(name)) scan.landmarks[name] = pipeline::moved(to_scan, at);
   scan.findings = s.findings;
   scan.found.landmarks = s.landmarks;
   scan.found.findings = s.findings;
@@ -126,7 +127,7 @@ bool ImportWork::open(const ImportChoice& choice) {
   auto import = std::make_shared<pipeline::Import>(options_of(choice),
                                                    [this](const std::string& stage, double f) { report(stage, f); });
   return run<SegmentedScan>(
-      kReadFrom, kBuildFrom,
+      begin::kRead, begin::kPosition,
       [this, import] {
         import->read();
         // The scan is shown even when no structure is found: a person then says where the tongue is.
@@ -152,7 +153,7 @@ bool ImportWork::segment(const EditState& edits) {
   import_->options().edits = edits.edits();
   stale_ = true;
   return run<SegmentedScan>(
-      kSegmentFrom, kBuildFrom,
+      begin::kSegment, begin::kPosition,
       [import = import_, edits] {
         import->segment();
         return result_of(*import, edits);
@@ -176,7 +177,7 @@ bool ImportWork::build(const EditState& edits, const BuildChoice& choice) {
   options.to_newborn_size = choice.to_newborn_size;
   options.tetrahedra = choice.tetrahedra;
   return run<SegmentedScan>(
-      anew ? kSegmentFrom : kBuildFrom, kWriteFrom,
+      anew ? begin::kSegment : begin::kPosition, begin::kWrite,
       [import = import_, edits, anew, last = last_]() mutable {
         if (anew) {
           import->segment();
@@ -198,7 +199,7 @@ bool ImportWork::write(const QString& name) {
   if (busy() || !import_) return false;
   import_->options().out = package_of(name);
   return run<QString>(
-      kWriteFrom, kEnd, [import = import_] { return QString::fromStdString(import->write().package.string()); },
+      begin::kWrite, kEnd, [import = import_] { return QString::fromStdString(import->write().package.string()); },
       [this](const QString& package) { emit written(package); }, true);
 }
 
@@ -236,7 +237,7 @@ bool ImportWork::save(const std::filesystem::path& file, const EditState& edits)
         beside.replace_extension(".mrk.json");
         auto marks = scan.found;
         for (const auto& [name, at] : edits.landmarks)
-          if (is_place(name)) marks.landmarks[name] = to_package(marks.pose, at);
+          if (is_place(name)) marks.landmarks[name] = pipeline::moved(marks.pose.scan_to_package, at);
         pipeline::write_landmark_file(marks, beside);
         const auto files = QString::fromStdString(file.filename().string() + " and " + beside.filename().string());
         return generic ? files + "; of the skin what lies near other structures, for the face is to be the generic one"
@@ -246,14 +247,25 @@ bool ImportWork::save(const std::filesystem::path& file, const EditState& edits)
 }
 
 QString stage_text(const std::string& stage) {
-  static const std::map<std::string, QString> texts = {{"list", "Looking at what is there"},
-                                                       {"read", "Reading the series"},
-                                                       {"segment", "Finding the structures"},
-                                                       {"position", "Bringing the patient into position"},
-                                                       {"surfaces", "Making the surfaces"},
-                                                       {"tetrahedra", "Filling tongue and epiglottis with tetrahedra"},
-                                                       {"check by playing", "Checking by playing it"},
-                                                       {"write", "Writing the patient"}};
+  static const std::map<std::string, QString> texts = {
+      {"list", "Looking at what is there"},
+      {"read", "Reading the series"},
+      {"segment", "Finding the structures"},
+      {"segment: head", "Finding the head"},
+      {"segment: airway", "Finding the airway"},
+      {"segment: bones", "Finding skull, jaw, spine and hyoid"},
+      {"segment: epiglottis", "Finding the epiglottis"},
+      {"segment: tongue", "Finding the tongue"},
+      {"segment: soft palate and larynx", "Finding soft palate, larynx and oesophagus"},
+      {"segment: landmarks", "Finding the landmarks"},
+      {"position", "Bringing the patient into position"},
+      {"surfaces", "Making the surfaces"},
+      {"surfaces: face", "Making the surface of face and throat"},
+      {"surfaces: airway", "Making the surface of the airway"},
+      {"surfaces: jaw and palate", "Making the surfaces of jaw and palate"},
+      {"tetrahedra", "Filling tongue and epiglottis with tetrahedra"},
+      {"check by playing", "Trying an intubation with the scripted expert"},
+      {"write", "Writing the patient"}};
   const auto found = texts.find(stage);
   return found != texts.end() ? found->second : QString::fromStdString(stage);
 }
@@ -263,24 +275,13 @@ double seconds_left(double share, double elapsed_s) {
   return elapsed_s * (1.0 - share) / share;
 }
 
-QString time_left_text(double seconds) {
+QString time_left_text(double seconds, double since_s) {
   if (seconds < 0.0) return {};
-  if (seconds < 90.0) return QString("about %1 s left").arg(std::max(1.0, std::ceil(seconds)), 0, 'f', 0);
-  return QString("about %1 min left").arg(std::ceil(seconds / 60.0), 0, 'f', 0);
-}
-
-pipeline::Point to_package(const pipeline::PoseChange& pose, const pipeline::Point& at) {
-  pipeline::Point there{};
-  const auto& m = pose.scan_to_package;
-  for (int r = 0; r < 3; ++r) there[r] = m[4 * r] * at[0] + m[4 * r + 1] * at[1] + m[4 * r + 2] * at[2] + m[4 * r + 3];
-  return there;
-}
-
-pipeline::Point to_scan(const pipeline::PoseChange& pose, const pipeline::Point& at) {
-  const Eigen::Matrix4d there =
-      Eigen::Map<const Eigen::Matrix<double, 4, 4, Eigen::RowMajor>>(pose.scan_to_package.data());
-  const Eigen::Vector4d back = there.inverse() * Eigen::Vector4d(at[0], at[1], at[2], 1.0);
-  return {back[0], back[1], back[2]};
+  const double left = seconds - since_s;
+  if (left < -2.0) return "takes longer than expected";
+  if (left < 20.0) return QString("about %1 s left").arg(std::max(1.0, std::ceil(left)), 0, 'f', 0);
+  if (left < 90.0) return QString("about %1 s left").arg(5.0 * std::ceil(left / 5.0), 0, 'f', 0);
+  return QString("about %1 min left").arg(std::ceil(left / 60.0), 0, 'f', 0);
 }
 
 bool is_place(const std::string& landmark) { return landmark != "glottis_normal" && landmark != "operator_eye"; }

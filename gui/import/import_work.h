@@ -91,16 +91,14 @@ class ImportWork : public QObject {
   QElapsedTimer clock_;
 };
 
-/// For a person: "Finding the structures" for "segment".
+/// For a person: "Finding the airway" for "segment: airway".
 QString stage_text(const std::string& stage);
-/// "about 12 s left", "about 2 min left"; empty below 0.
-QString time_left_text(double seconds);
+/// "about 12 s left", "about 2 min left"; empty below 0. `since_s`: the seconds since that was reckoned; when they are over
+/// and it is not done, it says so.
+QString time_left_text(double seconds, double since_s = 0.0);
 /// What is left of a job, from the share done and the time it took; below 0 while too little is done to tell.
 double seconds_left(double share, double elapsed_s);
 
-/// A point of the package's frame in the scan's: the inverse of `pose.scan_to_package`; and the way there.
-pipeline::Point to_scan(const pipeline::PoseChange& pose, const pipeline::Point& at);
-pipeline::Point to_package(const pipeline::PoseChange& pose, const pipeline::Point& at);
 /// Landmarks that are places a person can look at (glottis_normal is a direction, the operator's eye stands outside).
 bool is_place(const std::string& landmark);
 

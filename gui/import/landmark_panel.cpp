@@ -13,19 +13,26 @@
 #include "gui/views/theme.h"
 
 namespace vallecula::gui {
+namespace {
+
+QString place_text(const pipeline::Point& at) {
+  return QString("%1, %2, %3").arg(tenths_of(at[0]), tenths_of(at[1]), tenths_of(at[2]));
+}
+
+}  // namespace
 
 LandmarkPanel::LandmarkPanel(SliceScene& scene, EditHistory& history, QWidget* parent)
     : QWidget(parent), scene_(scene), history_(history) {
   tree_ = new QTreeWidget(this);
   tree_->setAccessibleName("Landmarks");
-  tree_->setHeaderLabels({"Landmark", "L, P, H (mm)", "Came about"});
+  tree_->setHeaderLabels({"Landmark", "L, P, H (mm)", "Origin"});
   tree_->setRootIsDecorated(false);
   tree_->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
   how_ = new QLabel(this);
   how_->setWordWrap(true);
   how_->setMinimumHeight(36);
-  move_ = new QPushButton("&Move it to the crosshair", this);
-  back_ = new QPushButton("&Back to where it was found", this);
+  move_ = new QPushButton("Mo&ve it to the crosshair", this);
+  back_ = new QPushButton("Bac&k to where it was found", this);
   auto* help = new QLabel("Choosing one takes all slices to it. Drag its ring in a slice, or its ball in 3D.", this);
   help->setObjectName("faint");
   help->setWordWrap(true);
@@ -43,6 +50,11 @@ LandmarkPanel::LandmarkPanel(SliceScene& scene, EditHistory& history, QWidget* p
   });
   connect(move_, &QPushButton::clicked, this, [this] { history_.set_landmark(selected(), scene_.crosshair()); });
   connect(back_, &QPushButton::clicked, this, [this] { history_.forget(selected()); });
+  connect(&scene_, &SliceScene::landmark_dragged, this, [this](const QString& name, const pipeline::Point& at) {
+    for (int i = 0; i < tree_->topLevelItemCount(); ++i)
+      if (tree_->topLevelItem(i)->data(0, Qt::UserRole).toString() == name)
+        tree_->topLevelItem(i)->setText(1, place_text(at));
+  });
   connect(&scene_, &SliceScene::landmark_dropped, this,
           [this](const QString& name, const pipeline::Point& at) {
             if (is_place(name.toStdString())) history_.set_landmark(name.toStdString(), at);
@@ -76,8 +88,7 @@ void LandmarkPanel::show_state() {
     QTreeWidgetItem* row = tree_->topLevelItem(i);
     const std::string name = row->data(0, Qt::UserRole).toString().toStdString();
     const auto& mark = shown.at(name);
-    row->setText(
-        1, QString("%1, %2, %3").arg(mark.at[0], 0, 'f', 1).arg(mark.at[1], 0, 'f', 1).arg(mark.at[2], 0, 'f', 1));
+    row->setText(1, place_text(mark.at));
     const auto finding = findings_.find(name);
     const QString origin = finding == findings_.end() ? QString() : pipeline::name_of(finding->second.origin);
     row->setText(2, mark.given ? "moved" : origin);

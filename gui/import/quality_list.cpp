@@ -1,76 +1,64 @@
 #include "gui/import/quality_list.h"
 
-#include <QHeaderView>
-#include <algorithm>
-#include <cmath>
+#include <map>
 
 #include "gui/import/window_message.h"
 #include "gui/views/theme.h"
+#include "pipeline/quality.h"
 
 namespace vallecula::gui {
 namespace {
 
-int rank(const pipeline::QualityItem& item) { return !item.judged ? 2 : item.ok ? 1 : 0; }
+QString coloured(const QString& text, const QColor& colour) {
+  return QString("<span style=\"color:%1\">%2</span>").arg(colour.name(), text);
+}
 
-QString value_of(const pipeline::QualityItem& item) {
-  // Notes and origins carry their message in the note; their zero says nothing.
-  if (item.unit.empty() && item.value == 0.0 && !item.note.empty()) return {};
-  const bool whole = std::abs(item.value) >= 1000.0;  // never 1.6e+04 triangles
-  return QString("%1 %2")
-      .arg(item.value, 0, whole ? 'f' : 'g', whole ? 0 : 4)
-      .arg(QString::fromStdString(item.unit))
-      .trimmed();
+/// What stands in the column of figures, as HTML.
+QString figure_of(const pipeline::QualityItem& item) {
+  return QString::fromStdString(pipeline::value_text(item)).toHtmlEscaped().replace("mm2", "mm²");
 }
 
 }  // namespace
 
-QualityList::QualityList(QWidget* parent) : QTreeWidget(parent) {
-  setColumnCount(4);
-  setHeaderLabels({"", "What", "Value", "Remarks"});
-  setRootIsDecorated(false);
-  setWordWrap(true);
-  setUniformRowHeights(false);
-  setSelectionMode(QAbstractItemView::SingleSelection);
+QualityList::QualityList(Remarks remarks, QWidget* parent) : QTextBrowser(parent), remarks_(remarks) {
   setAccessibleName("Quality report");
-  header()->setSectionResizeMode(QHeaderView::ResizeToContents);
-  header()->setSectionResizeMode(3, QHeaderView::Stretch);
-  connect(header(), &QHeaderView::sectionResized, this, &QualityList::fit_rows);
+  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
 }
 
-void QualityList::show_items(const std::vector<pipeline::QualityItem>& items) {
-  clear();
-  to_look_at_ = 0;
-  auto sorted = items;
-  std::stable_sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) { return rank(a) < rank(b); });
-  for (const auto& item : sorted) {
-    const bool look = item.judged && !item.ok;
-    to_look_at_ += look ? 1 : 0;
-    const QString note = window_message(QString::fromStdString(item.note));
-    auto* row = new QTreeWidgetItem(this, {look          ? "LOOK"
-                                           : item.judged ? "ok"
-                                                         : "",
-                                           QString::fromStdString(item.name), value_of(item), note});
-    row->setForeground(0, look ? theme::kOver : theme::kWithin);
-    if (look) row->setForeground(1, theme::kOver);
-    row->setToolTip(3, note);
+void QualityList::show_items(const std::vector<pipeline::QualityItem>& items,
+                             const std::vector<pipeline::QualityItem>& before) {
+  std::map<std::string, QString> earlier;
+  for (const auto& item : before)
+    if (item.value) earlier[item.name] = figure_of(item);
+  to_check_ = 0;
+  QString html;
+  for (const auto& group : pipeline::in_groups(items)) {
+    html += QString("<p style=\"font-size:12pt; font-weight:bold; margin:10px 4px 2px 4px\">%1 (%2)</p>"
+                    "<table width=\"100%\" cellspacing=\"0\" cellpadding=\"3\">")
+                .arg(QString::fromStdString(group.title))
+                .arg(group.items.size());
+    for (const auto& item : group.items) {
+      const bool check = item.judged && !item.ok;
+      to_check_ += check ? 1 : 0;
+      QString name = QString::fromStdString(item.name).toHtmlEscaped(), figure = figure_of(item);
+      const auto was = earlier.find(item.name);
+      if (was != earlier.end() && was->second != figure)
+        figure += coloured(QString(" (was %1)").arg(was->second), theme::kFaint);
+      if (check) name = coloured(name, theme::kOver);
+      const QString note = window_message(QString::fromStdString(item.note)).toHtmlEscaped();
+      if (remarks_ == Remarks::beside) {
+        html += QString("<tr><td width=\"27%\">%1</td><td width=\"21%\">%2</td><td width=\"52%\">%3</td></tr>")
+                    .arg(name, figure, note);
+        continue;
+      }
+      html += QString("<tr><td width=\"60%\">%1</td><td width=\"40%\">%2</td></tr>").arg(name, figure);
+      if (!note.isEmpty())
+        html += QString("<tr><td colspan=\"2\" style=\"padding-left:14px\">%1</td></tr>")
+                    .arg(coloured(note, theme::kFaint));
+    }
+    html += "</table>";
   }
-  fit_rows();
-}
-
-void QualityList::resizeEvent(QResizeEvent* event) {
-  QTreeWidget::resizeEvent(event);
-  fit_rows();
-}
-
-/// A tree does not grow its rows with wrapped text by itself, and a remark cut off says nothing.
-void QualityList::fit_rows() {
-  constexpr int kMargin = 8;  // pixels: the style's padding
-  for (int i = 0; i < topLevelItemCount(); ++i) {
-    QTreeWidgetItem* row = topLevelItem(i);
-    const QRect room(0, 0, std::max(40, columnWidth(3) - 2 * kMargin), 10000);
-    const int high = fontMetrics().boundingRect(room, Qt::TextWordWrap, row->text(3)).height();
-    row->setSizeHint(3, QSize(0, high + kMargin));
-  }
+  setHtml(html);
 }
 
 }  // namespace vallecula::gui

@@ -1,26 +1,26 @@
-// A quality report as a person reads it: what is to be looked at first.
+// A quality report as a person reads it: what is to be checked comes first.
 #pragma once
 
-#include <QTreeWidget>
+#include <QTextBrowser>
 #include <vector>
 
 #include "pipeline/package/patient_package.h"
 
 namespace vallecula::gui {
 
-class QualityList : public QTreeWidget {
+class QualityList : public QTextBrowser {
   Q_OBJECT
  public:
-  explicit QualityList(QWidget* parent = nullptr);
-  void show_items(const std::vector<pipeline::QualityItem>& items);
-  int to_look_at() const { return to_look_at_; }
-
- protected:
-  void resizeEvent(QResizeEvent* event) override;
+  enum class Remarks { beside, below };  ///< the figures: for a wide list, for a narrow one
+  explicit QualityList(Remarks remarks, QWidget* parent = nullptr);
+  /// Figures and remarks that are others than in the `before` report say what they were there.
+  void show_items(const std::vector<pipeline::QualityItem>& items,
+                  const std::vector<pipeline::QualityItem>& before = {});
+  int to_check() const { return to_check_; }
 
  private:
-  void fit_rows();
-  int to_look_at_ = 0;
+  Remarks remarks_;
+  int to_check_ = 0;
 };
 
 }  // namespace vallecula::gui

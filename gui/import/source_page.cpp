@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "gui/import/import_work.h"
+#include "gui/import/window_message.h"
 #include "gui/import/work_strip.h"
 #include "gui/views/theme.h"
 
@@ -25,8 +26,7 @@ constexpr int kThumbnailHeight = 116;
 
 const char* const kAboutFace =
     "Name, number, dates and all other text of the scan are left out of the new patient. The surface of the face is "
-    "the "
-    "patient's own, though, and whoever knows the patient may recognise it: treat the package as patient data.";
+    "the patient's own, though, and whoever knows the patient may recognise it: treat the package as patient data.";
 
 }  // namespace
 
@@ -64,7 +64,7 @@ SourcePage::SourcePage(ImportWork& work, QWidget* parent) : QWidget(parent), wor
   go_ = new QPushButton("&Read and find the structures", this);
   go_->setObjectName("primary");
   go_->setDefault(true);
-  auto* cancel = new QPushButton("Back to the start", this);
+  auto* cancel = new QPushButton("&Back to the start", this);
   strip_ = new WorkStrip(work_, this);
 
   auto* where = new QHBoxLayout;
@@ -179,13 +179,15 @@ void SourcePage::show_rows(const std::vector<SeriesRow>& rows) {
               .scaled(kThumbnailHeight + 40, kThumbnailHeight, Qt::KeepAspectRatio, Qt::SmoothTransformation));
       table_->setCellWidget(r, 1, shown);
     }
-    const std::array<QTableWidgetItem*, 4> items = {new QTableWidgetItem(QString::number(row.number)), picture,
+    const std::array<QTableWidgetItem*, 4> items = {new QTableWidgetItem(row.number > 0 ? QString::number(row.number) : QString()), picture,
                                                     new QTableWidgetItem(row.description),
-                                                    new QTableWidgetItem(row.why)};
+                                                    new QTableWidgetItem(row.usable && row.why.isEmpty()
+                                                                             ? QString("can be imported")
+                                                                             : window_sentence(row.why))};
     for (int c = 0; c < 4; ++c) {
       QTableWidgetItem* item = items[static_cast<std::size_t>(c)];
       if (!row.usable) item->setForeground(theme::kFaint);
-      item->setToolTip(row.why);
+      item->setToolTip(window_sentence(row.why));
       table_->setItem(r, c, item);
     }
   }

@@ -32,8 +32,6 @@ QIcon swatch(const std::array<double, 3>& rgb) {
 
 }  // namespace
 
-QString words_of(const std::string& name) { return QString::fromStdString(name).replace('_', ' '); }
-
 QString finding_text(const pipeline::Finding& finding) {
   QString text = pipeline::name_of(finding.origin);
   if (!finding.how.empty()) text += ": " + QString::fromStdString(finding.how);
@@ -45,7 +43,7 @@ StructurePanel::StructurePanel(SliceScene& scene, EditHistory& history, QWidget*
   tree_ = new QTreeWidget(this);
   tree_->setAccessibleName("Structures");
   tree_->setAccessibleDescription("The tick shows or hides a structure in the pictures");
-  tree_->setHeaderLabels({"Show", "Came about", "Accepted"});
+  tree_->setHeaderLabels({"Show", "Origin", "Accepted"});
   tree_->setRootIsDecorated(false);
   tree_->header()->setSectionResizeMode(kShown, QHeaderView::ResizeToContents);
   tree_->header()->setSectionResizeMode(kFound, QHeaderView::Stretch);
@@ -80,10 +78,12 @@ StructurePanel::StructurePanel(SliceScene& scene, EditHistory& history, QWidget*
     spin->setSuffix(" HU");
     spin->setSingleStep(10);
   }
+  low_->setToolTip("Lowest grey value of the structure, HU");
+  high_->setToolTip("Highest grey value of the structure, HU");
   low_->setAccessibleName("Lowest HU of the structure");
   high_->setAccessibleName("Highest HU of the structure");
   preview_ = new QCheckBox("&Preview", box);
-  preview_->setToolTip("Tints in the slices what lies between the two");
+  preview_->setToolTip("Tints in the slices what lies between the two (HU)");
   use_ = new QPushButton("&Use the threshold", box);
   load_ = new QPushButton("&Load a label map ...", box);
   load_->setToolTip("Takes this structure from a label map made elsewhere (3D Slicer)");
@@ -123,7 +123,10 @@ StructurePanel::StructurePanel(SliceScene& scene, EditHistory& history, QWidget*
   connect(accept_, &QPushButton::clicked, this, [this](bool on) { history_.set_accepted(selected(), on); });
   connect(seed_, &QPushButton::clicked, this,
           [this](bool on) { scene_.set_tool(on ? SliceTool::seed : SliceTool::crosshair); });
-  connect(&scene_, &SliceScene::tool_changed, this, [this] { seed_->setChecked(scene_.tool() == SliceTool::seed); });
+  connect(&scene_, &SliceScene::tool_changed, this, [this] {
+    seed_->setChecked(scene_.tool() == SliceTool::seed);
+    show_seed();
+  });
   connect(&scene_, &SliceScene::seed_picked, this, [this](const pipeline::Point& at) {
     history_.set_seed(selected(), at);
     scene_.set_crosshair(at);
@@ -198,12 +201,7 @@ void StructurePanel::show_selected() {
                                            : finding_text(found->second));
   accept_->setEnabled(found != findings_.end());
   accept_->setChecked(state.accepted.count(name) != 0);
-  const auto seed = state.seeds.find(name);
-  seed_at_->setText(seed == state.seeds.end() ? QString()
-                                              : QString("%1, %2, %3 mm")
-                                                    .arg(seed->second[0], 0, 'f', 1)
-                                                    .arg(seed->second[1], 0, 'f', 1)
-                                                    .arg(seed->second[2], 0, 'f', 1));
+  show_seed();
   const auto threshold = state.thresholds.find(name);
   const bool bone = name.rfind("bone", 0) == 0 || name == "spine";
   const std::array<double, 2> usual = name == "airway" ? std::array<double, 2>{kLowestHu, -400.0}
@@ -220,6 +218,18 @@ void StructurePanel::show_selected() {
     filling_ = false;
   }
   preview();
+}
+
+void StructurePanel::show_seed() {
+  const auto& seeds = history_.state().seeds;
+  const auto seed = seeds.find(selected());
+  QString text;
+  if (scene_.tool() == SliceTool::seed)
+    text = "click inside it (Esc: no)";
+  else if (seed != seeds.end())
+    text = QString("%1, %2, %3 mm").arg(tenths_of(seed->second[0]), tenths_of(seed->second[1]),
+                                         tenths_of(seed->second[2]));
+  seed_at_->setText(text);
 }
 
 void StructurePanel::preview() {

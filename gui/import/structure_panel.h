@@ -34,6 +34,7 @@ class StructurePanel : public QWidget {
  private:
   void show_state();
   void show_selected();
+  void show_seed();
   void preview();
   QString how(const std::string& structure) const;
 
@@ -51,7 +52,5 @@ class StructurePanel : public QWidget {
 
 /// "measured" and so on, with the rule in words when there is one.
 QString finding_text(const pipeline::Finding& finding);
-/// "bone mandible" for bone_mandible.
-QString words_of(const std::string& name);
 
 }  // namespace vallecula::gui

@@ -16,16 +16,29 @@ QString label_values_text() {
 QString window_message(const QString& message) {
   QString text = message;
   text.remove(QRegularExpression(": --seed [^)]*\\)"));  // here a person clicks it
-  text.replace(QRegularExpression("say what its values mean: --label-value .*\\)"),
+  text.replace(QRegularExpression("say what its values mean: --label-value [^)]*\\)?"),
                "a file without names is read by this list of values: " + label_values_text() +
                    "; give it these, or save it with names (.seg.nrrd)");
   text.replace("import the scan as it lies with --keep-position",
                "choose \"Leave mouth and neck as scanned\" in the last step and build again");
   text.replace("give it with --labels", "load it in the check");
+  text.replace("; coordinates are LPS mm (x to the left, y to the back, z to the head)", "; click a point inside it");
+  text.replace("(x to the left, y to the back, z to the head, mm)?", "? Click a point inside it");
+  text.replace("choose one with --series NUMBER (`vallecula series` lists them)", "choose one in the list");
+  text.replace("`vallecula series` lists what does", "choose one in the list");
+  text.replace("`vallecula series` lists them", "choose one in the list");
+  text.replace("leave --series out", "choose that one in the list");
+  text.replace("name a folder with", "choose a folder with");
   text.replace("another count (--tets)", "another count of tetrahedra");
   text.remove(", or --replace it");
   text.replace(QRegularExpression("choose another( place)? with --out"), "see to it that patients can be kept there");
   return text;
+}
+
+QString window_sentence(const QString& message) {
+  QString text = window_message(message);
+  if (text.startsWith("series: ")) text = text.mid(8);
+  return text.left(1).toUpper() + text.mid(1);
 }
 
 }  // namespace vallecula::gui

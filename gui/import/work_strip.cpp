@@ -20,6 +20,8 @@ WorkStrip::WorkStrip(ImportWork& work, QWidget* parent) : QWidget(parent), work_
   bar_->setTextVisible(false);
   bar_->setAccessibleName("Progress");
   cancel_ = new QPushButton("Cancel", this);
+  cancel_->setShortcut(Qt::Key_Escape);
+  cancel_->setToolTip("Ends it and leaves nothing behind (Esc)");
   auto* grid = new QGridLayout(this);
   grid->setContentsMargins(0, 0, 0, 0);
   grid->addWidget(stage_, 0, 0);
@@ -31,18 +33,31 @@ WorkStrip::WorkStrip(ImportWork& work, QWidget* parent) : QWidget(parent), work_
     work_.cancel();
     cancel_->setEnabled(false);
     stage_->setText("Stopping ...");
+    tick_.stop();
     left_->clear();
   });
   connect(&work_, &ImportWork::progressed, this, [this](const QString& stage, double share, double seconds) {
     stage_->setText(stage);
-    left_->setText(time_left_text(seconds));
+    seconds_left_ = seconds;
+    reported_.start();
+    show_left();
     bar_->setValue(static_cast<int>(1000.0 * share));
   });
+  tick_.setInterval(500);
+  connect(&tick_, &QTimer::timeout, this, &WorkStrip::show_left);
+}
+
+void WorkStrip::show_left() {
+  if (!work_.busy()) tick_.stop();
+  left_->setText(time_left_text(seconds_left_, 1e-3 * static_cast<double>(reported_.elapsed())));
 }
 
 void WorkStrip::begin(const QString& what) {
   stage_->setText(what);
   left_->clear();
+  seconds_left_ = -1.0;
+  reported_.start();
+  tick_.start();
   bar_->setValue(0);
   cancel_->setEnabled(true);
 }

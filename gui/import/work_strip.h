@@ -1,6 +1,8 @@
 // What is being done, how far it is, how long it still takes, and the way out.
 #pragma once
 
+#include <QElapsedTimer>
+#include <QTimer>
 #include <QWidget>
 
 class QLabel;
@@ -19,10 +21,14 @@ class WorkStrip : public QWidget {
   void begin(const QString& what);
 
  private:
+  void show_left();
   ImportWork& work_;
   QLabel *stage_, *left_;
   QProgressBar* bar_;
   QPushButton* cancel_;
+  QTimer tick_;              ///< counts down between two reports, which may be seconds apart
+  QElapsedTimer reported_;   ///< since the last one
+  double seconds_left_ = -1.0;  ///< as it said
 };
 
 }  // namespace vallecula::gui

@@ -46,9 +46,8 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
   prepare_page_ = make_prepare_page();
   trial_ = new TrialPage(pages_);
   result_ = new ResultPage(pages_);
-  for (QWidget* page :
-       {static_cast<QWidget*>(start_), static_cast<QWidget*>(devices_), static_cast<QWidget*>(import_), prepare_page_,
-        static_cast<QWidget*>(trial_), static_cast<QWidget*>(result_)})
+  for (QWidget* page : {static_cast<QWidget*>(start_), static_cast<QWidget*>(devices_), static_cast<QWidget*>(import_),
+                        prepare_page_, static_cast<QWidget*>(trial_), static_cast<QWidget*>(result_)})
     pages_->addWidget(page);
   setCentralWidget(pages_);
   resize(1280, 800);

@@ -1,6 +1,7 @@
 #include "gui/views/label_view.h"
 
 #include <vtkCamera.h>
+#include <vtkMath.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkSphereSource.h>
@@ -8,6 +9,7 @@
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QWheelEvent>
+#include <algorithm>
 #include <cmath>
 
 #include "gui/pages/background.h"
@@ -21,7 +23,7 @@ namespace {
 using Surfaces = std::map<std::uint8_t, vtkSmartPointer<vtkPolyData>>;
 
 constexpr double kDegreesAPixel = 0.5, kDegreesAKey = 10.0, kZoomANotch = 1.2, kGrab = 10.0;
-constexpr double kMarkRadius = 1.4;  // mm
+constexpr double kMarkPixels = 4.5;  // a landmark's radius, however near one looks
 
 }  // namespace
 
@@ -29,7 +31,14 @@ LabelView::LabelView(SliceScene& scene, QWidget* parent) : GlView(parent), scene
   setFocusPolicy(Qt::StrongFocus);
   setMinimumSize(150, 120);
   setAccessibleName("Structures in 3D");
-  setAccessibleDescription("Arrows turn, plus and minus zoom, 0 looks from the front");
+  setAccessibleDescription("Arrows turn, plus and minus zoom, 0 looks from the front, F shows this view alone");
+  setMouseTracking(true);
+  over_ = vtkSmartPointer<vtkRenderer>::New();
+  over_->SetLayer(1);
+  over_->SetActiveCamera(renderer()->GetActiveCamera());
+  over_->InteractiveOff();
+  renderWindow()->SetNumberOfLayers(2);
+  renderWindow()->AddRenderer(over_);
   const QColor ground = theme::kGround;
   renderer()->SetBackground(ground.redF(), ground.greenF(), ground.blueF());
   redraw_.setSingleShot(true);
@@ -37,6 +46,12 @@ LabelView::LabelView(SliceScene& scene, QWidget* parent) : GlView(parent), scene
   connect(&redraw_, &QTimer::timeout, this, [this] { draw(); });
   connect(&scene_, &SliceScene::labels_changed, this, &LabelView::labels_changed);
   connect(&scene_, &SliceScene::landmarks_changed, this, &LabelView::show_landmarks);
+  connect(&scene_, &SliceScene::landmark_dragged, this, [this](const QString& name, const pipeline::Point& at) {
+    const auto mark = marks_.find(name.toStdString());
+    if (mark == marks_.end()) return;
+    mark->second->SetPosition(at[0], at[1], at[2]);
+    draw_soon();
+  });
 }
 
 LabelView::~LabelView() {
@@ -127,11 +142,11 @@ void LabelView::show_visible() {
 }
 
 void LabelView::show_landmarks() {
-  for (auto& [name, actor] : marks_) renderer()->RemoveActor(actor);
+  for (auto& [name, actor] : marks_) over_->RemoveActor(actor);
   marks_.clear();
   for (const auto& [name, mark] : scene_.landmarks()) {
     auto ball = vtkSmartPointer<vtkSphereSource>::New();
-    ball->SetRadius(kMarkRadius);
+    ball->SetRadius(1.0);
     ball->SetThetaResolution(16);
     ball->SetPhiResolution(12);
     auto mapper = vtkSmartPointer<vtkPolyDataMapper>::New();
@@ -141,10 +156,22 @@ void LabelView::show_landmarks() {
     actor->SetPosition(mark.at[0], mark.at[1], mark.at[2]);
     const QColor colour = mark.given ? theme::kOver : QColor(Qt::white);
     actor->GetProperty()->SetColor(colour.redF(), colour.greenF(), colour.blueF());
-    renderer()->AddActor(actor);
+    over_->AddActor(actor);
     marks_[name] = actor;
   }
+  size_marks();
   draw_soon();
+}
+
+void LabelView::size_marks() {
+  auto* camera = renderer()->GetActiveCamera();
+  const double high_mm = 2.0 * camera->GetDistance() * std::tan(0.5 * vtkMath::RadiansFromDegrees(camera->GetViewAngle()));
+  for (auto& [name, actor] : marks_) actor->SetScale(kMarkPixels * high_mm / std::max(1, height()));
+}
+
+void LabelView::resizeEvent(QResizeEvent* event) {
+  GlView::resizeEvent(event);
+  size_marks();
 }
 
 void LabelView::look_from_front() {
@@ -156,6 +183,7 @@ void LabelView::look_from_front() {
   renderer()->ResetCamera();
   camera->Zoom(1.2);
   renderer()->ResetCameraClippingRange();
+  size_marks();
   draw_soon();
 }
 
@@ -170,6 +198,7 @@ void LabelView::turn(double right_deg, double up_deg) {
 
 void LabelView::zoom(double factor) {
   renderer()->GetActiveCamera()->Dolly(factor);
+  size_marks();
   renderer()->ResetCameraClippingRange();
   draw_soon();
 }
@@ -192,14 +221,23 @@ pipeline::Point LabelView::moved_in_screen(const pipeline::Point& from, const QP
 void LabelView::mousePressEvent(QMouseEvent* event) {
   last_ = pressed_ = event->localPos();
   dragged_.clear();
-  if (event->button() != Qt::LeftButton || event->modifiers() != Qt::NoModifier) return;
+  if (event->button() == Qt::LeftButton && event->modifiers() == Qt::NoModifier) dragged_ = landmark_near(last_);
+}
+
+std::string LabelView::landmark_near(const QPointF& pixel) const {
+  std::string nearest;
   double reach = kGrab;
   for (const auto& [name, mark] : scene_.landmarks()) {
-    const QPointF d = pixel_of(mark.at) - last_;
+    const QPointF d = pixel_of(mark.at) - pixel;
     if (std::hypot(d.x(), d.y()) > reach) continue;
     reach = std::hypot(d.x(), d.y());
-    dragged_ = name;
+    nearest = name;
   }
+  return nearest;
+}
+
+void LabelView::mouseDoubleClickEvent(QMouseEvent* event) {
+  if (event->button() == Qt::LeftButton && landmark_near(event->localPos()).empty()) emit alone_wanted();
 }
 
 void LabelView::mouseMoveEvent(QMouseEvent* event) {
@@ -208,10 +246,7 @@ void LabelView::mouseMoveEvent(QMouseEvent* event) {
   const bool left = (event->buttons() & Qt::LeftButton) != 0;
   const auto mark = scene_.landmarks().find(dragged_);
   if (mark != scene_.landmarks().end() && left) {
-    const auto to = moved_in_screen(mark->second.at, moved);
-    scene_.drag_landmark(dragged_, to);
-    marks_.at(dragged_)->SetPosition(to[0], to[1], to[2]);
-    draw_soon();
+    scene_.drag_landmark(dragged_, moved_in_screen(mark->second.at, moved));
   } else if ((event->buttons() & Qt::RightButton) != 0 || (left && event->modifiers() == Qt::ShiftModifier)) {
     auto* camera = renderer()->GetActiveCamera();
     pipeline::Point focus{}, eye{};
@@ -223,6 +258,10 @@ void LabelView::mouseMoveEvent(QMouseEvent* event) {
     draw_soon();
   } else if (left) {
     turn(kDegreesAPixel * moved.x(), kDegreesAPixel * moved.y());
+  } else {
+    const std::string near = landmark_near(last_);
+    setCursor(near.empty() ? Qt::ArrowCursor : Qt::OpenHandCursor);
+    setToolTip(words_of(near));
   }
 }
 
@@ -253,6 +292,8 @@ void LabelView::keyPressEvent(QKeyEvent* event) {
       return zoom(1.0 / kZoomANotch);
     case Qt::Key_0:
       return look_from_front();
+    case Qt::Key_F:
+      return alone_wanted();
     default:
       GlView::keyPressEvent(event);
   }

@@ -1,11 +1,17 @@
 #include "gui/views/slice_scene.h"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "pipeline/package/label_map.h"
+#include "pipeline/package/origin.h"
 
 namespace vallecula::gui {
+
+QString words_of(const std::string& name) { return QString::fromStdString(pipeline::words_of(name)); }
+
+QString tenths_of(double mm) { return QString::number(std::round(10.0 * mm) / 10.0 + 0.0, 'f', 1); }
 
 SliceScene::SliceScene(QObject* parent) : QObject(parent) {
   overlay_.visible.fill(true);
@@ -142,6 +148,7 @@ void SliceScene::drag_landmark(const std::string& name, const Point& at) {
   const auto found = landmarks_.find(name);  // it may have gone while it was dragged: a new segmentation came
   if (found == landmarks_.end()) return;
   found->second = {at, true};
+  emit landmark_dragged(QString::fromStdString(name), at);
   emit changed();
 }
 
@@ -152,14 +159,14 @@ void SliceScene::drop_landmark(const std::string& name) {
 
 QString SliceScene::describe(const Point& at) const {
   if (!hu_) return {};
-  QString text = QString("L %1   P %2   H %3 mm").arg(at[0], 0, 'f', 1).arg(at[1], 0, 'f', 1).arg(at[2], 0, 'f', 1);
+  QString text = QString("L %1   P %2   H %3 mm").arg(tenths_of(at[0]), tenths_of(at[1]), tenths_of(at[2]));
   const auto c = hu_->grid.nearest(at);
   if (!hu_->grid.contains(c[0], c[1], c[2])) return text + "   outside the scan";
   text += QString("   %1 HU").arg(hu_->at(c[0], c[1], c[2]));
   if (labels_)
     for (const auto& label : pipeline::kLabelNames)
-      if (label.value == labels_->at(c[0], c[1], c[2])) text += QString("   %1").arg(label.name);
-  return text.replace('_', ' ');
+      if (label.value == labels_->at(c[0], c[1], c[2])) text += "   " + words_of(label.name);
+  return text;
 }
 
 void SliceScene::pictures_changed() {

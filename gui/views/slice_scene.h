@@ -24,6 +24,11 @@ struct SceneLandmark {
   bool given = false;    ///< moved by a person
 };
 
+/// A structure's or landmark's name for a person.
+QString words_of(const std::string& name);
+/// mm to a tenth; never "-0.0".
+QString tenths_of(double mm);
+
 class SliceScene : public QObject {
   Q_OBJECT
  public:
@@ -89,6 +94,7 @@ class SliceScene : public QObject {
   void crosshair_moved();
   void hovered(const vallecula::pipeline::Point& at);
   void seed_picked(const vallecula::pipeline::Point& at);
+  void landmark_dragged(const QString& name, const vallecula::pipeline::Point& at);
   void landmark_dropped(const QString& name, const vallecula::pipeline::Point& at);
   void tool_changed();
 

@@ -29,11 +29,11 @@ class SliceView::Names {
  public:
   void add(const QPointF& mark, const QString& text, const QColor& colour) { all_.push_back({mark, text, colour}); }
   /// Those nearest to `focus` first: where there is little room, they are the ones that matter.
-  void draw(QPainter& painter, const QRectF& within, const QPointF& focus) {
+  /// `taken`: by letters at the edges.
+  void draw(QPainter& painter, const QRectF& within, const QPointF& focus, std::vector<QRectF> taken) {
     std::stable_sort(all_.begin(), all_.end(), [&](const Name& a, const Name& b) {
       return QLineF(a.mark, focus).length() < QLineF(b.mark, focus).length();
     });
-    std::vector<QRectF> taken;
     for (const Name& name : all_) taken.emplace_back(name.mark - QPointF(6, 6), QSizeF(12, 12));
     for (const Name& name : all_) {
       const double wide = painter.fontMetrics().horizontalAdvance(name.text), high = painter.fontMetrics().height();
@@ -69,8 +69,8 @@ SliceView::SliceView(SliceScene& scene, SlicePlane plane, QWidget* parent)
   setAccessibleName(QString("%1 slice").arg(axes_.name));
   setAccessibleDescription(
       "Arrows move the crosshair, Page Up and Page Down change the slice, plus, minus and 0 zoom, Enter puts a point "
-      "of "
-      "the tool at the crosshair, Delete removes the last measure");
+      "of the tool at the crosshair, Escape puts the tool away, Delete removes the last measure, F shows this view "
+      "alone");
   connect(&scene_, &SliceScene::changed, this, &SliceView::scan_changed);
   connect(&scene_, &SliceScene::focus_changed, this, [this] {
     if (fitted_) fit();
@@ -152,7 +152,11 @@ void SliceView::paintEvent(QPaintEvent*) {
     draw_measures(painter, names);
     draw_seeds(painter, names);
     draw_landmarks(painter, names);
-    names.draw(painter, rect(), pixel_of(scene_.crosshair()));
+    // The letter of each edge, the slice's name and the scale keep their places.
+    const double x = 0.5 * width(), y = 0.5 * height();
+    names.draw(painter, rect(), pixel_of(scene_.crosshair()),
+               {{0, y - 20, 26, 26}, {width() - 26.0, y - 20, 26, 26}, {x - 12, 0, 26, 26},
+                {x - 12, height() - 28.0, 26, 28}, {0, 0, 150, 24}, {width() - 90.0, height() - 34.0, 90, 34}});
     draw_edges(painter);
   }
   painter.setRenderHint(QPainter::Antialiasing, false);
@@ -198,7 +202,7 @@ void SliceView::draw_landmarks(QPainter& painter, Names& names) const {
     painter.drawEllipse(at, 5.0, 5.0);
     painter.setPen(QPen(colour, 1.6));
     painter.drawEllipse(at, 5.0, 5.0);
-    names.add(at, QString::fromStdString(name).replace('_', ' '), colour);
+    names.add(at, words_of(name), colour);
   }
 }
 
@@ -211,7 +215,7 @@ void SliceView::draw_seeds(QPainter& painter, Names& names) const {
       painter.drawLine(p - QPointF(6, 6), p + QPointF(6, 6));
       painter.drawLine(p - QPointF(6, -6), p + QPointF(6, -6));
     }
-    names.add(p, "seed of " + QString::fromStdString(name).replace('_', ' '), theme::kTarget);
+    names.add(p, "seed of " + words_of(name), theme::kTarget);
   }
 }
 
@@ -226,7 +230,7 @@ void SliceView::draw_edges(QPainter& painter) const {
   rimmed_text(painter, {x - 5, 20}, axes_.top, theme::kText);
   rimmed_text(painter, {x - 5, height() - 8.0}, axes_.bottom, theme::kText);
   font.setBold(false);
-  font.setPointSizeF(9.0);
+  font.setPointSizeF(10.0);
   painter.setFont(font);
   const int count = shown_->grid.size[axes_.through];
   rimmed_text(painter, {8, 18}, QString("%1  %2 / %3").arg(axes_.name).arg(scene_.slice_index(plane_) + 1).arg(count),

@@ -11,8 +11,8 @@ namespace vallecula::gui {
 
 /// Mouse: left as the scene's tool says (on a landmark it drags that), right drag window and level, middle or
 /// Shift-left drag pan, wheel slices, Ctrl-wheel zoom. Keys: arrows move the crosshair by a voxel, PgUp PgDn slices, +
-/// - 0 zoom, Enter puts the tool's point at the crosshair, Delete takes the last measure away,
-/// F (or a double click) shows this view alone.
+/// - 0 zoom, Enter puts the tool's point at the crosshair, Escape puts the tool away, Delete takes the last
+/// measure away, F (or a double click) shows this view alone.
 class SliceView : public QWidget {
   Q_OBJECT
  public:

@@ -49,7 +49,7 @@ void SliceView::mouseMoveEvent(QMouseEvent* event) {
   last_ = at;
   scene_.hover(point_at(at));
   if (drag_ == Drag::none && scene_.tool() == SliceTool::crosshair) {
-    const QString name = QString::fromStdString(landmark_near(at)).replace('_', ' ');
+    const QString name = words_of(landmark_near(at));
     setCursor(name.isEmpty() ? Qt::ArrowCursor : Qt::OpenHandCursor);
     setToolTip(name);
   }
@@ -142,12 +142,16 @@ void SliceView::keyPressEvent(QKeyEvent* event) {
     case Qt::Key_Return:
     case Qt::Key_Enter:
       return scene_.put_point(plane_, scene_.crosshair());
+    case Qt::Key_Escape:
+      if (scene_.tool() == SliceTool::crosshair) break;
+      return scene_.set_tool(SliceTool::crosshair);
     case Qt::Key_Delete:
     case Qt::Key_Backspace:
       return scene_.remove_last_measure();
     default:
-      QWidget::keyPressEvent(event);
+      break;
   }
+  QWidget::keyPressEvent(event);
 }
 
 }  // namespace vallecula::gui

@@ -41,6 +41,9 @@ void apply(QApplication& application) {
     QToolButton:focus { border: 1px solid #56b4e9; }
     QToolButton:checked { background: #2f5f8c; border-color: #56b4e9; color: white; }
     QToolButton:disabled { background: #262b32; color: #69717b; border-color: #343b45; }
+    QCheckBox::indicator:unchecked, QTreeView::indicator:unchecked { background: #1f242b; border: 1px solid #969ea8; border-radius: 3px; }
+    QCheckBox::indicator:unchecked:focus { border-color: #56b4e9; }
+    QCheckBox::indicator:unchecked:disabled { border-color: #4a535f; }
     QLineEdit { background: #1f242b; border: 1px solid #3a424d; border-radius: 4px; padding: 4px; }
     QLineEdit:focus { border: 1px solid #56b4e9; }
     QAbstractSpinBox QLineEdit { border: none; padding: 1px; }

@@ -63,29 +63,52 @@ double outside_of(const Grid& box, const Point& p) {
   return std::sqrt(d2);
 }
 
+/// Middles of the triangles that cross others.
+std::vector<Point> places_of(const Surface& s, const std::vector<std::array<int, 2>>& pairs) {
+  std::vector<Point> places;
+  for (const auto& pair : pairs) {
+    const auto& t = s.triangles[pair[0]];
+    places.push_back((1.0 / 3.0) * (s.points[t[0]] + s.points[t[1]] + s.points[t[2]]));
+  }
+  return places;
+}
+
 Surface finished(const Surface& rough, const RemeshOptions& options, const char* name) {
+  constexpr double kReach = 4.0;  // in wanted edges: so far about a crossing the triangles become smaller
+  constexpr double kFiner = 0.6;
+  constexpr int kTries = 3;
   const auto whole = largest_part(rough);
-  const double volume = facts_of(whole).volume_mm3;
+  const double volume = size_of(whole).volume_mm3;
   Surface best;
+  std::vector<Point> crossings;
   std::size_t fewest = 0;
-  // Where a sheet is thinner than the triangles are long, two sides may cross: smaller triangles part them.
-  for (const double factor : {1.0, 0.8, 0.64}) {
+  // Where a sheet is thinner than the triangles are long two sides may cross: smaller triangles there part them.
+  for (int attempt = 0; attempt < kTries; ++attempt) {
     auto finer = options;
-    finer.edge_mm = [&options, factor](const Point& p) { return factor * options.edge_mm(p); };
+    finer.edge_mm = [&](const Point& p) {
+      const double edge = options.edge_mm(p);
+      double factor = 1.0;
+      for (const auto& c : crossings) {
+        if (distance(c, p) < kReach * edge) factor = kFiner;
+      }
+      return factor * edge;
+    };
     const auto even = largest_part(remeshed(whole, finer));
     auto out = mended(inflated(even, inflation_to(even, volume)));
-    const auto left = self_intersections(out).size();
-    if (best.triangles.empty() || left < fewest) {
-      best = std::move(out);
-      fewest = left;
-    }
+    const auto left = self_intersections(out);
+    const bool better = attempt == 0 || left.size() < fewest;
+    const auto places = places_of(out, left);
+    crossings.insert(crossings.end(), places.begin(), places.end());
+    if (!better) break;
+    best = std::move(out);
+    fewest = left.size();
     if (fewest == 0) break;
   }
   require_solid(best, name);
   return best;
 }
 
-Surface face_surface(const Segmentation& s, const AnatomyFields& f) {
+Surface face_surface(const Segmentation& s, const AnatomyFields& f, const std::function<void(double)>& progress) {
   const double k = s.frame.scale;
   const auto [low, high] = corners(s.hu.grid);
   const auto throat = cropped(s.hu.grid, s.throat);
@@ -116,8 +139,10 @@ Surface face_surface(const Segmentation& s, const AnatomyFields& f) {
                    gum[2] + 8.0 * k - mouth.origin[2]};
   RemeshOptions options;
   options.rounds = 4;
+  options.progress = [&progress](double done) { progress(0.1 + 0.7 * done); };
   options.edge_mm = [mouth, k](const Point& p) { return graded(0.85 * k, 2.6 * k, outside_of(mouth, p), 45.0 * k); };
   const auto rough = isosurface(axes, values);
+  progress(0.1);
   auto face = finished(rough, options, "the face");
   face.tissue = face_tissue(face, s);
   smooth_tissue_borders(face, rough, 8);
@@ -180,16 +205,17 @@ Surface glottis_surface(const Segmentation& s) {
 }  // namespace
 
 std::map<std::string, Surface> surfaces_of(const Segmentation& s, const AnatomyFields& f,
-                                           const std::function<void(double)>& progress) {
-  const auto say = [&](double done) {
-    if (progress) progress(done);
+                                           const std::function<void(const std::string&, double)>& progress) {
+  const auto say = [&](const char* part, double done) {
+    if (progress) progress(part, done);
   };
   const double k = s.frame.scale;
   std::map<std::string, Surface> out;
-  out["face"] = face_surface(s, f);
-  say(0.6);
+  say("face", 0.0);
+  out["face"] = face_surface(s, f, [&](double done) { say("face", 0.8 * done); });
+  say("airway", 0.8);
   out["airway"] = airway_surface(s, f);
-  say(0.8);
+  say("jaw and palate", 0.9);
   if (count(s.bones.mandible) == 0)
     throw std::runtime_error(
         "the lower jaw could not be parted from the skull, so it has no surface; the series must show the whole jaw");
@@ -202,7 +228,7 @@ std::map<std::string, Surface> surfaces_of(const Segmentation& s, const AnatomyF
   out["palate"] = bone_surface(bone_field(s, kSkull, maxilla, any_of(without(s.bones.skull, maxilla), s.bones.mandible)),
                                1.4 * k, "the palate");
   out["glottis"] = glottis_surface(s);
-  say(1.0);
+  say("jaw and palate", 1.0);
   return out;
 }
 

@@ -13,7 +13,7 @@ namespace vallecula::pipeline {
 /// Keys as in kSurfaces. Every one but "glottis" (an outline, fanned) is closed, manifold and looks outwards; throws
 /// std::runtime_error otherwise. None should cross itself: the quality report counts what could not be mended. Sizes are chosen for drawing: fine about mouth and airway, coarse on the scalp.
 std::map<std::string, Surface> surfaces_of(const Segmentation& s, const AnatomyFields& fields,
-                                           const std::function<void(double)>& progress = {});
+                                           const std::function<void(const std::string&, double)>& progress = {});
 
 /// Fewest and most tetrahedra that can be asked for.
 constexpr int kFewestTetrahedra = 1000;

@@ -29,7 +29,7 @@ double inflation_to(const Surface& surface, double volume_mm3, const InflationSh
   double by = 0.0;
   // Only a part of the area may move: each round leaves that part's share of what was still missing.
   for (int round = 0; round < 8; ++round) {
-    const auto f = facts_of(inflated(surface, by, share));
+    const auto f = size_of(inflated(surface, by, share));
     by += (volume_mm3 - f.volume_mm3) / f.area_mm2;
   }
   return by;

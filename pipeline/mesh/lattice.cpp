@@ -48,7 +48,7 @@ class Buckets {
 }  // namespace
 
 std::vector<Point> lattice_inside(const Surface& surface, const std::function<double(const Point&)>& edge_mm) {
-  const TriangleTree border(surface);
+  const SurfaceDistance border(surface);
   Point low = surface.points.front();
   Point high = low;
   double finest = 1e300;
@@ -78,7 +78,7 @@ std::vector<Point> lattice_inside(const Surface& surface, const std::function<do
             const Point p{x, y, z};
             const double wanted = edge_mm(p);
             if (wanted > level * 1.001 * 1.5 || (wanted < level / 1.5 && level > finest)) continue;
-            if (-border.signed_distance(p) < 0.6 * wanted || taken.any_within(p, 0.8 * wanted)) continue;
+            if (-border.at(p) < 0.6 * wanted || taken.any_within(p, 0.8 * wanted)) continue;
             points.push_back(p);
             taken.add(p);
           }

@@ -5,9 +5,9 @@
 
 namespace vallecula::pipeline {
 
-/// Smooths about the crossings alone, wider every few rounds, until none is left or nothing more is gained; triangles
-/// and everything away from the crossings stay. (Folds of a few triangles are what remeshing leaves; two sheets pushed
-/// through each other may stay.) Returns the best that was reached: ask self_intersections() for what is left.
+/// Smooths about the crossings alone, or moves them along their normals where two sheets have passed through each other,
+/// wider every few rounds, as long as something is gained; triangles and everything away from the crossings stay.
+/// Returns the best that was reached: ask self_intersections() for what is left.
 Surface mended(const Surface& surface);
 
 }  // namespace vallecula::pipeline

@@ -317,6 +317,7 @@ Surface remeshed(const Surface& surface, const RemeshOptions& options) {
     mesh.collapse_short();
     mesh.flip_for_valence();
     mesh.relax(reference);
+    if (options.progress) options.progress((round + 1.0) / options.rounds);
   }
   return mesh.result();
 }

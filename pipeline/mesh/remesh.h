@@ -10,6 +10,7 @@ namespace vallecula::pipeline {
 struct RemeshOptions {
   std::function<double(const Point&)> edge_mm;  ///< wanted edge length at a place
   int rounds = 6;
+  std::function<void(double)> progress;  ///< the share of the rounds done; may be empty; what it throws ends the work
 };
 
 /// Splits, collapses and flips edges, relaxes points along the surface and puts them back onto `surface` (Botsch and

@@ -60,7 +60,7 @@ SoftSurface soft_surface(const Segmentation& s, const Volume<float>& field, doub
   const auto share = [&](const Point& p) {
     return leaf ? std::clamp(value_at(*to_leaf, p) / (4.0 * k), 0.0, 1.0) : 1.0;
   };
-  const double by = inflation_to(even, facts_of(out.fine).volume_mm3, share);
+  const double by = inflation_to(even, size_of(out.fine).volume_mm3, share);
   out.mesh = mended(inflated(even, by, share));
   out.track = inflated(out.fine, by, share);
   return out;

@@ -66,8 +66,23 @@ std::vector<int> part_of_triangles(const Surface& s, int& parts) {
 
 }  // namespace
 
+SurfaceSize size_of(const Surface& s) {
+  SurfaceSize size;
+  for (const auto& t : s.triangles) {
+    const Vector3 a = s.points[t[0]];
+    const Vector3 b = s.points[t[1]];
+    const Vector3 c = s.points[t[2]];
+    size.area_mm2 += 0.5 * norm(cross(b - a, c - a));
+    size.volume_mm3 += dot(a, cross(b, c)) / 6.0;
+  }
+  return size;
+}
+
 SurfaceFacts facts_of(const Surface& s) {
   SurfaceFacts f;
+  const auto size = size_of(s);
+  f.volume_mm3 = size.volume_mm3;
+  f.area_mm2 = size.area_mm2;
   const auto note = [&](bool& flag, const std::string& words) {
     flag = false;
     if (f.fault.empty()) f.fault = words;
@@ -85,8 +100,6 @@ SurfaceFacts facts_of(const Surface& s) {
     const Vector3 a = s.points[tri[0]];
     const Vector3 b = s.points[tri[1]];
     const Vector3 c = s.points[tri[2]];
-    f.area_mm2 += 0.5 * norm(cross(b - a, c - a));
-    f.volume_mm3 += dot(a, cross(b, c)) / 6.0;
     const std::array<Vector3, 3> p{a, b, c};
     for (int k = 0; k < 3; ++k) {
       const auto u = unit(p[(k + 1) % 3] - p[k]);

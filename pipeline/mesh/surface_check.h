@@ -20,6 +20,14 @@ struct SurfaceFacts {
 
 SurfaceFacts facts_of(const Surface& surface);
 
+struct SurfaceSize {
+  double volume_mm3 = 0.0;  ///< signed, as above
+  double area_mm2 = 0.0;
+};
+
+/// These two alone, without looking at how the triangles hang together.
+SurfaceSize size_of(const Surface& surface);
+
 /// Throws std::runtime_error naming `what` and the fault, unless the surface is finite, closed, manifold, not flat and
 /// looks outwards.
 void require_solid(const Surface& surface, const std::string& what);

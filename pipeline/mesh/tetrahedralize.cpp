@@ -118,7 +118,7 @@ void check_result(const TetMesh& mesh, const Surface& surface) {
   const auto quality = quality_of(mesh);
   if (!(quality.smallest_volume_mm3 > 0.0))
     throw TetrahedralizeError("mesh generator: a tetrahedron is flat or inverted");
-  const double expected = facts_of(surface).volume_mm3;
+  const double expected = size_of(surface).volume_mm3;
   if (std::abs(quality.volume_mm3 - expected) > 1e-6 * expected) {
     throw TetrahedralizeError("mesh generator: the tetrahedra do not fill the surface");
   }

@@ -65,29 +65,9 @@ TriangleTree::TriangleTree(const Surface& surface) : surface_(surface) {
   const auto& triangles = surface_.triangles;
   if (triangles.empty()) return;
   std::vector<Point> centres(triangles.size());
-  std::vector<Vector3> normals(triangles.size());
-  point_normals_.assign(surface_.points.size(), Point{});
-  std::unordered_map<std::uint64_t, int> owner;
-  owner.reserve(3 * triangles.size());
   for (std::size_t t = 0; t < triangles.size(); ++t) {
     const auto& c = triangles[t];
-    const std::array<Point, 3> p{surface_.points[c[0]], surface_.points[c[1]], surface_.points[c[2]]};
-    centres[t] = (1.0 / 3.0) * (p[0] + p[1] + p[2]);
-    normals[t] = unit(cross(p[1] - p[0], p[2] - p[0]));
-    for (int k = 0; k < 3; ++k) {
-      const double angle =
-          std::acos(std::clamp(dot(unit(p[(k + 1) % 3] - p[k]), unit(p[(k + 2) % 3] - p[k])), -1.0, 1.0));
-      point_normals_[c[k]] = point_normals_[c[k]] + angle * normals[t];
-      owner[directed(c[k], c[(k + 1) % 3])] = static_cast<int>(t);
-    }
-  }
-  edge_normals_.resize(triangles.size());
-  for (std::size_t t = 0; t < triangles.size(); ++t) {
-    const auto& c = triangles[t];
-    for (int k = 0; k < 3; ++k) {
-      const auto other = owner.find(directed(c[(k + 1) % 3], c[k]));
-      edge_normals_[t][k] = other == owner.end() ? normals[t] : normals[t] + normals[other->second];
-    }
+    centres[t] = (1.0 / 3.0) * (surface_.points[c[0]] + surface_.points[c[1]] + surface_.points[c[2]]);
   }
   order_.resize(triangles.size());
   std::iota(order_.begin(), order_.end(), 0);
@@ -169,13 +149,41 @@ TriangleTree::Nearest TriangleTree::nearest(const Point& p) const {
   return best;
 }
 
-double TriangleTree::signed_distance(const Point& p) const {
-  const auto at = nearest(p);
+SurfaceDistance::SurfaceDistance(const Surface& surface) : tree_(surface) {
+  const auto& triangles = surface.triangles;
+  std::vector<Vector3> normals(triangles.size());
+  point_normals_.assign(surface.points.size(), Point{});
+  std::unordered_map<std::uint64_t, int> owner;
+  owner.reserve(3 * triangles.size());
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    const auto& c = triangles[t];
+    const std::array<Point, 3> p{surface.points[c[0]], surface.points[c[1]], surface.points[c[2]]};
+    normals[t] = unit(cross(p[1] - p[0], p[2] - p[0]));
+    for (int k = 0; k < 3; ++k) {
+      const double angle =
+          std::acos(std::clamp(dot(unit(p[(k + 1) % 3] - p[k]), unit(p[(k + 2) % 3] - p[k])), -1.0, 1.0));
+      point_normals_[c[k]] = point_normals_[c[k]] + angle * normals[t];
+      owner[directed(c[k], c[(k + 1) % 3])] = static_cast<int>(t);
+    }
+  }
+  edge_normals_.resize(triangles.size());
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    const auto& c = triangles[t];
+    for (int k = 0; k < 3; ++k) {
+      const auto other = owner.find(directed(c[(k + 1) % 3], c[k]));
+      edge_normals_[t][k] = other == owner.end() ? normals[t] : normals[t] + normals[other->second];
+    }
+  }
+}
+
+double SurfaceDistance::at(const Point& p) const {
+  const auto at = tree_.nearest(p);
   if (at.triangle < 0) return 1e9;
-  const auto& c = surface_.triangles[at.triangle];
-  const auto& a = surface_.points[c[0]];
-  const auto& b = surface_.points[c[1]];
-  const auto& d = surface_.points[c[2]];
+  const auto& surface = tree_.surface();
+  const auto& c = surface.triangles[at.triangle];
+  const auto& a = surface.points[c[0]];
+  const auto& b = surface.points[c[1]];
+  const auto& d = surface.points[c[2]];
   const auto on = nearest_on(p, a, b, d);
   const Vector3 normal = on.corner >= 0 ? point_normals_[c[on.corner]]
                          : on.edge >= 0 ? edge_normals_[at.triangle][on.edge]

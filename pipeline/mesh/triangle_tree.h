@@ -1,4 +1,5 @@
-// A tree of boxes about the triangles of a surface: the nearest point, and which triangles come near each other.
+// A tree of boxes about the triangles of a surface: the nearest point, which triangles come near each other, which side
+// a point lies on.
 #pragma once
 
 #include <vector>
@@ -19,9 +20,7 @@ class TriangleTree {
   };
   Nearest nearest(const Point& p) const;
 
-  /// Distance of a point from the surface, mm: negative inside of a closed one that looks outwards (by the
-  /// angle-weighted normal at the nearest point, Baerentzen and Aanaes 2005).
-  double signed_distance(const Point& p) const;
+  const Surface& surface() const { return surface_; }
 
   /// Calls visit(triangle) for every triangle whose box meets the closed box.
   template <class Visit>
@@ -56,6 +55,20 @@ class TriangleTree {
   Surface surface_;
   std::vector<Node> nodes_;
   std::vector<int> order_;
+};
+
+/// Distance of points from a surface with the side they lie on, by the angle-weighted normal at the nearest point
+/// (Baerentzen and Aanaes 2005).
+class SurfaceDistance {
+ public:
+  /// `surface` is copied; it may be empty.
+  explicit SurfaceDistance(const Surface& surface);
+
+  /// mm; negative inside of a closed surface that looks outwards.
+  double at(const Point& p) const;
+
+ private:
+  TriangleTree tree_;
   std::vector<Point> point_normals_;
   std::vector<std::array<Point, 3>> edge_normals_;  ///< of the edges that begin at a triangle's corners
 };

@@ -1,5 +1,7 @@
 #include "pipeline/package/origin.h"
 
+#include <algorithm>
+
 namespace vallecula::pipeline {
 
 const char* name_of(Origin origin) {
@@ -22,6 +24,12 @@ bool origin_from(const std::string& text, Origin& origin) {
     return true;
   }
   return false;
+}
+
+std::string words_of(std::string name) {
+  if (name.rfind("bone_", 0) == 0) name.erase(0, 5);
+  std::replace(name.begin(), name.end(), '_', ' ');
+  return name;
 }
 
 bool PoseChange::moved() const {

@@ -23,6 +23,9 @@ const char* name_of(Origin origin);
 /// The inverse; false when `text` is none of them.
 bool origin_from(const std::string& text, Origin& origin);
 
+/// A structure's or landmark's name for a person: "mandible" for "bone_mandible", "upper gum midline".
+std::string words_of(std::string name);
+
 /// From the scan's frame to the package's. The rigid part (and the scale) is `scan_to_package`; the rest moved only
 /// some structures.
 struct PoseChange {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -47,7 +48,7 @@ struct Material {
 
 struct QualityItem {
   std::string name;  ///< "tongue volume"
-  double value = 0.0;
+  std::optional<double> value;  ///< none: what it says is in the note
   std::string unit;
   bool ok = true;  ///< false: to be looked at
   std::string note;

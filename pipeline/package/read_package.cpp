@@ -113,7 +113,7 @@ void read_description(const YAML::Node& root, PatientPackage& package) {
   for (const auto& item : required(root, "quality")) {
     QualityItem q;
     q.name = required(item, "name").as<std::string>();
-    q.value = required(item, "value").as<double>();
+    if (item["value"]) q.value = item["value"].as<double>();  // a remark has no figure
     q.unit = required(item, "unit").as<std::string>();
     q.judged = static_cast<bool>(item["ok"]);  // a figure without a verdict has none in the file
     if (q.judged) q.ok = item["ok"].as<bool>();

@@ -89,8 +89,9 @@ std::string described(const PatientPackage& package, const std::map<std::string,
   y << YAML::EndMap;
   y << YAML::Key << "quality" << YAML::Value << YAML::BeginSeq;
   for (const auto& q : package.quality) {
-    y << YAML::BeginMap << YAML::Key << "name" << YAML::Value << YAML::DoubleQuoted << q.name << YAML::Key << "value"
-      << YAML::Value << q.value << YAML::Key << "unit" << YAML::Value << YAML::DoubleQuoted << q.unit;
+    y << YAML::BeginMap << YAML::Key << "name" << YAML::Value << YAML::DoubleQuoted << q.name;
+    if (q.value) y << YAML::Key << "value" << YAML::Value << *q.value;
+    y << YAML::Key << "unit" << YAML::Value << YAML::DoubleQuoted << q.unit;
     if (q.judged) y << YAML::Key << "ok" << YAML::Value << q.ok;
     y << YAML::Key << "note" << YAML::Value << YAML::DoubleQuoted << q.note << YAML::EndMap;
   }

@@ -177,7 +177,7 @@ Bones find_bones(const Hounsfield& hu, const Thresholds& t, const Frame& frame, 
         const double px = std::abs(g.origin[0] + x * g.spacing[0] - frame.mid_x);
         if (pz > skull_from) {
           markers.voxels[i] = kSkullMarker;
-        } else if (pz < naso_top - 15.0 * s && px < 9.0 * s && py > y_back[z] && py < y_back[z] + 20.0 * s) {
+        } else if (pz < naso_top - 18.0 * s && px < 9.0 * s && py > y_back[z] && py < y_back[z] + 20.0 * s) {
           markers.voxels[i] = kSpineMarker;
         }
       }

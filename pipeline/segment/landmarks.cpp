@@ -4,6 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "pipeline/segment/free_line.h"
+
 namespace vallecula::pipeline {
 namespace {
 
@@ -227,15 +229,13 @@ bool middle_of_hyoid(const Segmentation& s, Vector3& middle) {
   return true;
 }
 
-/// The operator looks from the glottis past the upper gum as steeply as it allows: 3.6 mm (term) clear of it, which is
-/// how the manikin's line of sight was designed (ANATOMY). The eye is 320 mm from the gum whatever the patient's size:
-/// that is the operator's own measure.
-Vector3 operator_eye(const Vector3& gum, const Vector3& glottis, double scale) {
+/// Where the operator's eye is when the line from the glottis passes the upper gum `turn` (rad) clear of it. 320 mm from
+/// the gum whatever the patient's size: that is the operator's own measure.
+Vector3 eye_past(const Vector3& gum, const Vector3& glottis, double turn) {
   constexpr double kEyeToGum = 320.0;
   const double gy = gum[1] - glottis[1];
   const double gz = gum[2] - glottis[2];
   const double length = std::hypot(gy, gz);
-  const double turn = std::asin(std::clamp(3.6 * scale / length, 0.0, 0.5));
   // Turned away from the gum, towards the tongue: forwards.
   const double dy = (std::cos(turn) * gy - std::sin(turn) * gz) / length;
   const double dz = (std::sin(turn) * gy + std::cos(turn) * gz) / length;
@@ -243,6 +243,32 @@ Vector3 operator_eye(const Vector3& gum, const Vector3& glottis, double scale) {
   const double off2 = length * length - along * along;
   const double t = along + std::sqrt(std::max(0.0, kEyeToGum * kEyeToGum - off2));
   return {gum[0], glottis[1] + t * dy, glottis[2] + t * dz};
+}
+
+/// The operator looks past the upper gum as steeply as it allows: 3.6 mm (term) clear of it, which is how the manikin's
+/// line of sight was designed (ANATOMY). Where a lip or a tooth stands before the gum, from where most can be seen.
+Vector3 operator_eye(Segmentation& s, const Vector3& gum) {
+  constexpr double kClearEnough = 0.8;
+  constexpr double kStep = 0.25 * 3.14159265358979323846 / 180.0;
+  constexpr int kLower = 60;  ///< steps: 15 degrees
+  const auto& glottis = s.airway.glottis.centre;
+  const double length = std::hypot(gum[1] - glottis[1], gum[2] - glottis[2]);
+  const double turn = std::asin(std::clamp(3.6 * s.frame.scale / length, 0.0, 0.5));
+  const auto planned = eye_past(gum, glottis, turn);
+  double most = free_share(s, planned);
+  if (most >= kClearEnough) return planned;
+  double chosen = turn;
+  for (int n = -static_cast<int>(turn / kStep); n <= kLower; ++n) {
+    const double share = free_share(s, eye_past(gum, glottis, turn + n * kStep));
+    if (share <= most) continue;
+    most = share;
+    chosen = turn + n * kStep;
+  }
+  if (chosen == turn) return planned;
+  s.findings["operator_eye"] = {Origin::inferred,
+                                "a lip, a tooth or the throat stands in the usual line past the upper gum; placed where "
+                                "most of the glottis could be seen past what does not give way"};
+  return eye_past(gum, glottis, chosen);
 }
 
 }  // namespace
@@ -289,7 +315,7 @@ void find_landmarks(Segmentation& s, const std::map<std::string, Point>& given) 
     return Vector3(m["vallecula"]) + k * Vector3{0.0, -6.0, 0.0};
   });
   m["condyle_axis"] = or_found("condyle_axis", [&] { return condyles(s, upper); });
-  m["operator_eye"] = or_found("operator_eye", [&] { return operator_eye(upper, glottis, k); });
+  m["operator_eye"] = or_found("operator_eye", [&] { return operator_eye(s, upper); });
   for (const auto* name : kLandmarks) {
     for (const double v : m.at(name)) {
       if (!std::isfinite(v))

@@ -33,7 +33,8 @@ void put(const Mask& mask, std::uint8_t label, Labels& labels) {
 }
 
 /// What is found inside mouth and throat, on a grid of its own.
-void label_throat(Segmentation& s, const Given& given, const std::function<void(double)>& progress) {
+void label_throat(Segmentation& s, const Given& given,
+                  const std::function<void(const char*, double)>& progress) {
   s.throat = throat_of(s, given);
   const auto crop = [&](const auto& v) { return cropped(v, s.throat); };
   const auto hu = crop(s.hu);
@@ -73,7 +74,7 @@ void label_throat(Segmentation& s, const Given& given, const std::function<void(
   }
   s.epiglottis.tip = given.landmark("epiglottis_tip").value_or(s.epiglottis.tip);
   s.epiglottis.vallecula = given.landmark("vallecula").value_or(s.epiglottis.vallecula);
-  progress(0.2);
+  progress("tongue", 0.2);
   const auto bounds = bound_mouth(body, lumen, skull, mandible, hyoid, s.airway, s.epiglottis, s.frame);
   bool resting = false;  // does the tongue fill the mouth, with no air over it?
   const auto tongue = structure(kTongue, "tongue", [&] {
@@ -98,7 +99,7 @@ void label_throat(Segmentation& s, const Given& given, const std::function<void(
                                            "grey values show no border, by the usual course of the muscles of the floor"
                                          : "the mouth is closed: grown from the point given, to half way to bone"};
   }
-  progress(0.7);
+  progress("soft palate and larynx", 0.7);
   const bool against = resting && bounds.found;
   const auto palate = structure(kSoftPalate, "soft_palate", [&] {
     if (against) return without(bounds.soft_palate, any_of(tongue, s.epiglottis.mask));
@@ -121,7 +122,7 @@ void label_throat(Segmentation& s, const Given& given, const std::function<void(
   put(tongue, kTongue, labels);
   put(s.epiglottis.mask, kEpiglottis, labels);
   paste(labels, s.throat, s.labels);
-  progress(1.0);
+  progress("soft palate and larynx", 1.0);
 }
 
 /// The airway from its hints, and the glottis and the carina where a person put them.
@@ -212,7 +213,7 @@ Segmentation segment(const Hounsfield& series, const Edits& edits_on_scan,
     auto here = cropped(body, s.box);
     body = Mask();
     s.frame = frame_of(s.hu, here, s.thresholds);
-    say("head", 0.15);
+    say("head", 0.1);
     s.pose = find_pose(s.hu, here, s.frame);
     if (s.pose.moved()) {
       // From here on all lies in the package's frame.
@@ -231,7 +232,7 @@ Segmentation segment(const Hounsfield& series, const Edits& edits_on_scan,
   const Given given(edits, s.hu.grid);
   given.put_into(s.head, s.hu, s.thresholds.air);
   s.replaced = given.edits().replaced;
-  say("airway", 0.45);
+  say("airway", 0.5);
   const auto cords_at = cords_around(tubes, s.frame.scale);
   s.airway = airway_of(s, given, cords_at);
   if (!tubes.empty()) s.findings["airway"] = {Origin::inferred, describe(tubes, s.head, s.airway, s.frame.scale)};
@@ -241,7 +242,7 @@ Segmentation segment(const Hounsfield& series, const Edits& edits_on_scan,
                        "windpipe lay all around it"};
     for (const auto* name : {"glottis_centre", "glottis_normal"}) s.findings[name] = held;
   }
-  say("bone", 0.55);
+  say("bones", 0.55);
   s.bones = bones_of(s, given);
 
   if (s.bones.mandible_free) {
@@ -256,7 +257,7 @@ Segmentation segment(const Hounsfield& series, const Edits& edits_on_scan,
   put(s.bones.skull, kSkull, s.labels);
   put(s.bones.mandible, kMandible, s.labels);
   put(s.airway.lumen, kAirway, s.labels);
-  say("tongue and throat", 0.65);
+  say("epiglottis", 0.72);
   if (const auto tongue_seed = given.seed("tongue")) {
     const auto c = s.hu.grid.nearest(*tongue_seed);
     if (!s.hu.grid.contains(c[0], c[1], c[2]) || s.head.inside.at(c[0], c[1], c[2]) == 0) {
@@ -265,11 +266,11 @@ Segmentation segment(const Hounsfield& series, const Edits& edits_on_scan,
           "head)");
     }
   }
-  label_throat(s, given, [&](double f) { say("tongue and throat", 0.65 + 0.3 * f); });
+  label_throat(s, given, [&](const char* what, double f) { say(what, 0.72 + 0.25 * f); });
   if (!s.bones.mandible_free)
     s.findings["bone_mandible"] = {Origin::inferred, "could not be parted from the skull; it is labelled bone_skull"};
   given.put_into(s.labels, s.head.inside);
-  say("landmarks", 0.95);
+  say("landmarks", 0.97);
   find_landmarks(s, edits.landmarks);
   given.name_origins(s.findings);
   name_measured(s);

@@ -25,20 +25,6 @@ Volume<float> smoothed_tissue(const Hounsfield& hu, const Mask& body, const Thre
   return value;
 }
 
-/// Standard deviation of what is left of the noise where the tissue is the same throughout.
-double noise_of(const Volume<float>& tissue, const Mask& where) {
-  double sum = 0.0;
-  double squares = 0.0;
-  double n = 0.0;
-  for (std::size_t i = 0; i < where.voxels.size(); ++i) {
-    if (where.voxels[i] == 0) continue;
-    sum += tissue.voxels[i];
-    squares += static_cast<double>(tissue.voxels[i]) * tissue.voxels[i];
-    n += 1.0;
-  }
-  return n > 1.0 ? std::sqrt(std::max(0.0, squares / n - sum * sum / (n * n))) : 0.0;
-}
-
 /// The tissue first met going down from the air under the palate, a little below its surface.
 Mask seed_under_dorsum(const TongueSearch& in, const Volume<float>& tissue, const Volume<float>& to_air,
                        const Volume<float>& to_bone) {
@@ -174,13 +160,12 @@ Tongue find_tongue(const TongueSearch& in, const MouthBounds& bounds) {
     if (near_bone || other) markers.voxels[i] = kOtherMarker;
   }
   // Both the dark fat plane and the bright rim of the hyoid, which lies in it, are ridges; to cross one costs as much
-  // as a way of tens of mm.
-  const double quiet = std::max(12.0, 2.5 * noise_of(tissue, seed));
+  // as a way of tens of mm. Grain is not told from a faint ridge: it makes the way dearer for both parties alike, while
+  // what it breaks out of the plane lets one of them through.
   Volume<float> cost(g);
   for (std::size_t i = 0; i < cost.voxels.size(); ++i) {
     const double off = tissue.voxels[i] - in.t.soft;
-    const double ridge =
-        off < 0.0 ? std::clamp((-off - quiet) / 60.0, 0.0, 1.0) : std::clamp((off - quiet - 28.0) / 100.0, 0.0, 1.0);
+    const double ridge = std::clamp(off < 0.0 ? -off / 60.0 : (off - 28.0) / 100.0, 0.0, 1.0);
     cost.voxels[i] = static_cast<float>(1.0 + 60.0 * ridge);
   }
   const auto shares = shared_by_travel(cost, markers, allowed);

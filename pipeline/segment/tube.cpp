@@ -4,212 +4,19 @@
 #include <cmath>
 #include <limits>
 
+#include "pipeline/segment/tube_course.h"
+
 namespace vallecula::pipeline {
 namespace {
 
 // A tube's own measures, mm: they do not grow with the patient.
-constexpr double kWallReach = 1.4;    // the blurred wall's crest lies this near to its inner border
-constexpr double kLargest = 5.6;      // inner radius: 11 mm outside is an adult's largest tube
 constexpr double kThickestRod = 2.0;  // radius of a feeding tube
-constexpr double kStep = 0.5;         // between cuts along a tube
-constexpr double kRayStep = 0.15;
-constexpr double kLumen = -600.0;  // HU: darker is the air inside a tube
-constexpr double kThinTube = 2.6;  // diameter: below it a feeding tube, above it one for the windpipe
-constexpr double kGap = 4.0;       // a tube is carried on over so much that does not look like one
-
-/// The grey values along one ray from a tube's middle, across its wall.
-struct Ray {
-  bool wall = false;   ///< is there anything like a wall?
-  double inner = 0.0;  ///< where the wall begins
-  double crest = 0.0;  ///< radius of the brightest
-  double peak = 0.0;   ///< HU there
-  double after = 0.0;  ///< the darkest shortly behind it, HU
-};
-
-/// One cut across a tube.
-struct Cut {
-  Vector3 centre{};
-  double radius = 0.0;  ///< of the lumen when hollow, else outside
-  double outer = 0.0;   ///< outside, without the scanner's blur
-  double round = 0.0;   ///< share of the rays that agree on the radius
-  double thin = 0.0;    ///< share that find it darker behind the wall
-  double bare = 0.0;    ///< share that find air there
-  double peak = 0.0;    ///< HU
-};
-
-double median(std::vector<double>& values) {
-  if (values.empty()) return 0.0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
-class Finder {
- public:
-  Finder(const Volume<float>& hu, const Thresholds& t, bool hollow) : hu_(hu), t_(t), hollow_(hollow) {
-    const auto& d = hu.grid.spacing;
-    blur_ = std::max(0.8, 1.6 * std::max(d[0], d[1]));
-    drop_ = std::max(150.0, 5.0 * t.noise);
-  }
-
-  double blur() const { return blur_; }
-
-  /// `radius` is the tube's when it is known, else 0.
-  bool cut(const Vector3& at, const Vector3& direction, double radius, int rays, Cut& out) const {
-    const auto [u, v] = across(direction);
-    out = Cut();
-    out.centre = at;
-    const int turns = rays < kRays ? 1 : 3;
-    std::array<Ray, kRays> seen;
-    std::array<Vector3, kRays> way;
-    for (int turn = 0; turn < turns; ++turn) {
-      std::vector<double> radii;
-      for (int k = 0; k < rays; ++k) {
-        const double angle = 6.283185307179586 * k / rays;
-        way[k] = std::cos(angle) * u + std::sin(angle) * v;
-        seen[k] = ray(out.centre, way[k]);
-        if (seen[k].wall && (hollow_ || is_thin(seen[k]))) radii.push_back(border(out.centre, way[k], seen[k]));
-      }
-      if (static_cast<int>(radii.size()) < rays / 2) return false;
-      const double middle = radius > 0.0 ? radius : median(radii);
-      const double within = std::max(0.3, 0.15 * middle);
-      out.radius = 0.0;
-      Vector3 off{};
-      int agreed = 0;
-      int thin = 0;
-      int bare = 0;
-      std::vector<double> peaks;
-      std::vector<double> outers;
-      for (int k = 0; k < rays; ++k) {
-        if (!seen[k].wall || (!hollow_ && !is_thin(seen[k]))) continue;
-        const double r = border(out.centre, way[k], seen[k]);
-        off = off + (2.0 / rays * std::clamp(r - middle, -0.6, 0.6)) * way[k];
-        // A last turn judges; the ones before bring the middle to the middle.
-        if (std::abs(r - middle) > (turn + 1 < turns || turns == 1 ? 2.0 : 1.0) * within) continue;
-        ++agreed;
-        out.radius += r;
-        peaks.push_back(seen[k].peak);
-        if (!is_thin(seen[k])) continue;
-        ++thin;
-        bare += seen[k].after < t_.air ? 1 : 0;
-        outers.push_back(outside(out.centre, way[k], seen[k]));
-      }
-      if (agreed == 0) return false;
-      out.radius /= agreed;
-      out.round = static_cast<double>(agreed) / rays;
-      out.thin = static_cast<double>(thin) / rays;
-      out.bare = static_cast<double>(bare) / rays;
-      out.peak = median(peaks);
-      out.outer = median(outers);
-      if (turn + 1 < turns) out.centre = out.centre + off;
-    }
-    return true;
-  }
-
-  /// Both ways from a cut; the cuts in order. Empty when it is no tube.
-  std::vector<Cut> follow(const Cut& start, const Vector3& direction) const {
-    std::vector<Cut> all;
-    for (const double way : {-1.0, 1.0}) {
-      auto part = follow_one_way(start, way * direction);
-      if (way < 0.0) std::reverse(part.begin(), part.end());
-      all.insert(all.end(), part.begin(), part.end());
-      if (way < 0.0) all.push_back(start);
-    }
-    return all;
-  }
-
-  static constexpr int kRays = 24;
-
- private:
-  bool is_thin(const Ray& r) const { return r.peak - r.after >= drop_; }
-  double value(const Vector3& p) const { return value_at(hu_, p); }
-
-  Ray ray(const Vector3& from, const Vector3& way) const {
-    Ray out;
-    double r = 0.0;
-    if (hollow_) {
-      while (r < kLargest && value(from + r * way) < kLumen) r += kRayStep;
-      if (r >= kLargest || r < 0.4) return out;
-    }
-    out.inner = r;
-    out.peak = -1e9;
-    for (; r < out.inner + kWallReach; r += kRayStep) {
-      const double v = value(from + r * way);
-      if (v > out.peak) {
-        out.peak = v;
-        out.crest = r;
-      } else if (v < out.peak - drop_) {
-        break;
-      }
-    }
-    out.after = out.peak;
-    for (r = out.crest; r < out.crest + kWallReach; r += kRayStep)
-      out.after = std::min(out.after, value(from + r * way));
-    out.wall = out.peak > kLumen + 150.0;
-    return out;
-  }
-  /// From the crest outwards, half way down.
-  double half_way_out(const Vector3& from, const Vector3& way, const Ray& r) const {
-    double at = r.crest;
-    while (at < r.crest + kWallReach && value(from + at * way) > 0.5 * (r.peak + r.after)) at += 0.5 * kRayStep;
-    return at;
-  }
-  /// What the radius is told by.
-  double border(const Vector3& from, const Vector3& way, const Ray& r) const {
-    return hollow_ ? r.inner : half_way_out(from, way, r);
-  }
-  /// The wall's outer side: half the width at half height is more than half the wall, by the blur.
-  double outside(const Vector3& from, const Vector3& way, const Ray& r) const {
-    const double out = half_way_out(from, way, r);
-    if (!hollow_) return out;
-    double in = r.crest;
-    while (in > 0.0 && value(from + in * way) > 0.5 * (r.peak - 1000.0)) in -= 0.5 * kRayStep;
-    const double broad = out - in;
-    return 0.5 * (in + out) + 0.5 * std::clamp(std::sqrt(std::max(0.0, broad * broad - blur_ * blur_)), 0.3, 1.2);
-  }
-
-  std::vector<Cut> follow_one_way(const Cut& start, Vector3 direction) const {
-    std::vector<Cut> cuts{start};
-    std::size_t good = 1;
-    Vector3 at = start.centre;
-    for (double gap = 0.0; gap <= kGap && cuts.size() < 1000;) {
-      at = at + kStep * direction;
-      const auto c = hu_.grid.nearest(at);
-      if (!hu_.grid.contains(c[0], c[1], c[2])) break;
-      Cut next;
-      bool fits = false;
-      const auto [u, v] = across(direction);
-      for (const auto& lean : {Vector3{}, 0.3 * v, -0.3 * v, 0.3 * u, -0.3 * u}) {  // it may bend sharply
-        const auto leant = unit(direction + lean);
-        fits = cut(at, leant, start.radius, kRays, next) && next.round >= 0.65 && distance(next.centre, at) < 0.5;
-        if (!fits) continue;
-        direction = leant;
-        break;
-      }
-      if (!fits) {
-        next = Cut();
-        next.centre = at;
-        gap += kStep;
-      } else {
-        gap = 0.0;
-        at = next.centre;
-      }
-      cuts.push_back(next);
-      if (fits) good = cuts.size();
-      const std::size_t back = std::min<std::size_t>(5, cuts.size() - 1);
-      if (fits && back >= 3) direction = unit(at - cuts[cuts.size() - 1 - back].centre);
-    }
-    cuts.resize(good);
-    cuts.erase(cuts.begin());
-    return cuts;
-  }
-
-  const Volume<float>& hu_;
-  const Thresholds& t_;
-  bool hollow_;
-  double blur_ = 0.8;
-  double drop_ = 150.0;
-};
+constexpr double kThinTube = 2.6;     // diameter: below it a feeding tube, above it one for the windpipe
+// 11 mm outside is an adult's largest tube.
+constexpr TubeKind kWide{true, false, -600.0, 0.4, 5.6};
+// A feeding tube full of air: the blur lifts its lumen from -1000 HU.
+constexpr TubeKind kCapillary{true, true, -250.0, 0.0, 1.0};
+constexpr TubeKind kRod{false, true, -600.0, 0.0, 0.0};
 
 /// Voxels that lie in the middle of a short run of like ones along two axes: where a tube's middle may be.
 template <class Test>
@@ -244,14 +51,37 @@ std::vector<std::size_t> middles(const Volume<float>& hu, const Test& in, double
   return found;
 }
 
+/// Voxels darker than a limit that have brighter ones around them, a fine tube's wall away along two axes.
+std::vector<std::size_t> dark_middles(const Volume<float>& hu, double below, double by, int second) {
+  const auto& g = hu.grid;
+  std::vector<std::size_t> found;
+  std::array<int, 3> away{};
+  for (int a = 0; a < 3; ++a) away[a] = std::max(1, static_cast<int>(std::lround(0.9 / g.spacing[a])));
+  const std::array<std::size_t, 3> stride{1, static_cast<std::size_t>(g.size[0]),
+                                          static_cast<std::size_t>(g.size[0]) * g.size[1]};
+  for (std::size_t i = 0; i < hu.voxels.size(); ++i) {
+    const float here = hu.voxels[i];
+    if (here > below) continue;
+    const auto c = g.cell(i);
+    bool ringed = true;
+    for (const int axis : {0, second}) {
+      const auto step = stride[axis] * static_cast<std::size_t>(away[axis]);
+      ringed = ringed && c[axis] >= away[axis] && c[axis] + away[axis] < g.size[axis] &&
+               std::min(hu.voxels[i - step], hu.voxels[i + step]) > here + by;
+    }
+    if (ringed) found.push_back(i);
+  }
+  return found;
+}
+
 /// A tube from end to end.
 struct Course {
-  std::vector<Cut> cuts;
+  std::vector<TubeCut> cuts;
   double outer = 0.0;  ///< radius
 };
 
-/// What no part of a body has: a thin wall, alike all around, over this length; for a rod also that it lies bare.
-bool is_tube(const std::vector<Cut>& cuts, bool hollow, double lowest_z, double soft, Course& course) {
+/// What no part of a body has: a thin wall, alike all around, over this length; for a fine tube also that it lies bare.
+bool is_tube(const std::vector<TubeCut>& cuts, const TubeKind& kind, double lowest_z, double soft, Course& course) {
   double seen = 0.0;
   double bare = 0.0;
   std::vector<double> outers;
@@ -262,10 +92,11 @@ bool is_tube(const std::vector<Cut>& cuts, bool hollow, double lowest_z, double 
     outers.push_back(c.outer);
     peaks.push_back(c.peak);
     if (c.centre[2] < lowest_z) continue;
-    seen += kStep;
-    bare += c.bare >= 0.3 ? kStep : 0.0;
+    seen += kTubeStep;
+    bare += c.bare >= 0.3 ? kTubeStep : 0.0;
   }
-  if (hollow ? seen < 15.0 : seen < 25.0 || bare < 8.0 || median(peaks) < soft + 100.0) return false;
+  if (kind.fine ? seen < 25.0 || bare < 8.0 : seen < 15.0) return false;
+  if (!kind.hollow && median(peaks) < soft + 100.0) return false;
   course.cuts = cuts;
   course.outer = median(outers);
   return true;
@@ -339,7 +170,7 @@ void take_out(const Course& course, bool always_air, const Thresholds& t, double
     }
     const auto way = unit(Vector3(b.position(i)) - s.at);
     double darkest = before.voxels[i];
-    for (double q = r + kRayStep; q <= reach; q += kRayStep)
+    for (double q = r + kTubeRayStep; q <= reach; q += kTubeRayStep)
       darkest = std::min(darkest, value_at(before, s.at + q * way));
     if (darkest > t.air) darkest = std::min<double>(before.voxels[i], std::max(darkest, t.soft));
     after.voxels[i] = static_cast<float>(darkest);
@@ -347,30 +178,33 @@ void take_out(const Course& course, bool always_air, const Thresholds& t, double
   paste(after, box, hu);
 }
 
-/// All tubes of one kind, taken out of `hu` one by one.
-void find_kind(bool hollow, const Thresholds& t, const Frame& frame, Volume<float>& hu, std::vector<Tube>& tubes) {
-  const Finder finder(hu, t, hollow);
+/// All tubes of one kind, taken out of `hu` one by one: what lies beside one is seen when that one is gone.
+void find_kind(const TubeKind& kind, const Thresholds& t, const Frame& frame, Volume<float>& hu,
+               std::vector<Tube>& tubes) {
+  const TubeFinder finder(hu, t, kind);
   const double lowest_z = frame.skull_top - 135.0 * frame.scale;  // below the cords bronchi in the lung look alike
   const double bright = t.soft + 100.0;
-  const auto lumen = [](float v) { return v < kLumen; };
+  const auto lumen = [&](float v) { return v < kind.lumen_hu; };
   const auto rod = [bright](float v) { return v > bright; };
   constexpr double kLean = 0.70710678118654752;
   for (const int second : {1, 2}) {
-    const auto candidates =
-        hollow ? middles(hu, lumen, 2.0 * kLargest, second) : middles(hu, rod, 2.0 * kThickestRod, second);
+    const auto candidates = kind.hollow && kind.fine ? dark_middles(hu, kind.lumen_hu, 100.0, second)
+                            : kind.hollow            ? middles(hu, lumen, 2.0 * kind.largest_inner, second)
+                                                     : middles(hu, rod, 2.0 * kThickestRod, second);
     const Vector3 along = second == 1 ? Vector3{0, 0, 1} : Vector3{0, 1, 0};
     for (const auto i : candidates) {
       const auto p = hu.grid.position(i);
-      if (p[2] < lowest_z || !(hollow ? lumen(hu.voxels[i]) : rod(hu.voxels[i]))) continue;
+      if (p[2] < lowest_z || !(kind.hollow ? lumen(hu.voxels[i]) : rod(hu.voxels[i]))) continue;
       for (const Vector3& direction : {along, Vector3{0, kLean, kLean}, Vector3{0, -kLean, kLean}}) {
-        Cut start;
+        TubeCut start;
         if (!finder.cut(p, direction, 0.0, 8, start) || start.round < 0.7 || start.thin < 0.6) continue;
-        if (!finder.cut(p, direction, 0.0, Finder::kRays, start) || start.round < 0.75 || start.thin < 0.7) continue;
-        if (!hollow && (start.bare < 0.3 || start.radius > kThickestRod)) continue;
+        if (!finder.cut(p, direction, 0.0, TubeFinder::kRays, start) || start.round < 0.75 || start.thin < 0.7)
+          continue;
+        if (kind.fine && (start.bare < 0.3 || start.outer > kThickestRod)) continue;
         Course course;
-        if (!is_tube(finder.follow(start, direction), hollow, lowest_z, t.soft, course)) continue;
+        if (!is_tube(finder.follow(start, direction), kind, lowest_z, t.soft, course)) continue;
         Tube tube;
-        tube.hollow = hollow;
+        tube.hollow = kind.hollow;
         tube.diameter_mm = 2.0 * course.outer;
         for (const auto& c : course.cuts) {
           tube.axis.push_back(c.centre);
@@ -381,7 +215,7 @@ void find_kind(bool hollow, const Thresholds& t, const Frame& frame, Volume<floa
           std::reverse(tube.axis.begin(), tube.axis.end());
           std::reverse(tube.bare.begin(), tube.bare.end());
         }
-        take_out(course, hollow && tube.diameter_mm > kThinTube, t, finder.blur(), hu);
+        take_out(course, kind.hollow && tube.diameter_mm > kThinTube, t, finder.blur(), hu);
         tubes.push_back(std::move(tube));
         break;
       }
@@ -397,8 +231,7 @@ std::vector<Tube> take_out_tubes(Hounsfield& hu, const Thresholds& t, const Fram
   const auto before = to_float(cropped(hu, box));
   auto after = before;
   std::vector<Tube> tubes;
-  find_kind(true, t, frame, after, tubes);
-  find_kind(false, t, frame, after, tubes);
+  for (const auto& kind : {kWide, kCapillary, kRod}) find_kind(kind, t, frame, after, tubes);
   if (tubes.empty()) return tubes;
   auto part = cropped(hu, box);
   for (std::size_t i = 0; i < part.voxels.size(); ++i) {
@@ -409,7 +242,7 @@ std::vector<Tube> take_out_tubes(Hounsfield& hu, const Thresholds& t, const Fram
 }
 
 std::optional<Vector3> cords_around(const std::vector<Tube>& tubes, double scale) {
-  const auto cuts = [](double mm) { return static_cast<std::size_t>(std::ceil(mm / kStep)); };
+  const auto cuts = [](double mm) { return static_cast<std::size_t>(std::ceil(mm / kTubeStep)); };
   for (const auto& tube : tubes) {
     if (!tube.hollow || tube.diameter_mm <= kThinTube) continue;
     const std::size_t end = tube.bare.size() - std::min(tube.bare.size(), cuts(3.0));  // the tip is open and cut askew

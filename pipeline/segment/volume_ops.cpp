@@ -112,4 +112,25 @@ double value_at(const Volume<float>& volume, const std::array<double, 3>& p) {
   return sum;
 }
 
+double grey_at(const Hounsfield& hu, const std::array<double, 3>& p) {
+  const auto& g = hu.grid;
+  std::array<int, 3> c{};
+  std::array<double, 3> f{};
+  for (int a = 0; a < 3; ++a) {
+    const double at = (p[a] - g.origin[a]) / g.spacing[a];
+    c[a] = std::clamp(static_cast<int>(std::floor(at + 1e-9)), 0, std::max(0, g.size[a] - 2));
+    f[a] = std::clamp(at - c[a], 0.0, 1.0);
+    if (f[a] < 1e-7) f[a] = 0.0;
+  }
+  double sum = 0.0;
+  for (int k = 0; k < 8; ++k) {
+    const int x = k & 1;
+    const int y = (k >> 1) & 1;
+    const int z = k >> 2;
+    const double w = (x != 0 ? f[0] : 1.0 - f[0]) * (y != 0 ? f[1] : 1.0 - f[1]) * (z != 0 ? f[2] : 1.0 - f[2]);
+    if (w > 0.0) sum += w * hu.at(c[0] + x, c[1] + y, c[2] + z);
+  }
+  return sum;
+}
+
 }  // namespace vallecula::pipeline

@@ -104,5 +104,7 @@ Volume<float> path_length(const Mask& seed, const Mask& allowed);
 
 /// Trilinear value at a point, mm; the border value continues outside.
 double value_at(const Volume<float>& volume, const std::array<double, 3>& p);
+/// The same of grey values; exactly a voxel's own at its centre.
+double grey_at(const Hounsfield& hu, const std::array<double, 3>& p);
 
 }  // namespace vallecula::pipeline

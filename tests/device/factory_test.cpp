@@ -32,6 +32,12 @@ TEST(Factory, MakesEveryKindItLists) {
   std::filesystem::remove(file);
 }
 
+TEST(Factory, WritesAKindAsAPersonWould) {
+  EXPECT_EQ(form_of({"mouse", "", ""}), "mouse");
+  EXPECT_EQ(form_of({"scripted", "FILE.csv", ""}), "scripted:FILE.csv");
+  EXPECT_EQ(form_of({"touch", "[NAME]", ""}), "touch[:NAME]");
+}
+
 TEST(Factory, NamesTheKindsThereAre) {
   const std::string error = error_of("joystick", "");
   EXPECT_NE(error.find("'joystick'"), std::string::npos) << error;

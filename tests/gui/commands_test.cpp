@@ -132,6 +132,10 @@ TEST(CompareCommand, PrintsATableAndJson) {
   expect_refused(box.run({"compare", first, (box / "labels8.nrrd").string()}), 1, "labels8.nrrd");
   write_text(box / "labels9.nrrd", "not a label map");
   expect_refused(box.run({"compare", (box / "labels9.nrrd").string(), first}), 1, "labels9.nrrd");
+  // A name that may be a person's is withheld: then it is said which of the two is meant.
+  const std::string named = (box / "Doe_Jane.nrrd").string();
+  expect_refused(box.run({"compare", named, first}), 1, "A: label map (name withheld)");
+  expect_refused(box.run({"compare", first, named}), 1, "B: label map (name withheld)");
 }
 
 TEST(ExportCommand, WritesSurfacesAndLeavesThePackage) {

@@ -13,6 +13,7 @@
 #include "gui/import/import_work.h"
 #include "gui/views/slice_measure.h"
 #include "pipeline/package/label_map.h"
+#include "pipeline/segment/reslice.h"
 #include "tests/gui/program.h"
 
 namespace vallecula::gui {
@@ -163,13 +164,13 @@ TEST(GivenLabels, ArePutTogetherStructureByStructureOnTheScansGrid) {
 TEST(ScanFrame, IsReachedByTheInverseOfThePose) {
   pipeline::PoseChange pose;
   const Point p{12.5, -3.25, 40.0};
-  EXPECT_EQ(to_scan(pose, p), p) << "nothing moved: to the bit";
+  EXPECT_EQ(pipeline::moved(pipeline::inverse_of(pose.scan_to_package), p), p) << "nothing moved: to the bit";
   // 30 degrees about z, then twice the size, then moved.
   const double c = std::cos(M_PI / 6), s = std::sin(M_PI / 6);
   pose.scan_to_package = {2 * c, -2 * s, 0, 5, 2 * s, 2 * c, 0, -7, 0, 0, 2, 11, 0, 0, 0, 1};
   const Point there{2 * (c * p[0] - s * p[1]) + 5, 2 * (s * p[0] + c * p[1]) - 7, 2 * p[2] + 11};
-  const Point back = to_scan(pose, there);
-  const Point way = to_package(pose, p);
+  const Point back = pipeline::moved(pipeline::inverse_of(pose.scan_to_package), there);
+  const Point way = pipeline::moved(pose.scan_to_package, p);
   for (int a = 0; a < 3; ++a) {
     EXPECT_NEAR(back[a], p[a], 1e-12);
     EXPECT_NEAR(way[a], there[a], 1e-12);
@@ -202,6 +203,10 @@ TEST(TimeLeft, IsTheRestAtThePaceSoFar) {
   EXPECT_LT(seconds_left(0.01, 10.0), 0.0) << "too little is done to tell";
   EXPECT_EQ(time_left_text(-1.0), "");
   EXPECT_EQ(time_left_text(11.2), "about 12 s left");
+  EXPECT_EQ(time_left_text(11.2, 4.0), "about 8 s left") << "it goes on between two reports";
+  EXPECT_EQ(time_left_text(61.0), "about 65 s left") << "no exactness that is not there";
+  EXPECT_EQ(time_left_text(11.2, 12.0), "about 1 s left");
+  EXPECT_EQ(time_left_text(11.2, 20.0), "takes longer than expected") << "and makes no promise any more";
   EXPECT_EQ(time_left_text(150.0), "about 3 min left");
 }
 

@@ -91,7 +91,7 @@ class TrialPause : public ::testing::Test {
 TEST_F(TrialPause, CommunicationLostInThePressGoesOnWithoutAJumpAndReplaysToTheBit) {
   const TrialOutcome outcome =
       run(setup(hand("# fault communication_lost 0.8 0.25\n",
-                     {{0, 0.006}, {0.2, 0.002}, {0.6, -0.0025}, {2.6, -0.0025}, {3.2, 0.006}, {3.4, 0.006}}),
+                     {{0, 0.006}, {0.2, 0.002}, {0.6, -0.006}, {2.6, -0.006}, {3.2, 0.006}, {3.4, 0.006}}),
                 "out"));
   const curricula::TrialLog log = curricula::read_trial_log(outcome.log);
   expect_harmless(log);
@@ -128,7 +128,7 @@ TEST_F(TrialPause, CommunicationLostInThePressGoesOnWithoutAJumpAndReplaysToTheB
 // The paper's case: the device gives up at its maximum while the hand keeps pushing.
 TEST_F(TrialPause, AtItsMaximumTheSceneStaysTheGhostShowsTheHandAndTheReturnIsSmooth) {
   const TrialOutcome outcome = run(
-      setup(hand("# hand device_limit_n 1.0\n# hand limit_time_s 0.15\n# hand recovery_time_s 0.3\n", {{0, 0.006},
+      setup(hand("# hand device_limit_n 0.3\n# hand limit_time_s 0.15\n# hand recovery_time_s 0.3\n", {{0, 0.006},
                                                                                                        {0.2, 0.002},
                                                                                                        {0.8, -0.010},
                                                                                                        {1.8, -0.010},
@@ -145,11 +145,11 @@ TEST_F(TrialPause, AtItsMaximumTheSceneStaysTheGhostShowsTheHandAndTheReturnIsSm
     limited |= t.state == LoggedState::limited;
     if (t.step_used >= 0) deepest_z = std::min(deepest_z, t.proxy_pose.position_m[2]);
     if (!t.device_valid) ghost_m = std::max(ghost_m, apart(t.device_pose.position_m, t.proxy_pose.position_m));
-    EXPECT_LE(length(t.displayed_force_n), 1.0 + 1e-9);
+    EXPECT_LE(length(t.displayed_force_n), 0.3 + 1e-9);
   }
   EXPECT_TRUE(limited);
-  EXPECT_GT(ghost_m, 0.003) << "the hand pushed on";
-  EXPECT_GT(deepest_z, -0.007) << "the tool did not follow it";
+  EXPECT_GT(ghost_m, 0.005) << "the hand pushed on";
+  EXPECT_GT(deepest_z, -0.005) << "the tool did not follow it";
   EXPECT_GT(outcome.score.paused_s, 0.5);
   EXPECT_GT(outcome.score.time_over_force_limit_s, 0.1) << "the time at the limit is the hand's own";
   // The block is at rest again when the blade is out.

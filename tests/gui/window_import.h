@@ -2,9 +2,11 @@
 // VALLECULA_PICTURES=DIR every step is kept there as a picture.
 #pragma once
 
+#include <QLabel>
 #include <QLineEdit>
 #include <QMouseEvent>
 #include <QPushButton>
+#include <QTabBar>
 #include <cstdlib>
 #include <memory>
 
@@ -44,7 +46,7 @@ class WindowImport : public Screen {
   ~WindowImport() override { unsetenv("VALLECULA_HOME"); }
 
   static QString series() { return QString::fromStdString((*series_box_ / "ct").string()); }
-  void open(const QString& source) {
+  void open_window() {
     window_ = std::make_unique<MainWindow>();
     window_->show_start(curricula::load_curriculum(default_curriculum()));
     window_->show();
@@ -56,6 +58,10 @@ class WindowImport : public Screen {
                        if (stages_.empty() || stages_.back() != stage) stages_.push_back(stage);
                        share_ = share;
                      });
+  }
+  void open(const QString& source) {
+    open_window();
+    ASSERT_FALSE(HasFatalFailure());
     auto* place = wizard().source_page().findChild<QLineEdit*>();
     place->setText(source);
     emit place->returnPressed();
@@ -96,6 +102,24 @@ class WindowImport : public Screen {
     const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
     window_->grab().save(
         QString::fromStdString((fs::path(folder) / (std::string(test->name()) + "-" + name + ".png")).string()));
+  }
+  /// No two things that can be seen at once answer to the same Alt key.
+  void expect_each_its_own_key(QWidget& page) {
+    std::map<QString, QString> taken;
+    const auto take = [&](const QString& text) {
+      const QString key = QKeySequence::mnemonic(text).toString();
+      if (key.isEmpty()) return;
+      EXPECT_EQ(taken.count(key), 0u) << key.toStdString() << ": " << text.toStdString() << " and "
+                                      << taken[key].toStdString();
+      taken[key] = text;
+    };
+    for (auto* button : page.findChildren<QAbstractButton*>())
+      if (button->isVisible()) take(button->text());
+    for (auto* label : page.findChildren<QLabel*>())
+      if (label->isVisible() && label->buddy() != nullptr) take(label->text());
+    for (auto* tabs : page.findChildren<QTabBar*>())
+      for (int i = 0; i < tabs->count(); ++i) take(tabs->tabText(i));
+    EXPECT_GT(taken.size(), 2u);
   }
   /// Everything under the user's folder, and half-done work in the temporary one.
   std::vector<std::string> left_behind() const {

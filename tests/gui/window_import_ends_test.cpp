@@ -19,7 +19,7 @@ TEST_F(WindowImport, CancelledAtAnyMomentItLeavesNothing) {
     button(wizard().source_page(), "&Read and find the structures")->click();
     ASSERT_TRUE(wait_for([&] { return share_ >= until || wizard().step() == "check"; }, 180000));
     if (wizard().step() == "check") {  // it was over before the moment came: leave from there
-      button(check(), "Leave")->click();
+      button(check(), "L&eave")->click();
       button(window_->start_page(), "New patient from a CT ...")->click();
       wizard().source_page().look_at(series());
       ASSERT_TRUE(wait_for([&] { return !wizard().work().busy(); }));

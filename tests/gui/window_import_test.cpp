@@ -31,6 +31,7 @@ TEST_F(WindowImport, FromAFolderToAPatientThatIsChosenOnTheFirstPage) {
   ASSERT_FALSE(HasFatalFailure());
   const auto* table = wizard().source_page().findChild<QTableWidget*>();
   ASSERT_EQ(table->rowCount(), 1);
+  EXPECT_EQ(table->item(0, 3)->text(), "can be imported");
   const auto* thumbnail = qobject_cast<QLabel*>(table->cellWidget(0, 1));
   ASSERT_NE(thumbnail, nullptr);
   EXPECT_GT(colours_in(thumbnail->pixmap(Qt::ReturnByValue).toImage()), 6) << "a picture of the head";
@@ -70,9 +71,23 @@ TEST_F(WindowImport, FromAFolderToAPatientThatIsChosenOnTheFirstPage) {
   button(check(), "&Accept")->click();
   EXPECT_EQ(check().history().state().accepted, std::set<std::string>{"airway"});
   picture("3-check-moved");
+  // One view alone takes the room of all, by the key; and gives it back.
+  const int wide = sagittal.width(), high = sagittal.height();
+  for (QWidget* view : {static_cast<QWidget*>(&sagittal), static_cast<QWidget*>(&check().view_3d())}) {
+    QKeyEvent key(QEvent::KeyPress, Qt::Key_F, Qt::NoModifier);
+    QApplication::sendEvent(view, &key);
+    QApplication::processEvents();
+    EXPECT_GT(view->width(), 1.95 * wide);
+    EXPECT_GT(view->height(), 1.95 * high);
+    picture(view == &sagittal ? "3-alone" : "3-alone-3d");
+    QApplication::sendEvent(view, &key);
+    QApplication::processEvents();
+    EXPECT_EQ(sagittal.size(), QSize(wide, high));
+  }
   auto* tabs = check().findChild<QTabWidget*>();
   for (const int tab : {1, 2, 0}) {
     tabs->setCurrentIndex(tab);
+    expect_each_its_own_key(check());
     picture("3-tab-" + std::to_string(tab));
   }
 
@@ -84,6 +99,7 @@ TEST_F(WindowImport, FromAFolderToAPatientThatIsChosenOnTheFirstPage) {
   for (int a = 0; a < 3; ++a) EXPECT_NEAR(edits.landmarks.at("vallecula")[a], wanted[a], 1e-9);
   EXPECT_EQ(left_behind(), std::vector<std::string>{});
   picture("4-built");
+  expect_each_its_own_key(wizard().build_page());
   // Another program takes the name meanwhile: another is chosen, and nothing has to be done again.
   fs::create_directories(patients_folder() / "patient-1.patient");
   button(wizard().build_page(), "&Save the patient")->click();
@@ -105,7 +121,7 @@ TEST_F(WindowImport, FromAFolderToAPatientThatIsChosenOnTheFirstPage) {
   }
   picture("4-saved");
   EXPECT_NO_THROW(pipeline::read_package(package));
-  for (const char* stage : {"Reading the series", "Finding the structures", "Making the surfaces"})
+  for (const char* stage : {"Reading the series", "Finding the airway", "Finding the tongue", "Making the surface of face and throat"})
     EXPECT_EQ(std::count(stages_.begin(), stages_.end(), QString(stage)) > 0, true) << stage;
   button(wizard().build_page(), "&Practise with this patient")->click();
   EXPECT_EQ(window_->page_name(), "start");
@@ -223,12 +239,53 @@ TEST_F(WindowImport, SaysWhatIsWrongWithAFolderWithoutACt) {
   open(QString::fromStdString(box_.home().string()));
   const auto* table = wizard().source_page().findChild<QTableWidget*>();
   ASSERT_EQ(table->rowCount(), 1);
-  EXPECT_NE(table->item(0, 3)->text(), "");
+  EXPECT_EQ(table->item(0, 0)->text(), "") << "no series, no number";
+  EXPECT_EQ(table->item(0, 3)->text(), "The folder is empty; choose a folder with a CT series");
+  expect_each_its_own_key(wizard().source_page());
   EXPECT_FALSE(button(wizard().source_page(), "&Read and find the structures")->isEnabled());
   auto* name = wizard().source_page().findChildren<QLineEdit*>().at(1);
   name->setText("Anna Schmidt");
   EXPECT_FALSE(button(wizard().source_page(), "&Read and find the structures")->isEnabled());
   picture("1-nothing");
+}
+
+TEST_F(WindowImport, AskedForAnotherFolderWhileOneIsListedItListsTheLastOneOnly) {
+  open_window();
+  ASSERT_FALSE(HasFatalFailure());
+  auto& page = wizard().source_page();
+  const auto* table = page.findChild<QTableWidget*>();
+  QPushButton* read = button(page, "&Read and find the structures");
+  const QString empty = QString::fromStdString(box_.home().string());
+  int lists = 0;
+  QObject::connect(&wizard().work(), &ImportWork::listed, &page, [&] { ++lists; });
+  const auto listed = [&] { return wait_for([&] { return lists > 0 && !wizard().work().busy(); }); };
+  page.look_at(empty);
+  ASSERT_TRUE(wizard().work().busy());
+  page.look_at(empty + "/nothing");
+  page.look_at(series());
+  ASSERT_TRUE(listed());
+  EXPECT_EQ(lists, 1) << "the others were given up";
+  EXPECT_EQ(page.choice().source, series().toStdString());
+  ASSERT_EQ(table->rowCount(), 1);
+  EXPECT_EQ(table->item(0, 0)->text(), "1");
+  EXPECT_TRUE(read->isEnabled());
+  lists = 0;
+  page.look_at(series());
+  page.look_at(empty);
+  ASSERT_TRUE(listed());
+  EXPECT_EQ(lists, 1);
+  EXPECT_EQ(table->item(0, 0)->text(), "");
+  EXPECT_FALSE(read->isEnabled()) << "the first folder's series is not the second's";
+  // Left while one waits, nothing is listed any more.
+  lists = 0;
+  page.look_at(series());
+  page.look_at(empty);
+  button(page, "&Back to the start")->click();
+  ASSERT_TRUE(wait_for([&] { return !wizard().work().busy(); }));
+  for (int i = 0; i < 20; ++i) QApplication::processEvents(QEventLoop::AllEvents, 10);
+  EXPECT_FALSE(wizard().work().busy());
+  EXPECT_EQ(lists, 0);
+  EXPECT_EQ(window_->page_name(), "start");
 }
 
 TEST_F(WindowImport, FromAnEditedPathNothingIsReadBeforeItIsListed) {

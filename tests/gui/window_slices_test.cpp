@@ -259,6 +259,49 @@ TEST_F(WindowSlices, TheSeedToolPicksThePointClicked) {
   EXPECT_EQ(c, (std::array<int, 3>{60, 50, 30}));
 }
 
+TEST_F(WindowSlices, ALandmarkIsSeenThroughWhatHidesItAndGoesAlongWhileItIsDraggedInASlice) {
+  scene_.set_scan(scan_);
+  auto labels = std::make_shared<pipeline::Labels>(scan_->grid);
+  for (int z = 5; z < 55; ++z)
+    for (int y = 10; y < 90; ++y)
+      for (int x = 10; x < 70; ++x) labels->at(x, y, z) = pipeline::kTongue;
+  LabelView view(scene_);
+  view.resize(500, 400);
+  view.show();
+  scene_.set_labels(labels);
+  const Point inside = scan_->grid.position(40, 50, 30);
+  scene_.set_landmarks({{"vallecula", {inside, false}}});
+  ASSERT_TRUE(wait_for([&] { return view.up_to_date(); }));
+  const auto ball = [&] {
+    return find_pixels(view.picture(), [](QRgb c, int, int) { return qRed(c) > 90 && qBlue(c) > 9 * qRed(c) / 10; });
+  };
+  const auto expect_at = [&](const Point& at) {
+    const Spot seen = ball();
+    EXPECT_GT(seen.pixels, 20);
+    EXPECT_NEAR(seen.x, view.pixel_of(at).x(), 2.0);
+    EXPECT_NEAR(seen.y, view.pixel_of(at).y(), 2.0);
+  };
+  expect_at(inside);
+  const Point moved{inside[0], inside[1] - 8.0, inside[2] + 6.0};
+  scene_.drag_landmark("vallecula", moved);  // as a slice does it, before it is let go
+  expect_at(moved);
+}
+
+TEST_F(WindowSlices, EscapePutsTheToolAway) {
+  scene_.set_scan(scan_);
+  scene_.set_tool(SliceTool::seed);
+  press(view(SlicePlane::axial), Qt::Key_Escape);
+  EXPECT_EQ(scene_.tool(), SliceTool::crosshair);
+}
+
+TEST_F(WindowSlices, PlacesAreNeverMinusNought) {
+  EXPECT_EQ(tenths_of(-0.04), "0.0");
+  EXPECT_EQ(tenths_of(-0.06), "-0.1");
+  EXPECT_EQ(tenths_of(12.25), "12.3");
+  EXPECT_EQ(words_of("bone_mandible"), "mandible");
+  EXPECT_EQ(words_of("upper_gum_midline"), "upper gum midline");
+}
+
 TEST_F(WindowSlices, TheLabelsStandInThreeDimensionsAndLandmarksAreDraggedThere) {
   scene_.set_scan(scan_);
   auto labels = std::make_shared<pipeline::Labels>(scan_->grid);

@@ -49,7 +49,10 @@ void check_progress_rises_through_the_stages(const Imported& in) {
   EXPECT_TRUE(std::is_sorted(in.done.begin(), in.done.end()));
   EXPECT_NEAR(in.done.back(), 1.0, 1e-9);
   EXPECT_EQ(std::set<std::string>(in.stages.begin(), in.stages.end()),
-            (std::set<std::string>{"read", "segment", "position", "surfaces", "tetrahedra", "write"}));
+            (std::set<std::string>{"read", "segment", "segment: head", "segment: airway", "segment: bones",
+                                   "segment: epiglottis", "segment: tongue", "segment: soft palate and larynx",
+                                   "segment: landmarks", "position", "surfaces", "surfaces: face", "surfaces: airway",
+                                   "surfaces: jaw and palate", "tetrahedra", "write"}));
   ASSERT_EQ(in.report.stages.size(), 6u);
 }
 
@@ -63,7 +66,7 @@ void check_quality_judges_only_by_limits(const Imported& in) {
   }
   for (const char* name :
        {"tongue volume", "mouth open", "face surface", "face surface crosses itself", "palate surface crosses itself",
-        "airway surface over its label", "mandible surface over its label", "tetrahedra over their labels",
+        "volume kept by the airway surface", "volume kept by the mandible surface", "volume kept by the tetrahedra",
         "tetrahedra below 10 degrees", "smallest dihedral angle", "tongue inside the jaw's bone",
         "tongue inside the tissue around it", "gap where the tongue is held"}) {
     ASSERT_EQ(items.count(name), 1u) << name;

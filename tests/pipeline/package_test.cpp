@@ -50,7 +50,8 @@ PatientPackage example() {
   p.tongue.contact = {2, 2, 0, 1, 1};
   p.quality = {{"tongue volume", 7.25, "ml", true, ""},
                {"watertight", 0.0, "", false, "open: at the back"},
-               {"head size", 1.02, "of term", true, "a figure without a limit", false}};
+               {"head size", 1.02, "of term", true, "a figure without a limit", false},
+               {"carina", std::nullopt, "", false, "inferred: below the scan"}};
   return p;
 }
 
@@ -102,11 +103,13 @@ TEST_F(Package, ReadsBackWhatWasWritten) {
   EXPECT_EQ(out.tongue.anchor, in.tongue.anchor);
   EXPECT_EQ(out.tongue.contact, in.tongue.contact);
   EXPECT_EQ(out.materials.at("epiglottis").young_pa, 90e3);
-  ASSERT_EQ(out.quality.size(), 3u);
+  ASSERT_EQ(out.quality.size(), 4u);
   EXPECT_EQ(out.quality[1].note, in.quality[1].note);
   EXPECT_FALSE(out.quality[1].ok);
   EXPECT_TRUE(out.quality[1].judged);
   EXPECT_FALSE(out.quality[2].judged);
+  EXPECT_EQ(out.quality[1].value, in.quality[1].value);
+  EXPECT_EQ(out.quality[3].value, std::nullopt) << "a remark has no figure";
   EXPECT_EQ(read_label_map(dir / "labels.nrrd").voxels, example_labels().voxels);
 }
 

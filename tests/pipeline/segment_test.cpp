@@ -9,89 +9,99 @@
 #include <cstdlib>
 #include <string>
 
-#include "pipeline/manikin/manikin.h"
+#include "pipeline/segment/upright.h"
 #include "pipeline/segment/volume_ops.h"
+#include "tests/pipeline/agreement.h"
+#include "tests/pipeline/turned_manikin.h"
 
 namespace vallecula::pipeline {
 namespace {
 
-template <class Test>
-double dice(const Labels& a, const Labels& b, const Test& test) {
-  double both = 0.0;
-  double sum = 0.0;
-  for (std::size_t i = 0; i < a.voxels.size(); ++i) {
-    const bool in_a = test(a.voxels[i]);
-    const bool in_b = test(b.voxels[i]);
-    both += in_a && in_b ? 1.0 : 0.0;
-    sum += (in_a ? 1.0 : 0.0) + (in_b ? 1.0 : 0.0);
-  }
-  return sum > 0.0 ? 2.0 * both / sum : 0.0;
-}
-
-double label_dice(const Labels& a, const Labels& b, std::uint8_t label) {
-  return dice(a, b, [label](std::uint8_t v) { return v == label; });
-}
+using test::agreement_of;
 
 struct Infant {
   double weight_kg;
   std::uint64_t seed;
+  double noise_hu = 12.0;
+  Askew pose = {};
 };
 
 class SegmentManikin : public ::testing::TestWithParam<Infant> {};
 
 TEST_P(SegmentManikin, FindsEveryStructureWithoutAHumanSeed) {
+  const auto& in = GetParam();
   ManikinOptions options;
-  options.weight_kg = GetParam().weight_kg;
-  options.seed = GetParam().seed;
-  const auto scan = scan_manikin(options);
+  options.weight_kg = in.weight_kg;
+  options.seed = in.seed;
+  options.noise_hu = in.noise_hu;
+  const bool askew = in.pose.tilt_deg != 0.0 || in.pose.turn_deg != 0.0 || in.pose.nod_deg != 0.0;
+  const bool small = in.weight_kg < 2.0;
+  const auto scan = askew ? scan_askew(options, in.pose, small ? 0.4 : 0.5, small ? 0.6 : 0.8) : scan_manikin(options);
   const auto s = segment(scan.ct, {});
+  EXPECT_EQ(s.pose.moved(), askew);
   const auto found = on_series_grid(s, scan.ct.grid);
 
-  const auto bone = [](std::uint8_t v) { return v == kSkull || v == kMandible; };
-  EXPECT_FALSE(s.pose.moved()) << "it lies straight";
-  EXPECT_GE(label_dice(scan.labels, found, kTongue), 0.95);
-  EXPECT_GE(label_dice(scan.labels, found, kAirway), 0.96);
-  EXPECT_GE(label_dice(scan.labels, found, kMandible), 0.95);
-  EXPECT_GE(label_dice(scan.labels, found, kSkull), 0.95);
-  EXPECT_GE(dice(scan.labels, found, bone), 0.95);
-  EXPECT_GE(label_dice(scan.labels, found, kSkin), 0.99);
-  EXPECT_GE(dice(scan.labels, found, [](std::uint8_t v) { return v != kBackground; }), 0.995) << "the whole head";
-  EXPECT_GE(label_dice(scan.labels, found, kEpiglottis), 0.78);
+  auto agreement = agreement_of(scan.labels, found);
+  // What a model needs to be practised on: Dice, and on average half a voxel (its shortest side) from the truth.
+  const auto& spacing = scan.ct.grid.spacing;
+  const double half_voxel = 0.5 * std::min({spacing[0], spacing[1], spacing[2]});
+  const auto goal = [&](const LabelAgreement& a, const char* name, double dice) {
+    EXPECT_GE(a.dice, dice) << name;
+    EXPECT_LE(a.mean_surface_mm, half_voxel) << name;
+  };
+  goal(agreement[kTongue], "tongue", 0.95);
+  goal(agreement[kAirway], "airway", 0.97);
+  goal(agreement[kMandible], "mandible", 0.955);
+  goal(agreement[kSkull], "skull", 0.95);
+  goal(agreement_of(scan.labels, found, {{kMandible, kSkull}})[kSkull], "bone", 0.95);
+  goal(agreement[kSkin], "skin", 0.99);
+  std::map<std::uint8_t, std::uint8_t> all;
+  for (const auto& label : kLabelNames) all[label.value] = kSkin;
+  goal(agreement_of(scan.labels, found, all)[kSkin], "the whole head", 0.995);
+  goal(agreement[kEpiglottis], "epiglottis", 0.8);
   // Coarse by design: enough to name what the blade touches.
-  EXPECT_GE(label_dice(scan.labels, found, kSoftPalate), 0.65);
-  EXPECT_GE(label_dice(scan.labels, found, kLarynx), 0.65);
-  EXPECT_GE(label_dice(scan.labels, found, kOesophagus), 0.5);
-  EXPECT_GE(label_dice(scan.labels, found, kSpine), 0.7);
+  EXPECT_GE(agreement[kSoftPalate].dice, 0.65);
+  EXPECT_GE(agreement[kLarynx].dice, 0.65);
+  EXPECT_GE(agreement[kOesophagus].dice, 0.5);
+  EXPECT_GE(agreement[kSpine].dice, 0.7);
 
-  std::printf("[ figures  ] %.1f kg seed %llu:", options.weight_kg, static_cast<unsigned long long>(options.seed));
+  std::printf("[ figures  ] %.1f kg seed %llu noise %.0f%s:", in.weight_kg, static_cast<unsigned long long>(in.seed),
+              in.noise_hu, askew ? " askew" : "");
   for (const auto& label : kLabelNames)
-    std::printf(" %s %.3f", label.name, label_dice(scan.labels, found, label.value));
+    std::printf(" %s %.3f (%.2f mm)", label.name, agreement[label.value].dice, agreement[label.value].mean_surface_mm);
 
-  const auto truth = Manikin(options.weight_kg, options.seed).landmarks();
   double worst = 0.0;
-  for (const auto* name : kLandmarks) {
-    const auto& a = s.landmarks.at(name);
-    const auto& b = truth.at(name);
-    const double off = std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
-    // The eye is 320 mm away: half a millimetre at the gum turns it by 3 mm. The normal is a direction: 0.1 is 6
-    // degrees.
-    const double allowed = std::string(name) == "operator_eye"     ? 5.0
-                           : std::string(name) == "glottis_normal" ? 0.1
-                                                                   : 1.0;
+  std::string worst_name;
+  for (const auto& [name, truth] : Manikin(in.weight_kg, in.seed).landmarks()) {
+    // A direction is turned with the head, not moved.
+    const auto lies = name == "glottis_normal" ? Vector3(moved(s.pose.scan_to_package, in.pose.to_scan(truth))) -
+                                                     Vector3(moved(s.pose.scan_to_package, in.pose.to_scan({0, 0, 0})))
+                                               : Vector3(moved(s.pose.scan_to_package, in.pose.to_scan(truth)));
+    const double off = distance(lies, s.landmarks.at(name));
+    // The eye is 320 mm away: half a millimetre at the gum turns it by 3 mm, and so does a degree of nod the head. The
+    // normal is a direction: 0.1 is 6 degrees.
+    const double allowed = name == "operator_eye" ? 5.0 : name == "glottis_normal" ? 0.1 : 1.0;
     EXPECT_LE(off, allowed) << name;
-    if (std::string(name) != "operator_eye") worst = std::max(worst, off);
+    if (name == "operator_eye" || name == "glottis_normal" || off < worst) continue;
+    worst = off;
+    worst_name = name;
   }
-  std::printf(" | worst landmark %.2f mm\n", worst);
+  std::printf(" | worst landmark %.2f mm (%s)\n", worst, worst_name.c_str());
   for (const auto& [name, finding] : s.findings)
     EXPECT_EQ(finding.origin, Origin::measured) << name << ": " << finding.how;
 }
 
 std::vector<Infant> infants() {
-  std::vector<Infant> list{{0.6, 2}, {3.2, 1}, {4.5, 5}};
+  std::vector<Infant> list{{0.6, 2}, {3.2, 1}, {4.5, 5}, {1.2, 104, 40.0}};
   if (std::getenv("VALLECULA_SLOW") != nullptr) {
     for (const double weight : {0.6, 0.9, 1.5, 2.2, 3.2, 3.8, 4.5}) {
       for (const std::uint64_t seed : {0, 3, 8, 21}) list.push_back({weight, seed});
     }
+    const double weights[] = {0.6, 0.8, 1.0, 1.3, 1.7, 2.1, 2.5, 2.9, 3.3, 3.7, 4.1, 4.5};
+    const double noises[] = {40.0, 0.0, 30.0, 20.0, 12.0, 40.0};
+    const Askew poses[] = {{}, {20.0, -25.0, 10.0, {}}, {}, {}, {-10.0, 30.0, -20.0, {}}, {},
+                           {}, {30.0, 5.0, 25.0, {}}};
+    for (std::uint64_t i = 0; i < 12; ++i) list.push_back({weights[i], 201 + i, noises[i % 6], poses[i % 8]});
   }
   return list;
 }
@@ -179,9 +189,10 @@ TEST(Segment, ACouchUnderTheHeadAndAMetalClipChangeLittle) {
   const auto found = on_series_grid(s, g);
   EXPECT_FALSE(s.pose.moved());
   EXPECT_TRUE(s.bones.mandible_free);
-  EXPECT_GE(label_dice(scan.labels, found, kSkin), 0.98);
-  EXPECT_GE(label_dice(scan.labels, found, kMandible), 0.94);
-  EXPECT_GE(label_dice(scan.labels, found, kTongue), 0.95);
+  auto agreement = agreement_of(scan.labels, found);
+  EXPECT_GE(agreement[kSkin].dice, 0.98);
+  EXPECT_GE(agreement[kMandible].dice, 0.94);
+  EXPECT_GE(agreement[kTongue].dice, 0.95);
 }
 
 }  // namespace

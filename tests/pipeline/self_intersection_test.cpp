@@ -177,15 +177,36 @@ TEST(Mend, TakesFoldsOutAndLeavesTheRest) {
   EXPECT_EQ(mended(clean).points, clean.points);
 }
 
+TEST(Mend, PartsTwoSidesOfAThinSheetThatHavePassedEachOther) {
+  auto clean = sphere(8.0);
+  for (auto& p : clean.points) p[2] *= 0.05;
+  ASSERT_TRUE(self_intersections(clean).empty());
+  auto crossed = clean;
+  for (auto& p : crossed.points) {
+    if (p[2] > 0.0 && std::hypot(p[0], p[1]) < 2.5) p[2] -= 1.1;  // the sheet is 0.8 mm thick
+  }
+  ASSERT_GT(self_intersections(crossed).size(), 10u);
+  const auto out = mended(crossed);
+  EXPECT_TRUE(self_intersections(out).empty());
+  EXPECT_EQ(facts_of(out).fault, "");
+  EXPECT_NEAR(facts_of(out).volume_mm3 / facts_of(clean).volume_mm3, 1.0, 0.05);
+  for (std::size_t i = 0; i < out.points.size(); ++i) {
+    if (std::hypot(clean.points[i][0], clean.points[i][1]) > 7.0) {
+      EXPECT_EQ(out.points[i], crossed.points[i]);
+    }
+  }
+}
+
 TEST(TriangleTree, NearestPointAndSideAreThoseOfTheSphere) {
   const double r = 8.0;
   const auto s = sphere(r, 0.5);
   const TriangleTree tree(s);
+  const SurfaceDistance side(s);
   std::mt19937 random(8);
   std::uniform_real_distribution<double> place(-12.0, 12.0);
   for (int i = 0; i < 2000; ++i) {
     const Point p{place(random), place(random), place(random)};
-    EXPECT_NEAR(tree.signed_distance(p), norm(p) - r, 0.03);
+    EXPECT_NEAR(side.at(p), norm(p) - r, 0.03);
     double least = 1e30;
     const auto found = tree.nearest(p);
     for (const auto& q : s.points) least = std::min(least, distance(p, q));
