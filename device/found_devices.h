@@ -12,8 +12,8 @@ struct FoundDevice {
   std::string name;  ///< KIND[:ARG] as make_device() takes it; empty: cannot be made as things are
   DeviceInfo info;
   Calibration calibration = Calibration::not_needed;
-  std::string problem;  ///< why it cannot be used; empty: it can
-  std::string mend;     ///< what to do about it
+  std::string problem;  ///< why it cannot be used, or (with a name) what it lacks; empty: nothing
+  std::string mend;     ///< what to do about it, or about its calibration
 };
 
 /// Every device that is plugged in, and every driver that is missing something (with what and where it looked); the

@@ -23,7 +23,7 @@ QJsonObject json_of(const device::FoundDevice& found) {
   for (const double edge : info.workspace_m) workspace.append(1e3 * edge);
   const bool bounded = info.workspace_m[0] > 0.0;
   return {{"name", known(found.name)},
-          {"usable", found.problem.empty()},
+          {"usable", usable(found)},
           {"kind", text(info.kind)},
           {"model", text(info.model)},
           {"serial", known(info.serial)},

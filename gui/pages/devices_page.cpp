@@ -111,7 +111,7 @@ void DevicesPage::show_list(const std::vector<device::FoundDevice>& devices) {
       const auto cells = cells_of(device_row(devices_[r]));
       for (std::size_t c = 0; c < cells.size(); ++c) {
         auto* item = new QTableWidgetItem(QString::fromStdString(cells[c]));
-        if (!devices_[r].problem.empty()) item->setForeground(palette().color(QPalette::Disabled, QPalette::Text));
+        if (!usable(devices_[r])) item->setForeground(palette().color(QPalette::Disabled, QPalette::Text));
         table_->setItem(static_cast<int>(r), static_cast<int>(c), item);
       }
       if (had && same_device(devices_[r], kept)) row_of_kept = static_cast<int>(r);
@@ -133,7 +133,7 @@ const device::FoundDevice* DevicesPage::selected() const {
 
 void DevicesPage::show_selected() {
   const auto* device = selected();
-  use_->setEnabled(device != nullptr && device->problem.empty() && !device->name.empty());
+  use_->setEnabled(device != nullptr && usable(*device));
   if (device == nullptr) {
     about_->setText("Choose one to see what it needs.");
     return;

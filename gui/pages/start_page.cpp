@@ -14,6 +14,7 @@
 #include "device/found_devices.h"
 #include "gui/pages/device_dialog.h"
 #include "gui/pages/devices_page.h"
+#include "gui/session/device_rows.h"
 
 namespace vallecula::gui {
 namespace {
@@ -157,8 +158,8 @@ void StartPage::set_found_devices(const std::vector<device::FoundDevice>& device
         !is_there(device_->itemData(i).toString()))
       device_->removeItem(i);
   for (const device::FoundDevice& one : devices) {
+    if (!usable(one)) continue;
     const QString name = QString::fromStdString(one.name);
-    if (name.isEmpty() || !one.problem.empty()) continue;
     const int index = device_->findData(name);
     if (index < 0) {
       device_->addItem(device_label(one), name);

@@ -37,10 +37,11 @@ CalibrationWords words_of(device::Calibration calibration) {
       return {"good", "good", ""};
     case device::Calibration::needs_update:
       return {"needs_update", "to be done anew",
-              "move the stylus through its whole workspace before a trial; no force is shown until then"};
+              "move its handle once through the whole workspace before a trial; no force is shown until then"};
     case device::Calibration::needs_hand:
       return {"needs_hand", "to be done by hand",
-              "put the stylus into its inkwell, or run the maker's calibration program; no force is shown until then"};
+              "a stylus goes into its ink well, a Falcon's grip is pulled all the way out and pushed in, before a trial; "
+              "no force is shown until then"};
   }
   return {"", "", ""};
 }
@@ -61,13 +62,16 @@ DeviceRow device_row(const device::FoundDevice& found) {
   if (!found.problem.empty())
     row.trouble = found.problem + (found.mend.empty() ? "" : "; " + found.mend);
   else if (*calibration.mend != '\0')
-    row.trouble = std::string("calibration ") + calibration.text + ": " + calibration.mend;
+    row.trouble = std::string("calibration ") + calibration.text + ": " +
+                  (found.mend.empty() ? calibration.mend : found.mend);
   return row;
 }
 
 std::array<std::string, kDeviceColumns.size()> cells_of(const DeviceRow& row) {
   return {row.name, row.model, row.driver, row.rate, row.workspace, row.force, row.calibration};
 }
+
+bool usable(const device::FoundDevice& found) { return !found.name.empty(); }
 
 const char* calibration_word(device::Calibration calibration) { return words_of(calibration).word; }
 

@@ -23,6 +23,8 @@ struct DeviceRow {
 constexpr std::array<const char*, 7> kDeviceColumns = {"name",      "model", "driver",     "rate",
                                                        "workspace", "force", "calibration"};
 
+/// Whether a trial can be done with it now; what it lacks all the same stands in its `problem`.
+bool usable(const device::FoundDevice& found);
 DeviceRow device_row(const device::FoundDevice& found);
 /// The cells in the order of kDeviceColumns.
 std::array<std::string, kDeviceColumns.size()> cells_of(const DeviceRow& row);
