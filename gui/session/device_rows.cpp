@@ -39,9 +39,10 @@ CalibrationWords words_of(device::Calibration calibration) {
       return {"needs_update", "to be done anew",
               "move its handle once through the whole workspace before a trial; no force is shown until then"};
     case device::Calibration::needs_hand:
-      return {"needs_hand", "to be done by hand",
-              "a stylus goes into its ink well, a Falcon's grip is pulled all the way out and pushed in, before a trial; "
-              "no force is shown until then"};
+      return {
+          "needs_hand", "to be done by hand",
+          "a stylus goes into its ink well, a Falcon's grip is pulled all the way out and pushed in, before a trial; "
+          "no force is shown until then"};
   }
   return {"", "", ""};
 }
@@ -62,8 +63,8 @@ DeviceRow device_row(const device::FoundDevice& found) {
   if (!found.problem.empty())
     row.trouble = found.problem + (found.mend.empty() ? "" : "; " + found.mend);
   else if (*calibration.mend != '\0')
-    row.trouble = std::string("calibration ") + calibration.text + ": " +
-                  (found.mend.empty() ? calibration.mend : found.mend);
+    row.trouble =
+        std::string("calibration ") + calibration.text + ": " + (found.mend.empty() ? calibration.mend : found.mend);
   return row;
 }
 

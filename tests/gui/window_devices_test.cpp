@@ -147,6 +147,21 @@ TEST_F(WindowDevices, TheListFollowsWhatIsPluggedInAndKeepsTheChoice) {
   EXPECT_EQ(bus.asked(), asked);
 }
 
+/// A Falcon that may still run the firmware another program gave it works, or says at its start what it lacks.
+TEST_F(WindowDevices, OneThatLacksSomethingCanBeUsedAndSaysSo) {
+  FoundDevice falcon = falcon_not_permitted();
+  falcon.name = "falcon";
+  falcon.problem = "no firmware file was found";
+  falcon.mend = "name one";
+  DevicesPage page(nullptr, [falcon] { return std::vector<FoundDevice>{falcon}; });
+  page.show();
+  auto* table = page.findChild<QTableWidget*>();
+  ASSERT_TRUE(wait_for([&] { return table->rowCount() == 1; }));
+  table->selectRow(0);
+  EXPECT_TRUE(button(page, "Use this one")->isEnabled());
+  EXPECT_NE(told(page).find("no firmware file was found; name one"), std::string::npos) << told(page);
+}
+
 TEST_F(WindowDevices, ClosedWhileItAsksItWaitsForTheAnswerAndIsGone) {
   std::atomic<bool> asking{false}, answered{false};
   {
