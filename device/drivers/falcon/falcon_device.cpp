@@ -19,8 +19,8 @@ constexpr auto kWishHolds = 50ms;
 /// Without a report for so long the fault is told; after the second time the Falcon is opened anew.
 constexpr auto kSilent = 50ms, kGiveUp = 1000ms;
 constexpr auto kLookAgain = 500ms;
-/// The driver's thread has not come round for so long, in the servo's time.
-constexpr double kLateS = 0.05;
+/// The driver's thread has not come round for so long.
+constexpr auto kLate = 50ms;
 
 DeviceInfo falcon_info(const std::string& serial) {
   DeviceInfo info;
@@ -84,6 +84,7 @@ FalconDevice::FalconDevice(const std::string& firmware)
   falcon::start(usb_, firmware_, stop_);
   info_ = falcon_info(usb_.serial());
   good_at_ = Clock::now();
+  beat(good_at_);
   thread_ = std::thread([this] { run(); });
 }
 
@@ -98,13 +99,7 @@ FalconDevice::~FalconDevice() {
 
 // --- the servo's thread ----------------------------------------------------------------------------------------------
 
-DeviceReading FalconDevice::read(double time_s) noexcept {
-  const std::uint32_t beats = beats_.load(std::memory_order_relaxed);
-  if (beats != beats_seen_ || time_s < beat_seen_s_) {
-    beats_seen_ = beats;
-    beat_seen_s_ = time_s;
-  }
-  late_.store(time_s - beat_seen_s_ > kLateS, std::memory_order_relaxed);
+DeviceReading FalconDevice::read(double) noexcept {
   DeviceReading reading = reading_.newest();
   reading.valid = fault() == DeviceFault::none;
   return reading;
@@ -120,7 +115,8 @@ void FalconDevice::write(const std::array<double, 3>& force_n) noexcept {
 DeviceFault FalconDevice::fault() const noexcept {
   const DeviceFault link = link_fault_.load(std::memory_order_relaxed);
   if (link != DeviceFault::none) return link;
-  if (late_.load(std::memory_order_relaxed)) return DeviceFault::servo_late;
+  const Clock::time_point beat{Clock::duration(beat_.load(std::memory_order_relaxed))};
+  if (Clock::now() - beat > kLate) return DeviceFault::servo_late;
   if (!homed_.load(std::memory_order_relaxed)) return DeviceFault::not_calibrated;
   return not_finite_.load(std::memory_order_relaxed) ? DeviceFault::non_finite_command : DeviceFault::none;
 }
@@ -163,7 +159,7 @@ void FalconDevice::tick() noexcept {
 
   const falcon::Transfer result = falcon::exchange(usb_, reader_, command, kExchangeMs);
   const auto now = Clock::now();
-  beats_.fetch_add(1, std::memory_order_relaxed);
+  beat(now);
   clean_ = result == falcon::Transfer::done && take(reader_.newest(), now);
   if (clean_) {
     good_at_ = now;
@@ -216,6 +212,7 @@ void FalconDevice::reopen() noexcept {
       falcon::start(usb_, firmware_, stop_);
       reader_.reset();
       good_at_ = Clock::now();  // the fault is cleared by the first report
+      beat(good_at_);
       return;
     }
     if (!problem.there) fault = DeviceFault::unplugged;
@@ -223,7 +220,6 @@ void FalconDevice::reopen() noexcept {
     usb_.close();
   }
   link_fault_.store(fault, std::memory_order_relaxed);
-  beats_.fetch_add(1, std::memory_order_relaxed);
   std::unique_lock<std::mutex> lock(waiting_);
   stopped_.wait_for(lock, kLookAgain, [this] { return stop_.load(std::memory_order_relaxed); });
 }

@@ -51,6 +51,7 @@ class FalconDevice final : public HapticDevice {
   void lose(DeviceFault fault) noexcept;
   void reopen() noexcept;
   void let_go() noexcept;
+  void beat(Clock::time_point now) noexcept { beat_.store(now.time_since_epoch().count(), std::memory_order_relaxed); }
 
   const std::vector<std::uint8_t> firmware_;
   DeviceInfo info_;
@@ -73,13 +74,11 @@ class FalconDevice final : public HapticDevice {
   LatestValue<DeviceReading> reading_;
   std::atomic<DeviceFault> link_fault_{DeviceFault::none};
   std::atomic<bool> homed_{false};
-  std::atomic<std::uint32_t> beats_{0};
+  std::atomic<Clock::rep> beat_;  ///< when the driver's thread last came round
 
   // The servo's thread's.
   Wish wished_;
-  std::atomic<bool> not_finite_{false}, late_{false};
-  std::uint32_t beats_seen_ = 0;
-  double beat_seen_s_ = 0.0;
+  std::atomic<bool> not_finite_{false};
 
   std::thread thread_;
 };

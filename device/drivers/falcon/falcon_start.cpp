@@ -46,7 +46,8 @@ constexpr const char* kPowerCycle = "unplug its USB cable and its power supply, 
 
 class Starter {
  public:
-  Starter(FalconUsb& usb, const std::atomic<bool>& stop) : usb_(usb), stop_(stop) {}
+  Starter(FalconUsb& usb, const std::atomic<bool>& stop, std::chrono::milliseconds longest)
+      : usb_(usb), stop_(stop), end_(Clock::now() + longest) {}
 
   /// Sends packets without force until one is answered.
   bool answers(int asks) {
@@ -88,6 +89,7 @@ class Starter {
  private:
   void go_on() const {
     if (stop_.load(std::memory_order_relaxed)) throw Stopped{};
+    if (Clock::now() > end_) fail("starting it takes too long", kPowerCycle);
   }
 
   /// True when done; false when late, where that is allowed; else names the step.
@@ -164,6 +166,7 @@ class Starter {
 
   FalconUsb& usb_;
   const std::atomic<bool>& stop_;
+  const Clock::time_point end_;
 };
 
 const char* set_variable(const char* name) {
@@ -228,8 +231,9 @@ Transfer exchange(FalconUsb& usb, PacketReader& reader, const Command& command, 
   return Transfer::late;
 }
 
-void start(FalconUsb& usb, const std::vector<std::uint8_t>& firmware, const std::atomic<bool>& stop) {
-  Starter starter(usb, stop);
+void start(FalconUsb& usb, const std::vector<std::uint8_t>& firmware, const std::atomic<bool>& stop,
+           std::chrono::milliseconds longest) {
+  Starter starter(usb, stop, longest);
   try {
     if (starter.answers(kAlreadyRunningAsks)) return;
     if (firmware.empty()) fail("it needs its firmware, and no firmware file was found", kFirmwareAdvice);

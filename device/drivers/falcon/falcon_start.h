@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -27,9 +28,10 @@ std::vector<std::uint8_t> read_firmware(const std::string& argument);
 /// way before is taken first: the answer to an earlier command counts only if nothing newer comes.
 Transfer exchange(FalconUsb& usb, PacketReader& reader, const Command& command, int time_ms) noexcept;
 
-/// Starts an opened Falcon. One that answers packets already is left as it is; otherwise `firmware` is loaded. Takes
-/// some seconds, ends within about fifteen whatever the device does, and soon after `stop`. Throws DeviceError naming
+/// Starts an opened Falcon. One that answers packets already is left as it is; otherwise `firmware` is loaded, which
+/// takes some seconds. Ends within `longest` whatever the device does, and soon after `stop`. Throws DeviceError naming
 /// the step that failed.
-void start(FalconUsb& usb, const std::vector<std::uint8_t>& firmware, const std::atomic<bool>& stop);
+void start(FalconUsb& usb, const std::vector<std::uint8_t>& firmware, const std::atomic<bool>& stop,
+           std::chrono::milliseconds longest = std::chrono::seconds(20));
 
 }  // namespace vallecula::device::falcon

@@ -350,8 +350,10 @@ void MockFalcon::command(const std::uint8_t* bytes) {
       value = value * 16 + digit;
     }
     seen_.motors[leg] = value >= 0x8000 ? value - 0x10000 : value;
+    seen_.largest_motor = std::max(seen_.largest_motor, std::abs(seen_.motors[leg]));
     if (!homed_) seen_.largest_motor_unhomed = std::max(seen_.largest_motor_unhomed, std::abs(seen_.motors[leg]));
   }
+  if (!homed_ && seen_.motors != std::array<int, 3>{}) ++seen_.forces_unhomed;
   seen_.lights = (packet[13] - 'A') & 0x0e;
   seen_.homing = ((packet[13] - 'A') & 1) != 0;
   ++seen_.commands;
