@@ -68,7 +68,6 @@ void Channel::attach(Handle handle, const Properties& properties) noexcept {
   noted_ = DeviceFault::none;
   turned_ns_.store(clock_ns(), std::memory_order_relaxed);
   calibration_.store(Calibration::needs_update, std::memory_order_relaxed);
-  fault_.store(DeviceFault::not_calibrated, std::memory_order_relaxed);
 }
 
 void Channel::detach() noexcept {
@@ -162,17 +161,20 @@ bool Channel::over(DeviceFault fault) const noexcept {
 }
 
 void Channel::settle(const Functions& hd) noexcept {
-  const DeviceFault held = fault_.load(std::memory_order_relaxed);
+  // With the first turn after attach() what was held before is over.
+  const DeviceFault held = turns_ == 1 ? DeviceFault::not_calibrated : fault_.load(std::memory_order_relaxed);
+  DeviceFault now = held;
   if (noted_ != DeviceFault::none) {
     error_s_ = elapsed_s_;
     if (held == DeviceFault::none) hd.disable(kForceOutput);
-    if (severity(noted_) > severity(held)) fault_.store(noted_, std::memory_order_relaxed);
+    if (severity(noted_) > severity(held)) now = noted_;
     noted_ = DeviceFault::none;
   } else if (held != DeviceFault::none && over(held)) {
     hd.enable(kForceOutput);
     on_since_ = turns_;
-    fault_.store(DeviceFault::none, std::memory_order_relaxed);
+    now = DeviceFault::none;
   }
+  fault_.store(now, std::memory_order_relaxed);
   state_.publish(now_);
   turned_ns_.store(clock_ns(), std::memory_order_relaxed);
 }

@@ -182,6 +182,21 @@ TEST_F(HdapiDevice, OpeningSaysWhatTheLibrarySays) {
   EXPECT_TRUE(hd.running());
 }
 
+TEST_F(HdapiDevice, ALoopThatDoesNotStartIsSaidSoAndNothingStaysOpen) {
+  for (const unsigned int code : {0x304U, 0x600U}) {
+    hd.start_error(code);
+    try {
+      HdDevice device("");
+      ADD_FAILURE() << std::hex << code;
+    } catch (const DeviceError& error) {
+      EXPECT_NE(std::string(error.what()).find(name_of(code)), std::string::npos) << error.what();
+    }
+    EXPECT_FALSE(hd.open(0));
+  }
+  hd.start_error(0);
+  EXPECT_EQ(HdDevice("").fault(), DeviceFault::none);
+}
+
 TEST_F(HdapiDevice, TheLoopEndsWithTheLastDeviceInBoundedTimeEvenIfTheLibraryHangs) {
   auto device = std::make_unique<HdDevice>("");
   ASSERT_TRUE(within(2s, [&] {
@@ -205,6 +220,7 @@ TEST_F(HdapiDevice, ADecimalCommaDoesNotBreakTheLibrary) {
   const std::string made = "localedef -i de_DE -f UTF-8 " + (folder / "de_DE.UTF-8").string() + " >/dev/null 2>&1";
   const bool have = std::system(made.c_str()) >= 0 && setenv("LOCPATH", folder.c_str(), 1) == 0 &&
                     setlocale(LC_ALL, "de_DE.UTF-8") != nullptr;
+  unsetenv("LOCPATH");
   if (have) {
     EXPECT_EQ(std::strtod("7.9", nullptr), 7.0);  // so the library would read it
     const HdDevice device("");
@@ -212,7 +228,6 @@ TEST_F(HdapiDevice, ADecimalCommaDoesNotBreakTheLibrary) {
     EXPECT_EQ(std::strtod("7,9", nullptr), 7.9);  // the user's own is as it was
     setlocale(LC_ALL, "C");
   }
-  unsetenv("LOCPATH");
   std::filesystem::remove_all(folder);
   if (!have) GTEST_SKIP() << "no German locale can be made here (localedef)";
 }

@@ -178,10 +178,31 @@ TEST_F(HdapiFaults, AnUnpluggedDeviceIsToldAndComesBack) {
   EXPECT_TRUE(pushing_until([&] { return device.read(0).position_m[0] > 0.0199; }));
 }
 
+TEST_F(HdapiFaults, OneOfTwoUnpluggedLeavesTheOtherAndComesBack) {
+  HdDevice left(""), right("Right Device");
+  const auto pushing_until = [&](const std::function<bool()>& so) {
+    return within(6s, [&] {
+      left.write({0, 1, 0});
+      right.write({0, 0, 2});
+      return so();
+    });
+  };
+  ASSERT_TRUE(pushing_until([&] { return hd.given(0)[1] == 1.0 && hd.given(1)[2] == 2.0; }));
+  hd.plugged(1, false);
+  ASSERT_TRUE(pushing_until([&] { return right.fault() == DeviceFault::unplugged; }));
+  const long frames = hd.frames(0);
+  EXPECT_TRUE(pushing_until([&] { return hd.frames(0) > frames + 1000; }));  // beyond several attempts to reopen
+  EXPECT_TRUE(pushing_until([&] { return left.fault() == DeviceFault::none && hd.given(0)[1] == 1.0; }));
+  EXPECT_EQ(hd.given(1), (Vector{0, 0, 0}));
+  hd.plugged(1, true);
+  EXPECT_TRUE(pushing_until([&] { return right.fault() == DeviceFault::none && hd.given(1)[2] == 2.0; }));
+}
+
 TEST_F(HdapiFaults, ADeviceThatAnotherProgramHoldsIsNotTakenForAStillHand) {
   hd.held_elsewhere(0, true);
   HdDevice device("");
   EXPECT_EQ(device.fault(), DeviceFault::communication_lost);
+  EXPECT_FALSE(device.read(0).valid);
   hd.held_elsewhere(0, false);  // the other program ends
   EXPECT_TRUE(within(6s, [&] { return device.fault() == DeviceFault::none; }));
 }

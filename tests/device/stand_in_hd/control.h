@@ -40,6 +40,8 @@ class StandIn {
   void held_elsewhere(int device, bool on) const { call<void(int, int)>("held_elsewhere")(device, on); }
   /// Opening fails with this error (0: no more).
   void init_error(int device, unsigned int code) const { call<void(int, unsigned int)>("init_error")(device, code); }
+  /// The servo loop does not start, with this error (0: it does).
+  void start_error(unsigned int code) const { call<void(unsigned int)>("start_error")(code); }
   /// Every frame raises this error (0: no more).
   void frame_error(int device, unsigned int code) const { call<void(int, unsigned int)>("frame_error")(device, code); }
   /// One error, once; device -1: of no device.

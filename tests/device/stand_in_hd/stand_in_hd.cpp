@@ -2,81 +2,33 @@
 // their limits, and every fault on command (control.h). Built as a shared library named libHD.so; the driver loads it
 // as it loads the vendor's. It knows nothing of the driver: types and numbers are written down here once more.
 #include <algorithm>
-#include <atomic>
 #include <chrono>
 #include <cmath>
-#include <condition_variable>
 #include <cstdlib>
 #include <cstring>
-#include <mutex>
-#include <string>
 #include <thread>
-#include <vector>
+
+#include "tests/device/stand_in_hd/stand_in_state.h"
 
 extern "C" void hdUnschedule(unsigned long id);
 
-namespace {
+namespace stand_in {
 
-using HHD = unsigned int;
-constexpr HHD kInvalid = 0xFFFFFFFFU;
-struct HDErrorInfo {
-  unsigned int errorCode;
-  int internalErrorCode;
-  HHD hHD;
-};
-
-struct Device {
-  const char* name;
-  const char* model;
-  const char* serial;
-  const char* set_up;  ///< what its configuration file holds: peak force, N; read as the vendor does, with the locale
-  double peak_n, continuous_n, stiffness_n_mm, box_mm[6];
-  int styles;
-};
-constexpr Device kDevices[] = {
-    {"Default PHANToM", "Touch X", "TX-0042", "7.9", 7.9, 1.75, 2.35, {-180, -105, -70, 180, 135, 60}, 2},
-    {"Right Device", "Touch", "T-0007", "3.3", 3.3, 0.88, 1.02, {-210, -110, -85, 210, 205, 130}, 4},
-};
-constexpr int kCount = 2;
-constexpr int kLimitTurns = 200;        // asked for its peak for longer than this, a device switches its motors off
-constexpr double kAtLimitShare = 0.99;  // from here on it counts as its peak
-
-struct State {
-  bool plugged = true, open = false, in_frame = false, output = false, motors_on = true, held_elsewhere = false;
-  double transform[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
-  int buttons = 0;
-  double temperature[3] = {0.1, 0.1, 0.1};
-  unsigned int calibration = 0x5000;
-  unsigned int init_error = 0, frame_error = 0;
-  double asked[3] = {0, 0, 0}, given[3] = {0, 0, 0};
-  int turns_at_limit = 0, switched_off = 0;
-  long frames = 0;
-  HHD handle = kInvalid;
-};
-
-struct Scheduled {
-  unsigned long id;
-  unsigned int (*call)(void*);
-  void* data;
-};
-
-std::recursive_mutex mutex;  // over all below
-std::mutex loop;             // held for one turn of the servo loop
+std::recursive_mutex mutex;
 State states[kCount];
 std::vector<HDErrorInfo> errors;
 std::vector<Scheduled> callbacks;
-HHD current = kInvalid, next_handle = 1;
-unsigned long next_callback = 1;
 int violations = 0;
+unsigned int start_error = 0;
 std::string violation;
 std::atomic<bool> running{false}, manual{false}, hangs{false};
+
+namespace {
+
+std::mutex loop;  // held for one turn of the servo loop
+HHD current = kInvalid, next_handle = 1;
+unsigned long next_callback = 1;
 std::thread servo;
-
-using Lock = std::lock_guard<std::recursive_mutex>;
-
-void push(unsigned int code, HHD device) {
-  if (errors.size() < 64) errors.push_back({code, static_cast<int>(code) & 0xFF, device});
-}
 
 void violate(const char* what) {
   ++violations;
@@ -91,6 +43,12 @@ State* of(HHD handle) {
   return nullptr;
 }
 const Device& kind_of(const State* s) { return kDevices[s - states]; }
+
+}  // namespace
+
+void push(unsigned int code, HHD device) {
+  if (errors.size() < 64) errors.push_back({code, static_cast<int>(code) & 0xFF, device});
+}
 
 /// Allocates nothing: the tests count what the driver allocates in its callback.
 void turn() {
@@ -107,9 +65,9 @@ void turn() {
   }
 }
 
-void copy(const double* from, int count, double* to) { std::copy(from, from + count, to); }
+}  // namespace stand_in
 
-}  // namespace
+using namespace stand_in;
 
 extern "C" {
 
@@ -344,6 +302,10 @@ void hdUnschedule(unsigned long id) {
 }
 
 void hdStartScheduler() {
+  {
+    const Lock lock(mutex);
+    if (start_error != 0) return push(start_error, kInvalid);
+  }
   if (running.exchange(true)) return;
   if (manual) return;
   servo = std::thread([] {
@@ -361,102 +323,6 @@ void hdStopScheduler() {
   running = false;
   if (servo.joinable()) servo.join();
   const std::lock_guard<std::mutex> turning(loop);  // a turn made by hand ends first
-}
-
-// --- what the tests say to it: control.h
-// -------------------------------------------------------------------------------
-
-void vallecula_standin_reset() {
-  const Lock lock(mutex);
-  for (State& s : states) {
-    const bool open = s.open, output = s.output;
-    const HHD handle = s.handle;
-    s = State();
-    s.open = open;
-    s.output = output;
-    s.handle = handle;
-  }
-  errors.clear();
-  errors.reserve(64);
-  violations = 0;
-  violation.clear();
-  manual = false;
-  hangs = false;
-}
-void vallecula_standin_manual(int by_hand) { manual = by_hand != 0; }
-int vallecula_standin_turn(int turns) {
-  for (int i = 0; i < turns; ++i) {
-    if (!running) return i;
-    turn();
-  }
-  return turns;
-}
-void vallecula_standin_hang(int hang) { hangs = hang != 0; }
-void vallecula_standin_transform(int device, const double* transform) {
-  const Lock lock(mutex);
-  copy(transform, 16, states[device].transform);
-}
-void vallecula_standin_buttons(int device, int buttons) {
-  const Lock lock(mutex);
-  states[device].buttons = buttons;
-}
-void vallecula_standin_temperature(int device, int motor, double temperature) {
-  const Lock lock(mutex);
-  states[device].temperature[motor] = temperature;
-}
-void vallecula_standin_calibration(int device, unsigned int status) {
-  const Lock lock(mutex);
-  states[device].calibration = status;
-}
-void vallecula_standin_plugged(int device, int plugged) {
-  const Lock lock(mutex);
-  states[device].plugged = plugged != 0;
-}
-void vallecula_standin_held_elsewhere(int device, int held) {
-  const Lock lock(mutex);
-  states[device].held_elsewhere = held != 0;
-}
-void vallecula_standin_init_error(int device, unsigned int code) {
-  const Lock lock(mutex);
-  states[device].init_error = code;
-}
-void vallecula_standin_frame_error(int device, unsigned int code) {
-  const Lock lock(mutex);
-  states[device].frame_error = code;
-}
-void vallecula_standin_error(int device, unsigned int code) {
-  const Lock lock(mutex);
-  push(code, device < 0 ? kInvalid : states[device].handle);
-}
-void vallecula_standin_given(int device, double* force_n) {
-  const Lock lock(mutex);
-  copy(states[device].given, 3, force_n);
-}
-int vallecula_standin_open(int device) {
-  const Lock lock(mutex);
-  return states[device].open ? 1 : 0;
-}
-int vallecula_standin_output(int device) {
-  const Lock lock(mutex);
-  return states[device].output ? 1 : 0;
-}
-int vallecula_standin_switched_off(int device) {
-  const Lock lock(mutex);
-  return states[device].switched_off;
-}
-long vallecula_standin_frames(int device) {
-  const Lock lock(mutex);
-  return states[device].frames;
-}
-int vallecula_standin_running() { return running ? 1 : 0; }
-int vallecula_standin_callbacks() {
-  const Lock lock(mutex);
-  return static_cast<int>(callbacks.size());
-}
-int vallecula_standin_violations(const char** last) {
-  const Lock lock(mutex);
-  *last = violation.c_str();
-  return violations;
 }
 
 }  // extern "C"
