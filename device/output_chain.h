@@ -12,7 +12,7 @@ struct OutputLimits {
   double cutoff_hz = 200.0;         ///< first-order low-pass; below the servo's Nyquist frequency
   double period_s = 0.001;          ///< of the servo
   double continuous_force_n = 0.0;  ///< what the motors bear for long; 0: as much as the peak
-  /// Of the motors' warming. Assumed: no device tells its own; with 60 s a Touch X bears its 7.9 N for 2.5 s.
+  /// Of the motors' warming. Assumed: no device tells its own; with 60 s a Touch X bears its 7.9 N for 2.4 s.
   double thermal_time_s = 60.0;
   double soft_start_s = 0.5;  ///< after reset(): from the first contact on the force allowed grows from zero this long
   double force_scale = 1.0;   ///< force shown to the hand over the model's; above 0, at most 1

@@ -96,8 +96,12 @@ int run_headless(const TrialSetup& setup, bool json) {
   spdlog::info("scene built; {} with {} begins", session.scenario().id, setup.device);
   session.start();
   const bool show_progress = isatty(STDERR_FILENO) != 0;
+  std::string told;
   while (!session.finished() && !interrupted()) {
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    const std::string pause = session.pause();
+    if (pause != told && !pause.empty()) spdlog::warn("paused: {}", pause);
+    told = pause;
     if (show_progress) std::fprintf(stderr, "\rtrial: %5.1f s", session.latest().time_s);
   }
   if (show_progress) std::fputs("\r              \r", stderr);

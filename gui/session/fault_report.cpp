@@ -61,8 +61,8 @@ std::string fault_words(std::uint32_t faults) {
 std::string pause_words(device::GuardState state, device::DeviceFault fault) {
   if (state == device::GuardState::paused) return device::describe(fault);
   if (state == device::GuardState::confirming)
-    return "The device is back. To go on press one of its buttons or Enter, or hold the grey blade on the steel one for "
-           "half a second.";
+    return "The device is back. To go on press one of its buttons or (in the window) Enter, or hold the grey blade on "
+           "the steel one for half a second.";
   return "";
 }
 
