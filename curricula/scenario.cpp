@@ -90,7 +90,7 @@ void settle_blade(YAML::Node& scenario, const std::vector<BladeRow>& blades, con
   if (row == blades.end()) {
     rules.fail_missing(
         scenario, path + "blade",
-        "one of miller-00, miller-0, miller-1, or a row of blades_by_weight above " + limit_text(weight_kg, "kg"));
+        "one of miller-00, miller-0, miller-1, miller-2, miller-3, or a row of blades_by_weight above " + limit_text(weight_kg, "kg"));
   }
   scenario["blade"] = row->blade;
 }
@@ -130,7 +130,7 @@ Scenario parse_scenario(const std::string& yaml, const std::string& name_for_err
   const YAML::Node node = parse_safely(yaml, name_for_errors);
   const Validator rules(curriculum_schema_1(), name_for_errors);
   rules.check(node, "scenario", "");
-  if (!node["blade"]) rules.fail_missing(node, "blade", "one of miller-00, miller-0, miller-1");
+  if (!node["blade"]) rules.fail_missing(node, "blade", "one of miller-00, miller-0, miller-1, miller-2, miller-3");
   Scenario scenario = read_scenario(node, rules, "");
   scenario.yaml = yaml;
   return scenario;

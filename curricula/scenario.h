@@ -40,7 +40,7 @@ struct Scenario {
   std::string briefing;
   std::string debriefing;
   ManikinSpec manikin;
-  std::string blade;                  ///< "miller-00", "miller-0", "miller-1"
+  std::string blade;                  ///< "miller-00", "miller-0", "miller-1", "miller-2", "miller-3"
   double tongue_young_pa = 0.0;       ///< 0: the package's own
   double sight_percent = 25.0;        ///< glottis counts as in sight from here on
   double max_attempt_s = 60.0;        ///< the trial ends by itself

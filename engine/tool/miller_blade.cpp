@@ -36,8 +36,16 @@ MillerBlade miller_blade(const std::string& name) {
     blade.length = 0.102;
     blade.width = 0.0115;
     blade.web_height = 0.0040;
+  } else if (name == "miller-2") {
+    blade.length = 0.155;
+    blade.width = 0.0130;
+    blade.web_height = 0.0060;
+  } else if (name == "miller-3") {
+    blade.length = 0.195;
+    blade.width = 0.0140;
+    blade.web_height = 0.0070;
   } else {
-    throw std::invalid_argument("blade '" + name + "' is not known; there are miller-00, miller-0 and miller-1");
+    throw std::invalid_argument("blade '" + name + "' is not known; there are miller-00, miller-0, miller-1, miller-2 and miller-3");
   }
   return blade;
 }

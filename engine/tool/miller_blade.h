@@ -7,8 +7,9 @@
 
 namespace vallecula::engine {
 
-/// Dimensions in m. Overall lengths of Miller 00, 0 and 1 are 65, 75 and 102 mm (CLINICAL.md; assumed there); widths,
-/// thickness and web are assumed from common blades.
+/// Dimensions in m. Overall lengths of Miller 00, 0 and 1 are 65, 75 and 102 mm (CLINICAL.md; assumed there), of 2 and 3,
+/// for children and grown-ups, 155 and 195 mm (makers' catalogues; assumed); widths, thickness and web are assumed from
+/// common blades.
 struct MillerBlade {
   double length = 0.075;         ///< tip to heel, along the blade
   double width = 0.0105;         ///< of the spatula
@@ -17,7 +18,7 @@ struct MillerBlade {
   double tip_lift = 0.0015;      ///< how far the last centimetre bends towards the tongue side
 };
 
-/// "miller-00", "miller-0" or "miller-1"; throws std::invalid_argument that names what there is otherwise.
+/// "miller-00", "miller-0", "miller-1", "miller-2" or "miller-3"; throws std::invalid_argument that names what there is otherwise.
 MillerBlade miller_blade(const std::string& name);
 
 /// Closed surface in the tool frame: a spatula along +x from the rounded tip at the origin, its tongue side towards +z;

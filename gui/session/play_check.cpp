@@ -17,6 +17,7 @@
 #include "gui/session/device_choice.h"
 #include "gui/session/device_port.h"
 #include "gui/session/scene_from_package.h"
+#include "gui/session/scripted_hands.h"
 
 namespace vallecula::gui {
 
@@ -36,10 +37,15 @@ constexpr double kLiftIsOver_s = 11.5;  ///< of the expert's plan: from here on 
 constexpr std::int64_t kTicksBetweenSights = 20;
 
 /// The usual blade for a patient of this size. CLINICAL has it by weight: below 1 kg 00, below 3 kg 0; the manikin's
-/// lengths go with the cube root of the weight over 3.2 kg.
+/// lengths go with the cube root of the weight over 3.2 kg. Above an infant's size the blade must reach from the
+/// vallecula past the gum by 25 mm (assumed), for lip and heel.
 const char* blade_for(double size) {
   if (size < std::cbrt(1.0 / 3.2)) return "miller-00";
-  return size < std::cbrt(3.0 / 3.2) ? "miller-0" : "miller-1";
+  if (size < std::cbrt(3.0 / 3.2)) return "miller-0";
+  const double reach_m = 0.0503 * size + 0.025;
+  for (const char* name : {"miller-1", "miller-2"})
+    if (reach_m < engine::miller_blade(name).length) return name;
+  return "miller-3";
 }
 
 struct Played {
@@ -191,7 +197,7 @@ std::vector<QualityItem> check_by_playing(PatientPackage& package, const std::fu
     return {{"check by playing", std::nullopt, "", false, std::string("no scene can be built from it: ") + error.what()}};
   }
   const double past_anatomy = engine::LineOfSight(description.sight, description.soft.bodies).unobstructed();
-  const auto planned = package.approach;
+  const auto planned = usual_approach(package);
   Played played;
   bool first = true;
   double tried = 0.0;

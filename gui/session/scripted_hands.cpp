@@ -103,6 +103,10 @@ std::vector<Waypoint> adapted(std::vector<Waypoint> plan, const pipeline::Approa
   return plan;
 }
 
+// Where the manikin's vallecula lies from its glottis (ANATOMY), along the sight and the lift, and how much farther off
+// it is another plan (term mm; assumed: infants vary by less).
+constexpr double kValleculaAlong = 7.9, kValleculaLift = -0.5, kElsewhere = 2.0;
+
 // Straight in over the middle, turns the blade about the upper gum instead of lifting, and presses on past what the
 // device can give.
 const std::vector<Waypoint> kNovice = {
@@ -196,6 +200,16 @@ device::Trajectory press(const PatientPackage& package, const OperatorFrame& fra
 }
 
 }  // namespace
+
+pipeline::Approach usual_approach(const PatientPackage& package) {
+  if (package.approach.along_mm != 0.0 || package.approach.lift_mm != 0.0) return package.approach;
+  const OperatorFrame frame(package);
+  const Vec3 vallecula = (landmark(package, "vallecula") - frame.origin) / (kMetres * frame.size);
+  const double along = vallecula.dot(frame.sight) - kValleculaAlong;
+  const double lift = vallecula.dot(frame.lift) - kValleculaLift;
+  if (std::hypot(along, lift) < kElsewhere) return package.approach;
+  return {along, lift};
+}
 
 device::Trajectory scripted_hand(const std::string& kind, const PatientPackage& package, const curricula::Scenario&) {
   const OperatorFrame frame(package);

@@ -16,4 +16,8 @@ namespace vallecula::gui {
 device::Trajectory scripted_hand(const std::string& kind, const pipeline::PatientPackage& package,
                                  const curricula::Scenario& scenario);
 
+/// The package's own approach; where none was found yet and the vallecula lies clearly elsewhere before the glottis than
+/// in the manikin, on which the expert's plan was made (a grown-up's lies farther off), one that brings the tip there.
+pipeline::Approach usual_approach(const pipeline::PatientPackage& package);
+
 }  // namespace vallecula::gui

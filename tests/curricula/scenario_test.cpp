@@ -162,7 +162,7 @@ TEST_F(CurriculumFile, EveryMistakeNamesFileLineFieldValueAndWhatIsAllowed) {
       {"max_attempt_s: 60", "max_attempt_s: 60\n    max_attempt_s: 50", 15, "scenarios[0].max_attempt_s", "'50'",
        "once"},
       {"title: First", "title: First\n    blade: macintosh", 10, "scenarios[0].blade", "'macintosh'",
-       "miller-00, miller-0, miller-1"},
+       "miller-00, miller-0, miller-1, miller-2, miller-3"},
       {"weight_kg: 1.5", "weight_kg: 3.0", 8, "scenarios[0].blade", "missing", "blades_by_weight above 3 kg"},
       {"below_kg: 3.0", "below_kg: 0.9", 6, "blades_by_weight[1].below_kg", "'0.9'", "more than the row before, 1 kg"},
       {"id: first", "id: First One", 8, "scenarios[0].id", "'First One'", "lower-case"},

@@ -61,7 +61,8 @@ TEST(SignedDistanceGrid, DeepInsideAndFarOutsideThereIsNoClass) {
 }
 
 TEST(MillerBlade, EveryBladeIsClosedAndAsLongAsItSays) {
-  for (const auto& [name, length] : {std::pair{"miller-00", 0.065}, {"miller-0", 0.075}, {"miller-1", 0.102}}) {
+  for (const auto& [name, length] : {std::pair{"miller-00", 0.065}, {"miller-0", 0.075}, {"miller-1", 0.102},
+                                      {"miller-2", 0.155}, {"miller-3", 0.195}}) {
     const TriangleMesh mesh = blade_surface(miller_blade(name));
     EXPECT_EQ(count_open_edges(mesh), 0) << name;
     double low = 1, high = -1;

@@ -11,6 +11,7 @@
 #include <stdexcept>
 
 #include "pipeline/import.h"
+#include "pipeline/segment/free_line.h"
 #include "pipeline/segment/mouth_bounds.h"
 #include "tests/pipeline/closed_manikin.h"
 
@@ -236,6 +237,11 @@ TEST(Position, OpenMouthAndExtendedHeadAreLeftAlone) {
   const auto scan = scan_manikin(options);
   auto s = segment(scan.ct, {});
   EXPECT_FALSE(aim_of(s).any());
+  // The worked design of its line of sight: free past gum and lip; 20 mm nearer the table the upper lip blocks.
+  const Vector3 eye = s.landmarks.at("operator_eye");
+  EXPECT_GT(free_share(s, eye), 0.8);
+  EXPECT_LT(free_share(s, eye + Vector3{0.0, 20.0, 0.0}), 0.2);
+  EXPECT_EQ(s.findings.count("operator_eye"), 0u) << "where the design has it";
   const auto labels = s.labels.voxels;
   const auto landmarks = s.landmarks;
   put_into_position(s);
