@@ -7,12 +7,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <future>
 
 #include "pipeline/mesh/face_tissue.h"
 #include "pipeline/mesh/inflate.h"
 #include "pipeline/mesh/isosurface.h"
 #include "pipeline/mesh/mend.h"
 #include "pipeline/mesh/remesh.h"
+#include "pipeline/mesh/sampled_volume.h"
 #include "pipeline/mesh/self_intersection.h"
 #include "pipeline/mesh/surface_check.h"
 #include "pipeline/mesh/vector3.h"
@@ -73,12 +75,13 @@ std::vector<Point> places_of(const Surface& s, const std::vector<std::array<int,
   return places;
 }
 
-Surface finished(const Surface& rough, const RemeshOptions& options, const char* name) {
+/// The largest part with triangles of the wanted size, mended; it holds `fuller` times what was cut.
+Surface finished(const Surface& rough, double fuller, const RemeshOptions& options, const char* name) {
   constexpr double kReach = 4.0;  // in wanted edges: so far about a crossing the triangles become smaller
   constexpr double kFiner = 0.6;
   constexpr int kTries = 3;
   const auto whole = largest_part(rough);
-  const double volume = size_of(whole).volume_mm3;
+  const double volume = fuller * size_of(whole).volume_mm3;
   Surface best;
   std::vector<Point> crossings;
   std::size_t fewest = 0;
@@ -140,10 +143,16 @@ Surface face_surface(const Segmentation& s, const AnatomyFields& f, const std::f
   RemeshOptions options;
   options.rounds = 4;
   options.progress = [&progress](double done) { progress(0.1 + 0.7 * done); };
-  options.edge_mm = [mouth, k](const Point& p) { return graded(0.85 * k, 2.6 * k, outside_of(mouth, p), 45.0 * k); };
+  options.edge_mm = [&](const Point& p) {
+    const double away = outside_of(mouth, p);
+    const double edge = graded(0.85 * k, 2.6 * k, away, 24.0 * k) + graded(0.0, k, away - 24.0 * k, 60.0 * k);
+    // What the tongue lies on is seen by nobody and touched by no tool.
+    const bool bed = value_at(f.solid, p) > 0.5 && holds(throat, p) && value_at(f.soft, p) > -0.5 * k;
+    return bed ? std::max(edge, 1.6 * k) : edge;
+  };
   const auto rough = isosurface(axes, values);
   progress(0.1);
-  auto face = finished(rough, options, "the face");
+  auto face = finished(rough, 1.0, options, "the face");
   face.tissue = face_tissue(face, s);
   smooth_tissue_borders(face, rough, 8);
   face = mended(face);
@@ -158,19 +167,19 @@ Surface airway_surface(const Segmentation& s, const AnatomyFields& f) {
   const double step = 0.6 * k;
   Axes axes;
   for (int a = 0; a < 3; ++a) axes[a] = graded_axis(low[a], high[a], low[a], high[a], step, step);
-  const auto values =
-      sampled(axes, [&](const Point& p) { return std::min(-value_at(f.solid, p), value_at(f.airway_side, p)); });
+  const auto field = [&](const Point& p) { return std::min(-value_at(f.solid, p), value_at(f.airway_side, p)); };
   RemeshOptions options;
   options.rounds = 3;
   options.edge_mm = [k](const Point&) { return 1.2 * k; };
-  return finished(isosurface(axes, values), options, "the airway");
+  const auto rough = isosurface(axes, sampled(axes, field));
+  return finished(rough, sampled_volume(box, field) / size_of(rough).volume_mm3, options, "the airway");
 }
 
 Surface bone_surface(const Volume<float>& field, double edge, const char* name) {
   RemeshOptions options;
   options.rounds = 3;
   options.edge_mm = [edge](const Point&) { return edge; };
-  return finished(isosurface(field), options, name);
+  return finished(isosurface(field), 1.0, options, name);
 }
 
 /// The upper jaw: the part of the skull about the hard palate and the upper gum.
@@ -182,6 +191,23 @@ Mask maxilla_of(const Segmentation& s) {
   const auto part = cropped(s.bones.skull, box);
   if (count(part) > 0) paste(largest_component(part), box, out);
   return out;
+}
+
+Surface mandible_surface(const Segmentation& s) {
+  if (count(s.bones.mandible) == 0)
+    throw std::runtime_error(
+        "the lower jaw could not be parted from the skull, so it has no surface; the series must show the whole jaw");
+  return bone_surface(bone_field(s, kMandible, s.bones.mandible, s.bones.skull), 1.6 * s.frame.scale, "the lower jaw");
+}
+
+Surface palate_surface(const Segmentation& s) {
+  const auto maxilla = maxilla_of(s);
+  if (count(maxilla) == 0)
+    throw std::runtime_error(
+        "no bone of the upper jaw was found above the mouth, so the palate has no surface; the series must show the "
+        "head from above the palate");
+  const auto others = any_of(without(s.bones.skull, maxilla), s.bones.mandible);
+  return bone_surface(bone_field(s, kSkull, maxilla, others), 1.4 * s.frame.scale, "the palate");
 }
 
 Surface glottis_surface(const Segmentation& s) {
@@ -209,25 +235,20 @@ std::map<std::string, Surface> surfaces_of(const Segmentation& s, const AnatomyF
   const auto say = [&](const char* part, double done) {
     if (progress) progress(part, done);
   };
-  const double k = s.frame.scale;
-  std::map<std::string, Surface> out;
+  // The face takes longer than all others together.
+  auto others = std::async(std::launch::async, [&] {
+    std::map<std::string, Surface> out;
+    out["airway"] = airway_surface(s, f);
+    out["mandible"] = mandible_surface(s);
+    out["palate"] = palate_surface(s);
+    out["glottis"] = glottis_surface(s);
+    return out;
+  });
   say("face", 0.0);
-  out["face"] = face_surface(s, f, [&](double done) { say("face", 0.8 * done); });
-  say("airway", 0.8);
-  out["airway"] = airway_surface(s, f);
+  auto face = face_surface(s, f, [&](double done) { say("face", 0.9 * done); });
   say("jaw and palate", 0.9);
-  if (count(s.bones.mandible) == 0)
-    throw std::runtime_error(
-        "the lower jaw could not be parted from the skull, so it has no surface; the series must show the whole jaw");
-  out["mandible"] = bone_surface(bone_field(s, kMandible, s.bones.mandible, s.bones.skull), 1.6 * k, "the lower jaw");
-  const auto maxilla = maxilla_of(s);
-  if (count(maxilla) == 0)
-    throw std::runtime_error(
-        "no bone of the upper jaw was found above the mouth, so the palate has no surface; the series must show the "
-        "head from above the palate");
-  out["palate"] = bone_surface(bone_field(s, kSkull, maxilla, any_of(without(s.bones.skull, maxilla), s.bones.mandible)),
-                               1.4 * k, "the palate");
-  out["glottis"] = glottis_surface(s);
+  auto out = others.get();
+  out["face"] = std::move(face);
   say("jaw and palate", 1.0);
   return out;
 }

@@ -1,11 +1,7 @@
 #include "pipeline/mesh/remesh.h"
 
-#include <vtkNew.h>
-#include <vtkWindowedSincPolyDataFilter.h>
-
 #include <algorithm>
 
-#include "pipeline/mesh/to_vtk.h"
 #include "pipeline/mesh/triangle_tree.h"
 #include "pipeline/mesh/vector3.h"
 #include "pipeline/parallel.h"
@@ -320,22 +316,6 @@ Surface remeshed(const Surface& surface, const RemeshOptions& options) {
     if (options.progress) options.progress((round + 1.0) / options.rounds);
   }
   return mesh.result();
-}
-
-Surface smoothed_surface(const Surface& surface, double pass_band, int iterations) {
-  vtkNew<vtkWindowedSincPolyDataFilter> filter;
-  filter->SetInputData(to_vtk(surface));
-  filter->SetPassBand(pass_band);
-  filter->SetNumberOfIterations(iterations);
-  filter->BoundarySmoothingOff();
-  filter->FeatureEdgeSmoothingOff();
-  filter->NonManifoldSmoothingOff();
-  filter->NormalizeCoordinatesOn();
-  filter->Update();
-  Surface out = surface;
-  for (std::size_t i = 0; i < out.points.size(); ++i)
-    filter->GetOutput()->GetPoint(static_cast<vtkIdType>(i), out.points[i].data());
-  return out;
 }
 
 }  // namespace vallecula::pipeline

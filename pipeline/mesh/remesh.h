@@ -18,8 +18,4 @@ struct RemeshOptions {
 /// error of the edges.
 Surface remeshed(const Surface& surface, const RemeshOptions& options);
 
-/// Windowed sinc smoothing (Taubin 1996), which removes voxel steps without shrinking. `pass_band` 0.001 (strong) .. 2
-/// (none).
-Surface smoothed_surface(const Surface& surface, double pass_band, int iterations);
-
 }  // namespace vallecula::pipeline

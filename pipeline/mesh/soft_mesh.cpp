@@ -102,12 +102,10 @@ TetrahedralizeError hopeless(const Segmentation& s, const Point& at) {
   return TetrahedralizeError(text.str());
 }
 
-/// A border drawn by voxels can have steps too rough for its triangles: they are smoothed where they cross, and stay so
-/// in `field`.
+/// Steps too rough for the triangles are smoothed where these cross, and stay so in `field`.
 SoftSurface smooth_enough(const Segmentation& s, Volume<float>& field, double factor) {
   constexpr int kRounds = 8;
   auto soft = soft_surface(s, field, factor);
-  if (s.replaced.empty()) return soft;
   for (int round = 0; round < kRounds; ++round) {
     const auto places = crossings(soft);
     if (places.empty()) break;
@@ -130,7 +128,9 @@ Filled filled_to_count(const Segmentation& s, Volume<float>& field, int tetrahed
   for (int attempt = 0;; ++attempt) {
     Filled now;
     try {
-      now.soft = smooth_enough(s, field, factor);
+      // A border drawn by voxels is smoothed at once; one cut from grey values may not need it with other sizes.
+      const bool smooth = !s.replaced.empty() || (attempt >= kAttempts / 2 && !best);
+      now.soft = smooth ? smooth_enough(s, field, factor) : soft_surface(s, field, factor);
       TetrahedralizeOptions options;
       options.edge_mm = [&](const Point& p) { return 1.1 * now.soft.edge_mm(p); };
       now.mesh = tetrahedralized(now.soft.mesh, options);

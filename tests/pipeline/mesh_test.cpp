@@ -90,17 +90,6 @@ TEST(Remesh, KeepsVolumeTopologyAndSize) {
   }
 }
 
-TEST(SmoothedSurface, RemovesStepsWithoutShrinking) {
-  const double r = 8.0;
-  const auto steps =
-      isosurface(sampled(10.0, {0.6, 0.6, 1.0}, [&](const Point& p) { return sphere(p, r) > 0.0 ? 0.5 : -0.5; }));
-  const auto smooth = smoothed_surface(steps, 0.05, 30);
-  expect_solid(smooth, "smoothed sphere");
-  EXPECT_NEAR(facts_of(smooth).volume_mm3 / facts_of(steps).volume_mm3, 1.0, 0.01);
-  EXPECT_LT(facts_of(smooth).area_mm2, 0.97 * facts_of(steps).area_mm2)
-      << "steps have more area than what they approximate";
-}
-
 Surface rough_sphere() {
   return isosurface(sampled(10.0, {0.7, 0.7, 0.7}, [](const Point& p) { return sphere(p, 8.0); }));
 }
