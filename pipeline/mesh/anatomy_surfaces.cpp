@@ -116,10 +116,10 @@ Surface face_surface(const Segmentation& s, const AnatomyFields& f, const std::f
                    gum[2] + 8.0 * k - mouth.origin[2]};
   RemeshOptions options;
   options.rounds = 4;
-  options.progress = [&progress](double done) { progress(0.1 + 0.7 * done); };
+  options.progress = [&progress](double done) { progress(0.55 + 0.15 * done); };
   options.edge_mm = [mouth, k](const Point& p) { return graded(0.85 * k, 2.6 * k, outside_of(mouth, p), 45.0 * k); };
   const auto rough = isosurface(axes, values);
-  progress(0.1);
+  progress(0.55);
   auto face = finished(rough, options, "the face");
   face.tissue = face_tissue(face, s);
   smooth_tissue_borders(face, rough, 8);
@@ -188,8 +188,8 @@ std::map<std::string, Surface> surfaces_of(const Segmentation& s, const AnatomyF
   };
   const double k = s.frame.scale;
   std::map<std::string, Surface> out;
-  say("face", 0.0);
-  out["face"] = face_surface(s, f, [&](double done) { say("face", 0.8 * done); });
+  say("face", 0.1);  // the fields were made before
+  out["face"] = face_surface(s, f, [&](double done) { say("face", 0.1 + 0.7 * done); });
   say("airway", 0.8);
   out["airway"] = airway_surface(s, f);
   say("jaw and palate", 0.9);
