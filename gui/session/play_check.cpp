@@ -191,7 +191,8 @@ std::vector<QualityItem> check_by_playing(PatientPackage& package, const std::fu
     description = scene_from_package(package, scenario);
     scene = engine::build_scene(description);
   } catch (const std::exception& error) {
-    return {{"check by playing", std::nullopt, "", false, std::string("no scene can be built from it: ") + error.what()}};
+    return {
+        {"check by playing", std::nullopt, "", false, std::string("no scene can be built from it: ") + error.what()}};
   }
   if (progress) progress(kSceneShare);
   const double past_anatomy = engine::LineOfSight(description.sight, description.soft.bodies).unobstructed();
