@@ -198,7 +198,8 @@ void Import::segment() {
     w.measured = Labels();
     auto edits = w.options.edits;
     w.edit_remarks = add_edit_files(w.options.edit_files, w.series.hu.grid, edits);
-    w.segmentation = pipeline::segment(w.series.hu, edits, [&](const std::string& part, double f) { w.stages.say(f, part); });
+    w.segmentation =
+        pipeline::segment(w.series.hu, edits, [&](const std::string& part, double f) { w.stages.say(f, part); });
     w.stages.end();
   });
 }
@@ -232,7 +233,8 @@ void Import::mesh() {
     w.stages.begin("surfaces", stage_begin::kSurfaces, stage_begin::kTetrahedra);
     if (w.options.generic_face) give_generic_face(w.segmentation);
     const auto fields = fields_of(w.segmentation);
-    w.package.surfaces = surfaces_of(w.segmentation, fields, [&](const std::string& part, double f) { w.stages.say(f, part); });
+    w.package.surfaces =
+        surfaces_of(w.segmentation, fields, [&](const std::string& part, double f) { w.stages.say(f, part); });
     w.stages.begin("tetrahedra", stage_begin::kTetrahedra, stage_begin::kCheck);
     w.package.tongue = soft_mesh(w.segmentation, fields, w.options.tetrahedra);
     w.stages.end();

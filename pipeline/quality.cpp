@@ -29,7 +29,8 @@ QualityItem plain(const std::string& name, std::optional<double> value, const st
 QualityItem volume_item(const std::string& name, double ml, double low, double high) {
   const bool ok = ml >= low && ml <= high;
   std::ostringstream usual;
-  usual << std::setprecision(2) << "usual for a head of this size: " << low << " to " << high << " ml; check its labels";
+  usual << std::setprecision(2) << "usual for a head of this size: " << low << " to " << high
+        << " ml; check its labels";
   return {name, ml, "ml", ok, ok ? "" : usual.str()};
 }
 
@@ -106,7 +107,8 @@ void add_neighbours(const Segmentation& s, const PatientPackage& package, std::v
 
 /// The skull's breadth grows by a half in the first year and by little after the sixth.
 QualityItem size_item(double scale) {
-  if (scale < 1.3) return plain("head size", scale, "x term", "breadth of the skull over a term infant's: an infant's head");
+  if (scale < 1.3)
+    return plain("head size", scale, "x term", "breadth of the skull over a term infant's: an infant's head");
   if (scale < 1.55) {
     return {"child size", scale, "x term", false,
             "a child's head, larger than an infant's: lengths in it are not a newborn's"};
@@ -151,8 +153,9 @@ std::vector<QualityItem> segmentation_quality(const Segmentation& s) {
   items.push_back(volume_item("airway volume", millilitres(s.labels, kAirway), 4.0 * k3, 80.0 * k3));
   items.push_back(volume_item("mandible volume", millilitres(s.labels, kMandible), 2.0 * k3, 25.0 * k3));
   const bool open = !s.head.lips.empty();
-  items.push_back({"mouth open", std::nullopt, "", open,
-                   open ? "the lips stand apart" : "the mouth is closed: good for pressing on the tongue, not for a view"});
+  items.push_back(
+      {"mouth open", std::nullopt, "", open,
+       open ? "the lips stand apart" : "the mouth is closed: good for pressing on the tongue, not for a view"});
   const auto moved = [&](const char* name, double degrees, const char* how) {
     if (degrees != 0.0) items.push_back({name, degrees, "degrees", false, how});
   };

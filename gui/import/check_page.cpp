@@ -56,8 +56,9 @@ CheckPage::CheckPage(ImportWork& work, QWidget* parent) : QWidget(parent), work_
   }
   at_ = new QLabel(this);
   at_->setAccessibleName("Under the pointer");
-  at_->setToolTip("Place under the pointer (mm to the patient's left, back and head, as the scan has them), grey value "
-                  "(HU) and structure");
+  at_->setToolTip(
+      "Place under the pointer (mm to the patient's left, back and head, as the scan has them), grey value "
+      "(HU) and structure");
   auto* left = new QVBoxLayout;
   left->setSpacing(4);
   left->addWidget(tools);
@@ -80,8 +81,7 @@ CheckPage::CheckPage(ImportWork& work, QWidget* parent) : QWidget(parent), work_
     history_.change(what, edits);
     show_message("");
   });
-  connect(&work_, &ImportWork::file_failed, this,
-          [this](const QString& message) { show_message(message); });
+  connect(&work_, &ImportWork::file_failed, this, [this](const QString& message) { show_message(message); });
   connect(&work_, &ImportWork::saved, this, [this](const QString& files) { show_message("Saved: " + files, false); });
   show_state();
 }
@@ -128,7 +128,8 @@ QWidget* CheckPage::make_tools() {
   add_tool(bar, "Crosshair", "C", SliceTool::crosshair, "Take all slices to a point; drag landmarks");
   add_tool(bar, "Window", "W", SliceTool::window,
            "Window and level (HU). Drag: right wider, up darker; the right button does it with any tool");
-  add_tool(bar, "Ruler", "R", SliceTool::ruler, "Length (mm). Drag, or click two points; Delete takes the last one away");
+  add_tool(bar, "Ruler", "R", SliceTool::ruler,
+           "Length (mm). Drag, or click two points; Delete takes the last one away");
   add_tool(bar, "Angle", "A", SliceTool::angle, "Angle (degrees). Click three points, the corner second");
   row->addSpacing(10);
   auto* presets = new QComboBox(bar);

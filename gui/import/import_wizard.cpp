@@ -62,7 +62,8 @@ ImportWizard::ImportWizard(QWidget* parent) : QWidget(parent) {
     check_->show_busy();
     if (pages_->currentWidget() == segment_) show_page(check_);
   });
-  connect(&work_, &ImportWork::built, this, [this] { build_->show_report(work_.import()->quality(), check_->report()); });
+  connect(&work_, &ImportWork::built, this,
+          [this] { build_->show_report(work_.import()->quality(), check_->report()); });
   connect(&work_, &ImportWork::written, this, [this](const QString& package) {
     package_ = package;
     build_->show_written(package);

@@ -93,8 +93,8 @@ class ImportWork : public QObject {
 
 /// For a person: "Finding the airway" for "segment: airway".
 QString stage_text(const std::string& stage);
-/// "about 12 s left", "about 2 min left"; empty below 0. `since_s`: the seconds since that was reckoned; when they are over
-/// and it is not done, it says so.
+/// "about 12 s left", "about 2 min left"; empty below 0. `since_s`: the seconds since that was reckoned; when they are
+/// over and it is not done, it says so.
 QString time_left_text(double seconds, double since_s = 0.0);
 /// What is left of a job, from the share done and the time it took; below 0 while too little is done to tell.
 double seconds_left(double share, double elapsed_s);

@@ -33,8 +33,9 @@ void QualityList::show_items(const std::vector<pipeline::QualityItem>& items,
   to_check_ = 0;
   QString html;
   for (const auto& group : pipeline::in_groups(items)) {
-    html += QString("<p style=\"font-size:12pt; font-weight:bold; margin:10px 4px 2px 4px\">%1 (%2)</p>"
-                    "<table width=\"100%\" cellspacing=\"0\" cellpadding=\"3\">")
+    html += QString(
+                "<p style=\"font-size:12pt; font-weight:bold; margin:10px 4px 2px 4px\">%1 (%2)</p>"
+                "<table width=\"100%\" cellspacing=\"0\" cellpadding=\"3\">")
                 .arg(QString::fromStdString(group.title))
                 .arg(group.items.size());
     for (const auto& item : group.items) {

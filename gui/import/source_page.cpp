@@ -179,11 +179,10 @@ void SourcePage::show_rows(const std::vector<SeriesRow>& rows) {
               .scaled(kThumbnailHeight + 40, kThumbnailHeight, Qt::KeepAspectRatio, Qt::SmoothTransformation));
       table_->setCellWidget(r, 1, shown);
     }
-    const std::array<QTableWidgetItem*, 4> items = {new QTableWidgetItem(row.number > 0 ? QString::number(row.number) : QString()), picture,
-                                                    new QTableWidgetItem(row.description),
-                                                    new QTableWidgetItem(row.usable && row.why.isEmpty()
-                                                                             ? QString("can be imported")
-                                                                             : window_sentence(row.why))};
+    const std::array<QTableWidgetItem*, 4> items = {
+        new QTableWidgetItem(row.number > 0 ? QString::number(row.number) : QString()), picture,
+        new QTableWidgetItem(row.description),
+        new QTableWidgetItem(row.usable && row.why.isEmpty() ? QString("can be imported") : window_sentence(row.why))};
     for (int c = 0; c < 4; ++c) {
       QTableWidgetItem* item = items[static_cast<std::size_t>(c)];
       if (!row.usable) item->setForeground(theme::kFaint);

@@ -227,8 +227,8 @@ void StructurePanel::show_seed() {
   if (scene_.tool() == SliceTool::seed)
     text = "click inside it (Esc: no)";
   else if (seed != seeds.end())
-    text = QString("%1, %2, %3 mm").arg(tenths_of(seed->second[0]), tenths_of(seed->second[1]),
-                                         tenths_of(seed->second[2]));
+    text = QString("%1, %2, %3 mm")
+               .arg(tenths_of(seed->second[0]), tenths_of(seed->second[1]), tenths_of(seed->second[2]));
   seed_at_->setText(text);
 }
 

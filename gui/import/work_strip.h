@@ -26,8 +26,8 @@ class WorkStrip : public QWidget {
   QLabel *stage_, *left_;
   QProgressBar* bar_;
   QPushButton* cancel_;
-  QTimer tick_;              ///< counts down between two reports, which may be seconds apart
-  QElapsedTimer reported_;   ///< since the last one
+  QTimer tick_;                 ///< counts down between two reports, which may be seconds apart
+  QElapsedTimer reported_;      ///< since the last one
   double seconds_left_ = -1.0;  ///< as it said
 };
 

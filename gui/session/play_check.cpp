@@ -32,7 +32,9 @@ constexpr double kHiddenAtRest = 0.05;  ///< ANATOMY: nothing is seen before the
 /// on half a millimetre of the tip, as a person finds out by feeling for it.
 constexpr std::array<std::array<double, 2>, 6> kApproaches = {
     {{0.0, 0.0}, {0.75, 1.5}, {-0.75, 0.0}, {0.75, 0.0}, {-0.75, 1.5}, {1.5, 0.75}}};
-constexpr double kFirstShare = 0.75;    ///< of the progress: most patients need no second try
+// Shares of the progress, as the times lie: the scene is built first, and most glottises are seen in the first try
+// before its end.
+constexpr double kSceneShare = 0.25, kFirstShare = 0.9, kUsuallySeen = 0.85;
 constexpr double kLiftIsOver_s = 11.5;  ///< of the expert's plan: from here on the blade goes out
 constexpr std::int64_t kTicksBetweenSights = 20;
 
@@ -194,8 +196,10 @@ std::vector<QualityItem> check_by_playing(PatientPackage& package, const std::fu
     description = scene_from_package(package, scenario);
     scene = engine::build_scene(description);
   } catch (const std::exception& error) {
-    return {{"check by playing", std::nullopt, "", false, std::string("no scene can be built from it: ") + error.what()}};
+    return {
+        {"check by playing", std::nullopt, "", false, std::string("no scene can be built from it: ") + error.what()}};
   }
+  if (progress) progress(kSceneShare);
   const double past_anatomy = engine::LineOfSight(description.sight, description.soft.bodies).unobstructed();
   const auto planned = usual_approach(package);
   Played played;
@@ -206,7 +210,7 @@ std::vector<QualityItem> check_by_playing(PatientPackage& package, const std::fu
     candidate.approach = {planned.along_mm + along, planned.lift_mm + lift};
     const auto now = play(candidate, scene, scenario, [&](double f) {
       if (progress)
-        progress(tried == 0.0 ? kFirstShare * f
+        progress(tried == 0.0 ? kSceneShare + (kFirstShare - kSceneShare) * std::min(1.0, f / kUsuallySeen)
                               : kFirstShare + (1.0 - kFirstShare) * (tried - 1.0 + f) / (kApproaches.size() - 1.0));
     });
     tried += 1.0;

@@ -165,7 +165,8 @@ void LabelView::show_landmarks() {
 
 void LabelView::size_marks() {
   auto* camera = renderer()->GetActiveCamera();
-  const double high_mm = 2.0 * camera->GetDistance() * std::tan(0.5 * vtkMath::RadiansFromDegrees(camera->GetViewAngle()));
+  const double high_mm =
+      2.0 * camera->GetDistance() * std::tan(0.5 * vtkMath::RadiansFromDegrees(camera->GetViewAngle()));
   for (auto& [name, actor] : marks_) actor->SetScale(kMarkPixels * high_mm / std::max(1, height()));
 }
 

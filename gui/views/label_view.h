@@ -16,8 +16,8 @@
 namespace vallecula::gui {
 
 /// Left drag turns (on a landmark it drags that, in the plane of the screen), right or Shift drag pans, wheel zooms;
-/// keys: arrows turn, + - zoom, 0 looks from the front again, F (or a double click) shows this view alone. Landmarks are
-/// drawn over what hides them. Surfaces are made on a thread of their own.
+/// keys: arrows turn, + - zoom, 0 looks from the front again, F (or a double click) shows this view alone. Landmarks
+/// are drawn over what hides them. Surfaces are made on a thread of their own.
 class LabelView : public GlView {
   Q_OBJECT
  public:

@@ -155,8 +155,12 @@ void SliceView::paintEvent(QPaintEvent*) {
     // The letter of each edge, the slice's name and the scale keep their places.
     const double x = 0.5 * width(), y = 0.5 * height();
     names.draw(painter, rect(), pixel_of(scene_.crosshair()),
-               {{0, y - 20, 26, 26}, {width() - 26.0, y - 20, 26, 26}, {x - 12, 0, 26, 26},
-                {x - 12, height() - 28.0, 26, 28}, {0, 0, 150, 24}, {width() - 90.0, height() - 34.0, 90, 34}});
+               {{0, y - 20, 26, 26},
+                {width() - 26.0, y - 20, 26, 26},
+                {x - 12, 0, 26, 26},
+                {x - 12, height() - 28.0, 26, 28},
+                {0, 0, 150, 24},
+                {width() - 90.0, height() - 34.0, 90, 34}});
     draw_edges(painter);
   }
   painter.setRenderHint(QPainter::Antialiasing, false);

@@ -142,7 +142,7 @@ Surface face_surface(const Segmentation& s, const AnatomyFields& f, const std::f
                    gum[2] + 8.0 * k - mouth.origin[2]};
   RemeshOptions options;
   options.rounds = 4;
-  options.progress = [&progress](double done) { progress(0.1 + 0.7 * done); };
+  options.progress = [&progress](double done) { progress(0.55 + 0.15 * done); };
   options.edge_mm = [&](const Point& p) {
     const double away = outside_of(mouth, p);
     const double edge = graded(0.85 * k, 2.6 * k, away, 24.0 * k) + graded(0.0, k, away - 24.0 * k, 60.0 * k);
@@ -151,7 +151,7 @@ Surface face_surface(const Segmentation& s, const AnatomyFields& f, const std::f
     return bed ? std::max(edge, 1.6 * k) : edge;
   };
   const auto rough = isosurface(axes, values);
-  progress(0.1);
+  progress(0.55);
   auto face = finished(rough, 1.0, options, "the face");
   face.tissue = face_tissue(face, s);
   smooth_tissue_borders(face, rough, 8);
@@ -244,8 +244,8 @@ std::map<std::string, Surface> surfaces_of(const Segmentation& s, const AnatomyF
     out["glottis"] = glottis_surface(s);
     return out;
   });
-  say("face", 0.0);
-  auto face = face_surface(s, f, [&](double done) { say("face", 0.9 * done); });
+  say("face", 0.1);  // the fields were made before
+  auto face = face_surface(s, f, [&](double done) { say("face", 0.1 + 0.8 * done); });
   say("jaw and palate", 0.9);
   auto out = others.get();
   out["face"] = std::move(face);

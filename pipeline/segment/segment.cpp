@@ -33,8 +33,7 @@ void put(const Mask& mask, std::uint8_t label, Labels& labels) {
 }
 
 /// What is found inside mouth and throat, on a grid of its own.
-void label_throat(Segmentation& s, const Given& given,
-                  const std::function<void(const char*, double)>& progress) {
+void label_throat(Segmentation& s, const Given& given, const std::function<void(const char*, double)>& progress) {
   s.throat = throat_of(s, given);
   const auto crop = [&](const auto& v) { return cropped(v, s.throat); };
   const auto hu = crop(s.hu);

@@ -121,7 +121,8 @@ TEST_F(WindowImport, FromAFolderToAPatientThatIsChosenOnTheFirstPage) {
   }
   picture("4-saved");
   EXPECT_NO_THROW(pipeline::read_package(package));
-  for (const char* stage : {"Reading the series", "Finding the airway", "Finding the tongue", "Making the surface of face and throat"})
+  for (const char* stage :
+       {"Reading the series", "Finding the airway", "Finding the tongue", "Making the surface of face and throat"})
     EXPECT_EQ(std::count(stages_.begin(), stages_.end(), QString(stage)) > 0, true) << stage;
   button(wizard().build_page(), "&Practise with this patient")->click();
   EXPECT_EQ(window_->page_name(), "start");

@@ -44,9 +44,10 @@ TEST(WindowMessages, NameNoOptionOfTheCommandLine) {
 TEST(WindowMessages, AreSentencesOfTheirOwn) {
   EXPECT_EQ(window_sentence("series: the folder is empty; name a folder with a CT series"),
             "The folder is empty; choose a folder with a CT series");
-  EXPECT_EQ(window_sentence("series: the tongue's seed lies outside the head; coordinates are LPS mm (x to the left, y to "
-                            "the back, z to the head)"),
-            "The tongue's seed lies outside the head; click a point inside it");
+  EXPECT_EQ(
+      window_sentence("series: the tongue's seed lies outside the head; coordinates are LPS mm (x to the left, y to "
+                      "the back, z to the head)"),
+      "The tongue's seed lies outside the head; click a point inside it");
   EXPECT_EQ(window_sentence("files: disk full"), "Files: disk full") << "what else it names stays";
   EXPECT_EQ(window_sentence(""), "");
 }

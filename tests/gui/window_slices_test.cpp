@@ -288,7 +288,7 @@ TEST_F(WindowSlices, ALandmarkIsSeenThroughWhatHidesItAndGoesAlongWhileItIsDragg
 }
 
 TEST_F(WindowSlices, EscapePutsTheToolAway) {
-  scene_.set_scan(scan_);
+  show();
   scene_.set_tool(SliceTool::seed);
   press(view(SlicePlane::axial), Qt::Key_Escape);
   EXPECT_EQ(scene_.tool(), SliceTool::crosshair);

@@ -43,7 +43,9 @@ TEST(QualityReport, IsReadInGroupsWhatIsToBeCheckedFirst) {
 }
 
 TEST(QualityReport, SaysFiguresAsAPersonWritesThem) {
-  const auto text = [](std::optional<double> value, const char* unit) { return value_text({"", value, unit, true, ""}); };
+  const auto text = [](std::optional<double> value, const char* unit) {
+    return value_text({"", value, unit, true, ""});
+  };
   EXPECT_EQ(text(2.2361, "ml"), "2.24 ml");
   EXPECT_EQ(text(0.04349, "ml"), "0.0435 ml");
   EXPECT_EQ(text(16490.0, "triangles"), "16490 triangles");
