@@ -7,7 +7,7 @@ namespace vallecula::pipeline {
 
 /// Volume of the voxels whose centres lie where `field` is positive, mm^3: counted, as a label's is. A surface cut from the
 /// field holds less where samples lie far apart (3 mm between slices), for it runs straight from one to the next where the
-/// body is round: a hundredth of an adult's tongue and airway.
+/// body is round: a hundredth of an adult's airway.
 template <class Field>
 double sampled_volume(const Grid& grid, const Field& field) {
   std::size_t inside = 0;

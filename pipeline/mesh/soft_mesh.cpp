@@ -124,12 +124,13 @@ Filled filled_to_count(const Segmentation& s, Volume<float>& field, int tetrahed
   std::optional<Filled> best;
   double best_off = 0.0;
   std::vector<std::array<double, 2>> tried;  // logarithms of factor and count
+  // A border drawn by voxels is smoothed at once; one cut from grey values may not need it with other sizes.
+  bool smooth = !s.replaced.empty();
+  int crossed = 0;
   double factor = std::cbrt(4000.0 / tetrahedra);
   for (int attempt = 0;; ++attempt) {
     Filled now;
     try {
-      // A border drawn by voxels is smoothed at once; one cut from grey values may not need it with other sizes.
-      const bool smooth = !s.replaced.empty() || (attempt >= kAttempts / 2 && !best);
       now.soft = smooth ? smooth_enough(s, field, factor) : soft_surface(s, field, factor);
       TetrahedralizeOptions options;
       options.edge_mm = [&](const Point& p) { return 1.1 * now.soft.edge_mm(p); };
@@ -146,8 +147,13 @@ Filled filled_to_count(const Segmentation& s, Volume<float>& field, int tetrahed
         if (const auto places = crossings(now.soft); !places.empty()) throw hopeless(s, places.front());
         throw;
       }
-      factor *= 0.96;
       if (attempt + 1 == kAttempts) return std::move(*best);
+      if (!smooth && ++crossed == 2) {
+        smooth = true;
+        factor /= 0.96;
+      } else {
+        factor *= 0.96;
+      }
       continue;
     }
     if (best_off < kNear || attempt + 1 == kAttempts) return std::move(*best);

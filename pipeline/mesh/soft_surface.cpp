@@ -8,7 +8,6 @@
 #include "pipeline/mesh/isosurface.h"
 #include "pipeline/mesh/mend.h"
 #include "pipeline/mesh/remesh.h"
-#include "pipeline/mesh/sampled_volume.h"
 #include "pipeline/mesh/self_intersection.h"
 #include "pipeline/mesh/surface_check.h"
 #include "pipeline/mesh/vector3.h"
@@ -44,13 +43,7 @@ Volume<float> soft_field(const Segmentation& s, const AnatomyFields& f) {
 SoftSurface soft_surface(const Segmentation& s, const Volume<float>& field, double edge_factor) {
   const double k = s.frame.scale;
   SoftSurface out;
-  const auto cut = isosurface(field);
-  out.fine = largest_part(cut);
-  const auto& lattice = field.grid;
-  const auto box = box_between(s.hu.grid, lattice.position(0, 0, 0),
-                               lattice.position(lattice.size[0] - 1, lattice.size[1] - 1, lattice.size[2] - 1));
-  const auto at = [&](const Point& p) { return value_at(field, p); };
-  const double fuller = sampled_volume(cropped(s.hu.grid, box), at) / size_of(cut).volume_mm3;
+  out.fine = largest_part(isosurface(field));
   const auto to_leaf = std::make_shared<Volume<float>>(distance_to(s.epiglottis.mask));
   const bool leaf = s.epiglottis.seen;
   out.edge_mm = [to_leaf, leaf, k, edge_factor](const Point& p) {
@@ -67,7 +60,7 @@ SoftSurface soft_surface(const Segmentation& s, const Volume<float>& field, doub
   const auto share = [&](const Point& p) {
     return leaf ? std::clamp(value_at(*to_leaf, p) / (4.0 * k), 0.0, 1.0) : 1.0;
   };
-  const double by = inflation_to(even, fuller * size_of(out.fine).volume_mm3, share);
+  const double by = inflation_to(even, size_of(out.fine).volume_mm3, share);
   out.mesh = mended(inflated(even, by, share));
   out.track = inflated(out.fine, by, share);
   return out;

@@ -13,8 +13,8 @@ Volume<float> soft_field(const Segmentation& s, const AnatomyFields& fields);
 
 struct SoftSurface {
   Surface fine;   ///< as cut from the field
-  Surface mesh;   ///< remeshed, smaller triangles on the thin leaf, of the volume that the voxels count: what is filled
-  Surface track;  ///< where the points of `mesh` lie: `fine`, further out by what straight edges cut off
+  Surface mesh;   ///< remeshed, of the same volume, smaller triangles on the thin leaf: what is filled
+  Surface track;  ///< where the points of `mesh` lie: `fine`, further out by what flat triangles cut off
   std::function<double(const Point&)> edge_mm;
 };
 /// `edge_factor` 1 gives about 4,000 tetrahedra, whatever the infant's size.

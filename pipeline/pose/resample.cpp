@@ -131,7 +131,13 @@ class Carrier {
           if (w < 0.01) continue;
           const auto i = g.index(x, y, z);
           seen_[i] |= kByJaw;
-          put(i, w, tissue_at(p, nearest(p)), kMandible);
+          const auto j = nearest(p);
+          const bool own = s_.bones.mandible.voxels[j] != 0;
+          put(i, w, tissue_at(p, j), own ? kMandible : kSkin);
+          // Voxel by voxel: a share smoothed over thin plates of bone is nowhere the larger one.
+          if (!own) continue;
+          out_.labels.voxels[i] = kMandible;
+          best_[i] = 255;
         }
       }
     }
