@@ -116,10 +116,10 @@ Surface face_surface(const Segmentation& s, const AnatomyFields& f, const std::f
                    gum[2] + 8.0 * k - mouth.origin[2]};
   RemeshOptions options;
   options.rounds = 4;
-  options.progress = [&progress](double done) { progress(0.55 + 0.15 * done); };
+  options.progress = [&progress](double done) { progress(0.5 + 0.1 * done); };
   options.edge_mm = [mouth, k](const Point& p) { return graded(0.85 * k, 2.6 * k, outside_of(mouth, p), 45.0 * k); };
   const auto rough = isosurface(axes, values);
-  progress(0.55);
+  progress(0.2);
   auto face = finished(rough, options, "the face");
   face.tissue = face_tissue(face, s);
   smooth_tissue_borders(face, rough, 8);
