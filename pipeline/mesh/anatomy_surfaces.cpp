@@ -142,7 +142,7 @@ Surface face_surface(const Segmentation& s, const AnatomyFields& f, const std::f
                    gum[2] + 8.0 * k - mouth.origin[2]};
   RemeshOptions options;
   options.rounds = 4;
-  options.progress = [&progress](double done) { progress(0.55 + 0.15 * done); };
+  options.progress = [&progress](double done) { progress(0.5 + 0.1 * done); };
   options.edge_mm = [&](const Point& p) {
     const double away = outside_of(mouth, p);
     const double edge = graded(0.85 * k, 2.6 * k, away, 24.0 * k) + graded(0.0, k, away - 24.0 * k, 60.0 * k);
@@ -151,7 +151,7 @@ Surface face_surface(const Segmentation& s, const AnatomyFields& f, const std::f
     return bed ? std::max(edge, 1.6 * k) : edge;
   };
   const auto rough = isosurface(axes, values);
-  progress(0.55);
+  progress(0.2);
   auto face = finished(rough, 1.0, options, "the face");
   face.tissue = face_tissue(face, s);
   smooth_tissue_borders(face, rough, 8);
