@@ -158,6 +158,18 @@ TEST_F(HdapiFaults, NoForceBeforeCalibrationThenItGrowsFromZero) {
   EXPECT_LE(largest_step, 0.0301);  // a hundred turns of the ramp
 }
 
+/// The stand-in takes a calibration under force as a violation.
+TEST_F(HdapiFaults, ACalibrationGrownOldIsUpdatedWhenTheForceIsOff) {
+  const auto device = open_by_hand();
+  push(*device, {0, 2, 0}, 200);
+  hd.calibration(0, 0x5001);
+  for (int i = 0; i < 60 && device->fault() == DeviceFault::none; ++i) push(*device, {0, 2, 0}, 1);
+  EXPECT_EQ(device->fault(), DeviceFault::not_calibrated);
+  EXPECT_EQ(hd.given(0), (Vector{0, 0, 0}));
+  expect_return(*device);
+  EXPECT_EQ(device->calibration(), Calibration::good);
+}
+
 TEST_F(HdapiFaults, AnUnpluggedDeviceIsToldAndComesBack) {
   HdDevice device("");
   const auto pushing_until = [&](const std::function<bool()>& so) {

@@ -136,6 +136,7 @@ void hdBeginFrame(HHD handle) {
     push(0x200, handle);
     break;
   }
+  s->told = std::any_of(errors.begin(), errors.end(), [&](const HDErrorInfo& e) { return e.hHD == handle; });
 }
 
 #ifndef STAND_IN_LACKS_FUNCTIONS
@@ -153,6 +154,7 @@ void hdEndFrame(HHD handle) {
     std::fill(s->asked, s->asked + 3, 0.0);
   }
   if (norm > peak * (1.0 + 1e-12)) violate("a force above the device's peak");
+  if (norm > 0.0 && s->told) violate("a force in a frame that began with an error");
   s->turns_at_limit = norm >= kAtLimitShare * peak ? s->turns_at_limit + 1 : 0;
   if (s->turns_at_limit > kLimitTurns && s->motors_on) {
     s->motors_on = false;

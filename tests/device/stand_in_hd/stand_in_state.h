@@ -33,7 +33,8 @@ constexpr int kLimitTurns = 200;        // asked for its peak for longer than th
 constexpr double kAtLimitShare = 0.99;  // from here on it counts as its peak
 
 struct State {
-  bool plugged = true, open = false, in_frame = false, output = false, motors_on = true, held_elsewhere = false;
+  bool plugged = true, open = false, in_frame = false, output = false, motors_on = true, held_elsewhere = false,
+       told = false;  // told: an error of it was there to be taken when the frame began
   double transform[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
   int buttons = 0;
   double temperature[3] = {0.1, 0.1, 0.1};
