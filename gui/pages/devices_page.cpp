@@ -9,6 +9,7 @@
 
 #include "gui/pages/background.h"
 #include "gui/session/device_rows.h"
+#include "gui/views/theme.h"
 
 namespace vallecula::gui {
 namespace {
@@ -33,10 +34,11 @@ DevicesPage::DevicesPage(QWidget* parent, Finder find) : QWidget(parent), find_(
   title->setObjectName("title");
   auto* sub = new QLabel("What is plugged in. The list follows: plug a device in and it appears.", this);
   sub->setObjectName("faint");
-  table_ = new QTableWidget(0, static_cast<int>(kDeviceColumns.size()), this);
+  table_ = new QTableWidget(0, static_cast<int>(kDeviceColumns.size()) + 1, this);
   table_->setAccessibleName("Devices");
   QStringList headings;
   for (const char* column : kDeviceColumns) headings << QString(column).left(1).toUpper() + QString(column).mid(1);
+  headings << "Needs";
   table_->setHorizontalHeaderLabels(headings);
   table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
   table_->setSelectionBehavior(QAbstractItemView::SelectRows);
@@ -108,10 +110,14 @@ void DevicesPage::show_list(const std::vector<device::FoundDevice>& devices) {
     const QSignalBlocker quiet(table_);
     table_->setRowCount(static_cast<int>(devices_.size()));
     for (std::size_t r = 0; r < devices_.size(); ++r) {
-      const auto cells = cells_of(device_row(devices_[r]));
+      const DeviceRow row = device_row(devices_[r]);
+      const auto known = cells_of(row);
+      std::vector<std::string> cells(known.begin(), known.end());
+      cells.push_back(row.trouble.empty() ? "nothing: ready" : row.trouble);
       for (std::size_t c = 0; c < cells.size(); ++c) {
         auto* item = new QTableWidgetItem(QString::fromStdString(cells[c]));
-        if (!usable(devices_[r])) item->setForeground(palette().color(QPalette::Disabled, QPalette::Text));
+        item->setToolTip(item->text());
+        if (!usable(devices_[r])) item->setForeground(theme::kFaint);
         table_->setItem(static_cast<int>(r), static_cast<int>(c), item);
       }
       if (had && same_device(devices_[r], kept)) row_of_kept = static_cast<int>(r);
