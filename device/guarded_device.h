@@ -46,6 +46,8 @@ class GuardedDevice {
   /// Where the tool of a device with own axes begins, m and w first, and the operator's view in the patient.
   void begin_at(const std::array<double, 3>& position_m, const std::array<double, 4>& rotation_wxyz) noexcept;
   void set_view_axes(const std::array<double, 3>& right, const std::array<double, 3>& up) noexcept;
+  /// Another attempt with the same device: as made, but that its motors are as warm as they are.
+  void begin_anew() noexcept;
 
   // --- the servo's thread; wait-free
   // -----------------------------------------------------------------------------------
