@@ -67,7 +67,6 @@ class GuardedDevice {
   DeviceFault fault() const noexcept { return fault_.load(std::memory_order_relaxed); }
   /// The hand confirms by a key; no effect while the device is not back.
   void confirm() noexcept { confirmations_.fetch_add(1, std::memory_order_relaxed); }
-  const HapticDevice& device() const noexcept { return device_; }
 
  private:
   struct Place {
