@@ -49,6 +49,15 @@ void GuardedDevice::set_view_axes(const std::array<double, 3>& right, const std:
   map_.set_view_axes(right, up);
 }
 
+void GuardedDevice::begin_anew() noexcept {
+  chain_.reset();
+  centred_ = seen_tool_ = false;
+  begin_at(start_.position_m, start_.rotation_wxyz);
+  now_s_ = 0.0;
+  fault_.store(DeviceFault::none, std::memory_order_relaxed);
+  state_.store(GuardState::working, std::memory_order_relaxed);
+}
+
 DeviceFault GuardedDevice::trouble(const DeviceReading& reading, bool has_pose) const noexcept {
   if (device_.fault() != DeviceFault::none) return device_.fault();
   const Calibration calibration = device_.calibration();

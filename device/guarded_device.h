@@ -46,6 +46,8 @@ class GuardedDevice {
   /// Where the tool of a device with own axes begins, m and w first, and the operator's view in the patient.
   void begin_at(const std::array<double, 3>& position_m, const std::array<double, 4>& rotation_wxyz) noexcept;
   void set_view_axes(const std::array<double, 3>& right, const std::array<double, 3>& up) noexcept;
+  /// Another attempt with the same device: as made, but that its motors are as warm as they are.
+  void begin_anew() noexcept;
 
   // --- the servo's thread; wait-free
   // -----------------------------------------------------------------------------------
@@ -65,7 +67,6 @@ class GuardedDevice {
   DeviceFault fault() const noexcept { return fault_.load(std::memory_order_relaxed); }
   /// The hand confirms by a key; no effect while the device is not back.
   void confirm() noexcept { confirmations_.fetch_add(1, std::memory_order_relaxed); }
-  const HapticDevice& device() const noexcept { return device_; }
 
  private:
   struct Place {

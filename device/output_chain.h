@@ -36,8 +36,6 @@ class OutputChain {
   const std::array<double, 3>& last_sent_n() const noexcept { return sent_; }
   /// non_finite_command from the first such force until reset().
   DeviceFault fault() const noexcept { return fault_; }
-  /// Largest force that may be sent now, N: never above the peak.
-  double allowed_n() const noexcept { return allowed_n_; }
   /// How warm the motors are by the model: 0 cold, 1 as after long at the continuous force, which is never passed.
   double warmth() const noexcept { return continuous_n_ > 0.0 ? heat_n2_ / (continuous_n_ * continuous_n_) : 0.0; }
   /// Zero force as the starting point, no fault. What is warm stays warm.
@@ -50,9 +48,9 @@ class OutputChain {
 
   double peak_n_, continuous_n_, step_n_, gain_, warming_, ramp_step_, scale_;
   std::array<double, 3> sent_{0, 0, 0};
-  double heat_n2_ = 0.0;  ///< I2t: square of the force sent, low-passed with the thermal time
-  double ramp_ = 0.0;     ///< share of the soft start that is done
-  double allowed_n_ = 0.0;
+  double heat_n2_ = 0.0;    ///< I2t: square of the force sent, low-passed with the thermal time
+  double ramp_ = 0.0;       ///< share of the soft start that is done
+  double allowed_n_ = 0.0;  ///< largest force that may be sent now: never above the peak
   DeviceFault fault_ = DeviceFault::none;
 };
 

@@ -8,6 +8,7 @@
 #include "device/drivers/recorded_device.h"
 #include "device/drivers/scripted_device.h"
 #include "device/factory.h"
+#include "gui/session/operator_axes.h"
 #include "gui/session/scripted_hands.h"
 
 namespace vallecula::gui {
@@ -98,6 +99,18 @@ std::unique_ptr<device::HapticDevice> recorded_hand(const std::string& file) {
 device::Keyframe starting_pose(const pipeline::PatientPackage& package, const curricula::Scenario& scenario) {
   const device::Trajectory expert = scripted_hand("expert", package, scenario);
   return expert.at(expert.start_s());
+}
+
+std::unique_ptr<device::GuardedDevice> guard_device(device::HapticDevice& device, const device::GuardSettings& settings,
+                                                    const pipeline::PatientPackage& package,
+                                                    const curricula::Scenario& scenario) {
+  auto guard = std::make_unique<device::GuardedDevice>(device, settings);
+  if (!device.info().own_axes) return guard;
+  const OperatorAxes axes = operator_axes(package);
+  guard->set_view_axes({axes.right.x(), axes.right.y(), axes.right.z()}, {axes.up.x(), axes.up.y(), axes.up.z()});
+  const device::Keyframe start = starting_pose(package, scenario);
+  guard->begin_at(start.position_m, start.rotation_wxyz);
+  return guard;
 }
 
 std::unique_ptr<device::HapticDevice> make_device(const std::string& name, const pipeline::PatientPackage& package,

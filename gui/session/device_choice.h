@@ -7,6 +7,7 @@
 #include <string>
 
 #include "curricula/scenario.h"
+#include "device/guarded_device.h"
 #include "device/trajectory.h"
 #include "pipeline/package/patient_package.h"
 
@@ -30,6 +31,11 @@ void check_device_name(const std::string& name);
 /// naming the file at fault.
 std::unique_ptr<device::HapticDevice> make_device(const std::string& name, const pipeline::PatientPackage& package,
                                                   const curricula::Scenario& scenario);
+/// The guard on a device; one with axes of its own begins where a person's hand does, in the operator's view. The
+/// device must outlive it. Throws std::runtime_error naming a landmark that is missing.
+std::unique_ptr<device::GuardedDevice> guard_device(device::HapticDevice& device, const device::GuardSettings& settings,
+                                                    const pipeline::PatientPackage& package,
+                                                    const curricula::Scenario& scenario);
 /// Where a person's hand begins: as the scripted expert does, in front of the mouth, blade ready.
 device::Keyframe starting_pose(const pipeline::PatientPackage& package, const curricula::Scenario& scenario);
 

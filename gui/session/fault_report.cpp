@@ -58,6 +58,13 @@ std::string fault_words(std::uint32_t faults) {
   return "";
 }
 
+std::string fault_sentence(const std::vector<engine::TickRecord>& ticks, const std::string& file_name) {
+  char when[40];
+  std::snprintf(when, sizeof when, "%.3f s", ticks.back().time_s);
+  return "at " + std::string(when) + " " + fault_words(ticks.back().faults) + " (the " + std::to_string(ticks.size()) +
+         " ticks up to it are in " + file_name + ")";
+}
+
 std::string pause_words(device::GuardState state, device::DeviceFault fault) {
   if (state == device::GuardState::paused) return device::describe(fault);
   if (state == device::GuardState::confirming)

@@ -16,6 +16,9 @@ constexpr std::uint32_t kLoopFaults = engine::kFaultDevicePose | engine::kFaultT
 /// One sentence for a person; empty without one of kLoopFaults.
 std::string fault_words(std::uint32_t faults);
 
+/// When the last of `ticks` came, what was wrong with it, and the name of the file that holds them.
+std::string fault_sentence(const std::vector<engine::TickRecord>& ticks, const std::string& file_name);
+
 /// Why the trial is paused and what to do; empty while it is not.
 std::string pause_words(device::GuardState state, device::DeviceFault fault);
 

@@ -2,7 +2,6 @@
 
 #include <QDateTime>
 #include <chrono>
-#include <cstdio>
 #include <exception>
 #include <stdexcept>
 #include <system_error>
@@ -19,7 +18,6 @@
 #include "gui/session/files.h"
 #include "gui/session/log_conversion.h"
 #include "gui/session/log_paths.h"
-#include "gui/session/operator_axes.h"
 #include "gui/session/placed_tool.h"
 #include "gui/session/results_folder.h"
 #include "gui/session/scene_from_package.h"
@@ -141,21 +139,15 @@ std::string TrialSession::Impl::keep_fault(const fs::path& file) const {
   const std::vector<engine::TickRecord> ticks = runner->ticks_before_fault();
   if (ticks.empty()) return "";
   write_file_whole(file, fault_csv(ticks));
-  char when[40];
-  std::snprintf(when, sizeof when, "%.3f s", ticks.back().time_s);
-  return "at " + std::string(when) + " " + fault_words(ticks.back().faults) + " (the " + std::to_string(ticks.size()) +
-         " ticks up to it are in " + file.filename().string() + ")";
+  return fault_sentence(ticks, file.filename().string());
 }
 
 void TrialSession::Impl::make_runner() {
   runner.reset();
-  guard = std::make_unique<device::GuardedDevice>(*device, guarding);
-  if (device->info().own_axes) {
-    const device::Keyframe start = starting_pose(package, scenario);
-    const OperatorAxes axes = operator_axes(package);
-    guard->set_view_axes({axes.right.x(), axes.right.y(), axes.right.z()}, {axes.up.x(), axes.up.y(), axes.up.z()});
-    guard->begin_at(start.position_m, start.rotation_wxyz);
-  }
+  if (guard)
+    guard->begin_anew();
+  else
+    guard = guard_device(*device, guarding, package, scenario);
   port = std::make_unique<DevicePort>(*guard);
   runner = std::make_unique<engine::Runner>(scene, *port);
 }
@@ -365,6 +357,7 @@ void TrialSession::reset(const std::function<void()>& between) {
   // A live device stays (the window holds it); a script starts again from its first line, faults forgotten.
   if (impl_->setup.own_device || is_scripted(impl_->setup.device)) {
     impl_->runner.reset();
+    impl_->guard.reset();
     impl_->device = impl_->new_device();
   }
   if (between) between();

@@ -11,7 +11,7 @@ namespace vallecula::gui {
 /// settings.ini of the user's data folder. Throws std::runtime_error when that folder is not known.
 std::unique_ptr<QSettings> user_settings();
 
-constexpr double kLeastForceScale = 0.05;
+constexpr double kLeastForceScale = 0.2;
 
 /// How a person has set a device up; kept by its kind and serial number.
 struct DeviceSettings {
