@@ -127,8 +127,10 @@ TEST_F(WindowDevices, TheListFollowsWhatIsPluggedInAndKeepsTheChoice) {
   EXPECT_FALSE(use->isEnabled());
   table->selectRow(1);
   EXPECT_TRUE(use->isEnabled());
-  EXPECT_NE(told(page).find("inkwell"), std::string::npos) << told(page);
+  EXPECT_NE(told(page).find("ink well"), std::string::npos) << told(page);
   keep_picture(page, "devices.png");
+  EXPECT_EQ(table->item(0, table->columnCount() - 1)->text(), "nothing: ready");
+  EXPECT_TRUE(table->item(2, table->columnCount() - 1)->text().startsWith("this user may not open it; copy "));
   table->selectRow(2);
   EXPECT_FALSE(use->isEnabled());
   EXPECT_NE(told(page).find("60-vallecula.rules"), std::string::npos) << told(page);
