@@ -1,7 +1,6 @@
 #include "pipeline/pose/aim.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "pipeline/segment/mouth_bounds.h"
@@ -14,7 +13,7 @@ constexpr double kDegree = 3.14159265358979323846 / 180.0;
 constexpr double kExtendedDeg = 115.0;
 constexpr double kWellExtended = 8.0;    ///< degrees short of that are let be: infants vary
 constexpr double kSightDeg = 43.0;       ///< of its palate against the way from glottis to gum, measured alike
-constexpr double kMostExtension = 35.0;  ///< degrees added at most: of the head on the neck (Bellhouse and Dore 1988)
+constexpr double kMostExtension = 35.0;  ///< degrees added at most (assumed: within a neck's range from neutral)
 // CLINICAL, mouth opening below one month; and what counts as open.
 constexpr double kOpenMm = 22.0;
 constexpr double kOpenEnough = 0.75;
@@ -23,9 +22,6 @@ constexpr double kOpenEnough = 0.75;
 constexpr double kToothlessMm = 6.0;
 constexpr double kToothlessWayMm = 14.0;
 constexpr double kMostOpeningDeg = 35.0;
-/// Shares of the way to that gap: the hyoid goes down and back with the jaw, and the vallecula with it comes before the
-/// glottis.
-constexpr std::array<double, 3> kWays{1.0, 0.8, 0.6};
 // The condyles slide down the eminence as the mouth opens: about 13 mm over the 30 degrees of a grown-up's widest.
 constexpr double kSlideMmPerDeg = 0.27;
 constexpr double kSlideForward = 0.92;
@@ -38,17 +34,6 @@ Turn jaw_turn(const Segmentation& s, double degrees) {
 
 double gap_after(const Segmentation& s, const Turn& jaw) {
   return distance(s.landmarks.at("upper_gum_midline"), jaw(s.landmarks.at("lower_gum_midline")));
-}
-
-/// How far the jaw is to be turned for a gap between the gums.
-double degrees_to(const Segmentation& s, double gap_mm) {
-  double low = 0.0;
-  double high = kMostOpeningDeg;
-  for (int i = 0; i < 40; ++i) {
-    const double middle = 0.5 * (low + high);
-    (gap_after(s, jaw_turn(s, middle)) < gap_mm ? low : high) = middle;
-  }
-  return 0.5 * (low + high);
 }
 
 /// The uppermost joints of the neck: in front of the spine a little below the level of the palate.
@@ -100,48 +85,36 @@ Vector3 Turn::back(const Vector3& p) const {
 
 double neck_angle_deg(const Segmentation& s) { return angle_of(s, find_roof(s.bones.skull, s.bones.mandible, s.frame)); }
 
-Aim aim_of(const Segmentation& s) { return aims_of(s).front(); }
-
-std::vector<Aim> aims_of(const Segmentation& s) {
+Aim aim_of(const Segmentation& s) {
   const double k = s.frame.scale;
   Aim aim;
-  if (count(s.bones.mandible) == 0) return {aim};  // nothing to be moved by
+  if (count(s.bones.mandible) == 0) return aim;  // nothing to be moved by
   const double rest = gap_after(s, {});
   const double wanted = kOpenMm * k;
-  std::vector<Aim> opened;
   aim.part = s.head.lips.empty();
   if (aim.part || rest < kOpenEnough * wanted) {
-    aim.part = true;
-    const double widest = rest > kToothlessMm * k ? std::max(wanted, rest + kToothlessWayMm * k) : wanted;
-    for (const double share : kWays) {
-      aim.gap_mm = rest + share * (widest - rest);
-      if (share < 1.0 && aim.gap_mm < kOpenEnough * wanted) break;
-      aim.jaw = jaw_turn(s, degrees_to(s, aim.gap_mm));
-      opened.push_back(aim);
+    aim.gap_mm = rest > kToothlessMm * k ? std::max(wanted, rest + kToothlessWayMm * k) : wanted;
+    double low = 0.0;
+    double high = kMostOpeningDeg;
+    for (int i = 0; i < 40; ++i) {
+      const double middle = 0.5 * (low + high);
+      (gap_after(s, jaw_turn(s, middle)) < aim.gap_mm ? low : high) = middle;
     }
-  } else {
-    opened.push_back(aim);
+    aim.jaw = jaw_turn(s, 0.5 * (low + high));
+    aim.part = true;
   }
   const auto roof = find_roof(s.bones.skull, s.bones.mandible, s.frame);
   const double now = angle_of(s, roof);
   const bool bent = now >= 0.0 && now < kExtendedDeg - kWellExtended;
-  if (!bent && !(now >= 0.0 && sight_angle(s, roof, {}) > kSightDeg + kWellExtended)) return opened;
-  // A grown-up's larynx lies so much lower that the neck's angle alone gives no line of sight.
-  Turn neck{neck_pivot(s, roof), std::max(kExtendedDeg - now, 0.0) * kDegree, {}};
-  while (neck.angle_rad < kMostExtension * kDegree && sight_angle(s, roof, neck) > kSightDeg)
-    neck.angle_rad += 0.25 * kDegree;
-  neck.angle_rad = std::min(neck.angle_rad, kMostExtension * kDegree);
-  const double farther = 0.5 * (kMostExtension * kDegree - neck.angle_rad);
-  std::vector<Aim> aims;
-  for (auto a : opened) {
-    a.neck = neck;
-    aims.push_back(a);
-    for (int step = 0; step < 2 && farther > 0.25 * kDegree; ++step) {
-      a.neck.angle_rad += farther;
-      aims.push_back(a);
-    }
+  if (bent || (now >= 0.0 && sight_angle(s, roof, {}) > kSightDeg + kWellExtended)) {
+    // A grown-up's larynx lies so much lower that the neck's angle alone gives no line of sight.
+    aim.neck.pivot = neck_pivot(s, roof);
+    aim.neck.angle_rad = std::max(kExtendedDeg - now, 0.0) * kDegree;
+    while (aim.neck.angle_rad < kMostExtension * kDegree && sight_angle(s, roof, aim.neck) > kSightDeg)
+      aim.neck.angle_rad += 0.25 * kDegree;
+    aim.neck.angle_rad = std::min(aim.neck.angle_rad, kMostExtension * kDegree);
   }
-  return aims;
+  return aim;
 }
 
 }  // namespace vallecula::pipeline

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "pipeline/segment/segment.h"
 
@@ -31,9 +30,5 @@ double neck_angle_deg(const Segmentation& s);
 
 /// What is missing to the shipped infant's position. Nothing when the mouth is open and the head extended.
 Aim aim_of(const Segmentation& s);
-
-/// The same, and after it other ways to the position: the mouth less wide, the head further back. To be tried in this
-/// order until the glottis can be seen past what does not give way.
-std::vector<Aim> aims_of(const Segmentation& s);
 
 }  // namespace vallecula::pipeline

@@ -6,7 +6,6 @@
 
 #include "pipeline/pose/bare_face.h"
 #include "pipeline/pose/resample.h"
-#include "pipeline/segment/free_line.h"
 #include "pipeline/segment/landmarks.h"
 #include "pipeline/segment/upright.h"
 
@@ -14,12 +13,6 @@ namespace vallecula::pipeline {
 namespace {
 
 constexpr double kDegree = 3.14159265358979323846 / 180.0;
-constexpr double kClearEnough = 0.85;  ///< of the glottis past all that does not give way: then no other way is tried
-constexpr double kFirst = 0.6;        ///< of the progress: most patients need no second try
-
-struct AirwayLost : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
 
 Mask of_label(const Labels& labels, std::uint8_t label) {
   return where(labels, [label](std::uint8_t v) { return v == label; });
@@ -112,7 +105,7 @@ void label_again(Segmentation& s, const Labels& carried) {
   const auto gas = without(s.head.inside, s.head.body);
   s.airway.lumen = lumen_about(gas, s.airway.glottis.centre, 6.0 * s.frame.scale);
   if (count(s.airway.lumen) == 0)
-    throw AirwayLost(
+    throw std::runtime_error(
         "the airway was lost when the mouth was opened; import the scan as it lies with --keep-position");
   s.airway.other_gas = without(gas, s.airway.lumen);
   s.labels = Labels(s.hu.grid);
@@ -129,24 +122,18 @@ void label_again(Segmentation& s, const Labels& carried) {
   }
 }
 
-/// Tongue and leaf are one body by the ligament about the vallecula's floor and the folds beside it. What tissue moving
-/// them left between the two is tongue; splinters of tongue that came off are not.
+/// Tongue and leaf are one body by the ligament about the vallecula's floor; where moving them left a seam of tissue
+/// between the two, it is tongue.
 void join_leaf(Segmentation& s, const Vector3& vallecula) {
   const double k = s.frame.scale;
   auto labels = cropped(s.labels, s.throat);
-  const auto& g = labels.grid;
   const auto leaf = of_label(labels, kEpiglottis);
-  const auto soft = any_of(leaf, of_label(labels, kTongue));
-  const auto between = all_of(closed(soft, 3.5 * k), dilated(leaf, 7.0 * k));
+  const auto tongue = of_label(labels, kTongue);
+  if (components(any_of(leaf, tongue)).sizes.size() < 3) return;
+  const auto seam = all_of(dilated(leaf, 2.5 * k), dilated(tongue, 2.5 * k));
   for (std::size_t i = 0; i < labels.voxels.size(); ++i) {
-    const auto p = g.position(i);
-    if (between.voxels[i] != 0 && labels.voxels[i] == kSkin && std::abs(p[0] - vallecula[0]) < 6.0 * k &&
-        p[2] > vallecula[2] - 4.0 * k)
+    if (seam.voxels[i] != 0 && labels.voxels[i] == kSkin && labels.grid.position(i)[2] < vallecula[2] + 5.0 * k)
       labels.voxels[i] = kTongue;
-  }
-  const auto body = largest_component(where(labels, [](std::uint8_t v) { return v == kTongue || v == kEpiglottis; }));
-  for (std::size_t i = 0; i < labels.voxels.size(); ++i) {
-    if (labels.voxels[i] == kTongue && body.voxels[i] == 0) labels.voxels[i] = kSkin;
   }
   paste(labels, s.throat, s.labels);
 }
@@ -165,10 +152,17 @@ void find_landmarks_again(Segmentation& s, const std::map<std::string, Point>& g
     s.findings.emplace(name, Finding{Origin::inferred, "seen once the mouth was opened or the neck extended"});
 }
 
-/// Moves all of `s`.
-PositionFacts move_by(Segmentation& s, const Aim& aim, const std::function<void(double)>& say) {
+}  // namespace
+
+PositionFacts put_into_position(Segmentation& s, const std::function<void(double)>& progress) {
+  const auto say = [&](double f) {
+    if (progress) progress(f);
+  };
   PositionFacts facts;
-  facts.aim = aim;
+  facts.aim = aim_of(s);
+  const auto& aim = facts.aim;
+  if (!aim.any()) return facts;
+  facts.bared_mm3 = bare_face(s);
   std::map<std::string, Point> given;
   const auto parts = parts_of(s, aim);
   say(0.1);
@@ -221,47 +215,6 @@ PositionFacts move_by(Segmentation& s, const Aim& aim, const std::function<void(
   s.pose.mouth_opened_deg = aim.jaw.angle_rad / kDegree;
   s.pose.extension_deg = aim.neck.angle_rad / kDegree;
   say(1.0);
-  return facts;
-}
-
-}  // namespace
-
-PositionFacts put_into_position(Segmentation& s, const std::function<void(double)>& progress) {
-  const auto aims = aims_of(s);
-  PositionFacts facts;
-  if (!aims.front().any()) return facts;
-  const double bared = bare_face(s);
-  const auto others = static_cast<double>(aims.size() - 1);
-  double most = -1.0;
-  std::size_t best = 0;
-  std::size_t last = 0;
-  Segmentation moved;
-  const auto move_to = [&](std::size_t i) {
-    moved = s;
-    last = i;
-    return move_by(moved, aims[i], [&](double f) {
-      if (progress) progress(i == 0 ? kFirst * f : kFirst + (1.0 - kFirst) * (static_cast<double>(i) - 1.0 + f) / others);
-    });
-  };
-  for (std::size_t i = 0; i < aims.size() && most < kClearEnough; ++i) {
-    PositionFacts tried;
-    try {
-      tried = move_to(i);
-    } catch (const AirwayLost&) {
-      if (i == 0) throw;
-      continue;
-    }
-    tried.free_share = free_share(moved, moved.landmarks.at("operator_eye"));
-    if (tried.free_share <= most) continue;
-    most = tried.free_share;
-    best = i;
-    facts = tried;
-  }
-  // Only numbers were kept of those before: a large scan is not held four times.
-  if (best != last) move_to(best);
-  s = std::move(moved);
-  facts.bared_mm3 = bared;
-  if (progress) progress(1.0);
   return facts;
 }
 

@@ -14,7 +14,6 @@ struct PositionFacts {
   double folded_mm3 = 0.0;         ///< how much is
   double lower_volume_ratio = 1.0;  ///< tongue and lower lip
   double overlap_mm3 = 0.0;
-  double free_share = 0.0;  ///< of the glottis, seen from the operator's eye past what does not give way
   double bared_mm3 = 0.0;  ///< a mask's strips taken off the face
 };
 
