@@ -4,7 +4,7 @@ namespace vallecula::pipeline {
 namespace {
 
 // Thinner than any lip, between chin and nose, where nothing of a face has open air behind it (term).
-constexpr double kThin = 3.0;
+constexpr double kThin = 4.0;
 constexpr double kBelowGum = 8.0;  ///< of the lower
 constexpr double kAboveGum = 12.0;
 constexpr double kAside = 22.0;
@@ -36,6 +36,7 @@ double bare_face(Segmentation& s) {
           const auto i = g.index(x, y, z);
           s.head.body.voxels[i] = 0;
           s.head.inside.voxels[i] = 0;
+          s.bones.skull.voxels[i] = 0;  // wire
           s.labels.voxels[i] = kBackground;
           ++taken;
         }
