@@ -161,11 +161,14 @@ Tongue find_tongue(const TongueSearch& in, const MouthBounds& bounds) {
   }
   // Both the dark fat plane and the bright rim of the hyoid, which lies in it, are ridges; to cross one costs as much
   // as a way of tens of mm. Grain is not told from a faint ridge: it makes the way dearer for both parties alike, while
-  // what it breaks out of the plane lets one of them through.
+  // what it breaks out of the plane lets one of them through. Where rules bound a closed mouth the tongue lies against
+  // muscle, not fat, and a faint streak in it is no border: without this band a real tongue's back stayed with the
+  // palate, and the mouth could not be opened there.
+  const double quiet = bounded ? 12.0 : 0.0;
   Volume<float> cost(g);
   for (std::size_t i = 0; i < cost.voxels.size(); ++i) {
     const double off = tissue.voxels[i] - in.t.soft;
-    const double ridge = std::clamp(off < 0.0 ? -off / 60.0 : (off - 28.0) / 100.0, 0.0, 1.0);
+    const double ridge = std::clamp(off < 0.0 ? (-off - quiet) / 60.0 : (off - quiet - 28.0) / 100.0, 0.0, 1.0);
     cost.voxels[i] = static_cast<float>(1.0 + 60.0 * ridge);
   }
   const auto shares = shared_by_travel(cost, markers, allowed);
