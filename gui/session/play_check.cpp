@@ -54,6 +54,8 @@ struct Played {
   double at_rest = 0.0;  ///< share of the glottis
   double lifted = 0.0;   ///< the most that was seen
   double time_s = 0.0;   ///< when that was
+  double peak_n = 0.0;   ///< model force on the blade until then
+  bool limited = false;  ///< the device's limit ended it
   bool fault = false;
 };
 
@@ -72,7 +74,9 @@ Played play(const PatientPackage& package, const std::shared_ptr<const engine::S
     runner.run(kTicksBetweenSights, [&](const engine::TickRecord& tick) {
       now_s = tick.time_s;
       played.fault = played.fault || (tick.faults & (engine::kFaultTissue | engine::kFaultForce)) != 0;
-      over = over || played.fault || tick.time_s > kLiftIsOver_s || device->finished(tick.time_s);
+      played.limited = played.limited || tick.state == engine::HapticState::lost;
+      played.peak_n = std::max(played.peak_n, tick.model_force_n.norm());
+      over = over || played.fault || played.limited || tick.time_s > kLiftIsOver_s || device->finished(tick.time_s);
       if (!tick.has_sight) return;
       if (first) played.at_rest = tick.glottis_visible;
       first = false;
@@ -166,7 +170,7 @@ std::string reason(const PatientPackage& package, const engine::SceneDescription
     low = std::min(low, 1e3 * p.z());
     high = std::max(high, 1e3 * p.z());
   }
-  char text[200];
+  char text[240];
   if (gap < high - low) {
     std::snprintf(text, sizeof text,
                   "the mouth is too narrow: %.1f mm between the gums, and the blade (%s) is %.1f mm high", gap,
@@ -181,6 +185,13 @@ std::string reason(const PatientPackage& package, const engine::SceneDescription
     return text + (what.empty() ? std::string() : ": " + what);
   }
   if (played.fault) return "the soft tissue's state became unusable under the blade; look at the tongue's mesh";
+  if (played.limited) {
+    std::snprintf(text, sizeof text,
+                  "tongue or epiglottis still hide it when the lift has reached the %.1f N that the device gives (%.1f N "
+                  "at most); a grown-up's tongue asks for more",
+                  description.haptics.device_limit_n, played.peak_n);
+    return text;
+  }
   return "tongue or epiglottis still hide it when lifted; check the labels of the tongue, the epiglottis and the "
          "vallecula";
 }
@@ -219,8 +230,10 @@ std::vector<QualityItem> check_by_playing(PatientPackage& package, const std::fu
       package.approach = candidate.approach;
     }
     first = false;
-    // Where bone or lips stand in the way, or the mesh fails, another millimetre of the tip does not help.
+    // Where bone or lips stand in the way, the mesh fails or the device gives up, another millimetre of the tip does
+    // not help.
     if (played.lifted >= kSeenEnough || now.fault || past_anatomy < kSeenEnough) break;
+    if (now.limited && now.lifted == 0.0) break;
   }
   const bool hidden = played.at_rest <= kHiddenAtRest;
   const bool seen = played.lifted >= kSeenEnough;
