@@ -102,7 +102,8 @@ TetrahedralizeError hopeless(const Segmentation& s, const Point& at) {
   return TetrahedralizeError(text.str());
 }
 
-/// Steps too rough for the triangles are smoothed where these cross, and stay so in `field`.
+/// A border drawn by voxels, or carried to where the jaw was opened, can have steps too rough for its triangles: they are
+/// smoothed where these cross, and stay so in `field`.
 SoftSurface smooth_enough(const Segmentation& s, Volume<float>& field, double factor) {
   constexpr int kRounds = 8;
   auto soft = soft_surface(s, field, factor);
@@ -124,8 +125,10 @@ Filled filled_to_count(const Segmentation& s, Volume<float>& field, int tetrahed
   std::optional<Filled> best;
   double best_off = 0.0;
   std::vector<std::array<double, 2>> tried;  // logarithms of factor and count
-  // A border drawn by voxels is smoothed at once; one cut from grey values may not need it with other sizes.
+  // A border drawn by voxels is smoothed at once; one carried by an opened jaw may not need it with other sizes; one cut
+  // from grey values as they were measured crosses only where something is wrong with it, and is named.
   bool smooth = !s.replaced.empty();
+  const bool carried = s.pose.mouth_opened_deg != 0.0 || s.pose.extension_deg != 0.0;
   int crossed = 0;
   double factor = std::cbrt(4000.0 / tetrahedra);
   for (int attempt = 0;; ++attempt) {
@@ -148,7 +151,7 @@ Filled filled_to_count(const Segmentation& s, Volume<float>& field, int tetrahed
         throw;
       }
       if (attempt + 1 == kAttempts) return std::move(*best);
-      if (!smooth && ++crossed == 2) {
+      if (carried && !smooth && ++crossed == 2) {
         smooth = true;
         factor /= 0.96;
       } else {

@@ -246,8 +246,9 @@ Vector3 eye_past(const Vector3& gum, const Vector3& glottis, double turn) {
 }
 
 /// The operator looks past the upper gum as steeply as it allows: 3.6 mm (term) clear of it, which is how the manikin's
-/// line of sight was designed (ANATOMY). Where a lip or a tooth stands before the gum, from where most can be seen.
-Vector3 operator_eye(Segmentation& s, const Vector3& gum) {
+/// line of sight was designed (ANATOMY). Where a lip or a tooth stands before the gum, from where most can be seen; past a
+/// gum that a person placed (`gum_given`) as the rule has it.
+Vector3 operator_eye(Segmentation& s, const Vector3& gum, bool gum_given) {
   constexpr double kClearEnough = 0.8;
   constexpr double kStep = 0.25 * 3.14159265358979323846 / 180.0;
   constexpr int kLower = 60;  ///< steps: 15 degrees
@@ -255,6 +256,7 @@ Vector3 operator_eye(Segmentation& s, const Vector3& gum) {
   const double length = std::hypot(gum[1] - glottis[1], gum[2] - glottis[2]);
   const double turn = std::asin(std::clamp(3.6 * s.frame.scale / length, 0.0, 0.5));
   const auto planned = eye_past(gum, glottis, turn);
+  if (gum_given) return planned;
   double most = free_share(s, planned);
   if (most >= kClearEnough) return planned;
   double chosen = turn;
@@ -315,7 +317,7 @@ void find_landmarks(Segmentation& s, const std::map<std::string, Point>& given) 
     return Vector3(m["vallecula"]) + k * Vector3{0.0, -6.0, 0.0};
   });
   m["condyle_axis"] = or_found("condyle_axis", [&] { return condyles(s, upper); });
-  m["operator_eye"] = or_found("operator_eye", [&] { return operator_eye(s, upper); });
+  m["operator_eye"] = or_found("operator_eye", [&] { return operator_eye(s, upper, given.count("upper_gum_midline") > 0); });
   for (const auto* name : kLandmarks) {
     for (const double v : m.at(name)) {
       if (!std::isfinite(v))
