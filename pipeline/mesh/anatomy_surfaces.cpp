@@ -79,7 +79,7 @@ std::vector<Point> places_of(const Surface& s, const std::vector<std::array<int,
 Surface finished(const Surface& rough, double fuller, const RemeshOptions& options, const char* name) {
   constexpr double kReach = 4.0;  // in wanted edges: so far about a crossing the triangles become smaller
   constexpr double kFiner = 0.6;
-  constexpr int kTries = 3;
+  constexpr int kTries = 4;
   const auto whole = largest_part(rough);
   const double volume = fuller * size_of(whole).volume_mm3;
   Surface best;
@@ -88,23 +88,24 @@ Surface finished(const Surface& rough, double fuller, const RemeshOptions& optio
   // Where a sheet is thinner than the triangles are long two sides may cross: smaller triangles there part them.
   for (int attempt = 0; attempt < kTries; ++attempt) {
     auto finer = options;
+    const double smaller = std::pow(kFiner, attempt);
     finer.edge_mm = [&](const Point& p) {
       const double edge = options.edge_mm(p);
       double factor = 1.0;
       for (const auto& c : crossings) {
-        if (distance(c, p) < kReach * edge) factor = kFiner;
+        if (distance(c, p) < kReach * edge) factor = smaller;
       }
       return factor * edge;
     };
     const auto even = largest_part(remeshed(whole, finer));
     auto out = mended(inflated(even, inflation_to(even, volume)));
     const auto left = self_intersections(out);
-    const bool better = attempt == 0 || left.size() < fewest;
     const auto places = places_of(out, left);
     crossings.insert(crossings.end(), places.begin(), places.end());
-    if (!better) break;
-    best = std::move(out);
-    fewest = left.size();
+    if (attempt == 0 || left.size() < fewest) {
+      best = std::move(out);
+      fewest = left.size();
+    }
     if (fewest == 0) break;
   }
   require_solid(best, name);

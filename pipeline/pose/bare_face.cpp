@@ -5,6 +5,7 @@ namespace {
 
 // Thinner than any lip, between chin and nose, where nothing of a face has open air behind it (term).
 constexpr double kThin = 4.0;
+constexpr double kGap = 2.5;   ///< of air behind it at least: less is a crease of the lips (term)
 constexpr double kBelowGum = 8.0;  ///< of the lower
 constexpr double kAboveGum = 12.0;
 constexpr double kAside = 22.0;
@@ -28,10 +29,9 @@ double bare_face(Segmentation& s) {
         int end = y;
         while (end <= box.high[1] && s.head.inside.at(x, end, z) != 0) ++end;
         if (end > box.high[1] || (end - y) * g.spacing[1] > kThin * k) break;
-        bool face_behind = false;
-        for (int deeper = end; deeper <= box.high[1]; ++deeper)
-          face_behind = face_behind || s.head.inside.at(x, deeper, z) != 0;
-        if (!face_behind) break;
+        int face = end;
+        while (face <= box.high[1] && s.head.inside.at(x, face, z) == 0) ++face;
+        if (face > box.high[1] || (face - end) * g.spacing[1] < kGap * k) break;
         for (; y < end; ++y) {
           const auto i = g.index(x, y, z);
           s.head.body.voxels[i] = 0;

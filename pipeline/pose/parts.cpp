@@ -158,6 +158,7 @@ void pull_tongue(const Segmentation& s, const Aim& aim, const Mouth& mouth, Part
 void pull_lips(const Segmentation& s, const Aim& aim, const Mouth& mouth, Parts& parts) {
   const double k = s.frame.scale;
   const auto& g = s.hu.grid;
+  const double up = std::clamp(mouth.upper[2] + 4.1 * k - mouth.line_z, 0.0, 14.0 * k);
   const double down = std::clamp(mouth.line_z - (mouth.lower[2] - 0.7 * k), 0.0, 10.0 * k);
   const auto skin_y = [&](double x, double z) {
     const auto c = g.nearest({x, mouth.upper[1] - 20.0 * k, z});
@@ -167,13 +168,6 @@ void pull_lips(const Segmentation& s, const Aim& aim, const Mouth& mouth, Parts&
   };
   double lip_y = skin_y(s.frame.mid_x, mouth.line_z + 2.0 * k) + 2.5 * k;
   const double back = std::clamp(mouth.upper[1] - 3.9 * k - lip_y, -2.0 * k, 6.0 * k);
-  // The upper one as far above the gum as keeps it 2.0 mm (term) off a line of sight 3.6 mm clear of the gum: 4.1 mm in
-  // the manikin, more where the lip is thick.
-  const auto sight = unit(mouth.upper - aim.neck(s.airway.glottis.centre));
-  const double cos = std::max(0.3, -sight[1]);
-  const double before_gum = mouth.upper[1] - (lip_y - 2.5 * k + back);
-  const double over_gum = (before_gum * sight[2] - (3.6 - 2.0) * k) / cos;
-  const double up = std::clamp(mouth.upper[2] + std::max(4.1 * k, over_gum) - mouth.line_z, 0.0, 14.0 * k);
   for (int x = 0; x < g.size[0]; ++x) {
     const double px = g.origin[0] + x * g.spacing[0];
     if (std::abs(px - s.frame.mid_x) > mouth.half_width) continue;

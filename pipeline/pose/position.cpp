@@ -163,6 +163,10 @@ PositionFacts put_into_position(Segmentation& s, const std::function<void(double
   const auto& aim = facts.aim;
   if (!aim.any()) return facts;
   facts.bared_mm3 = bare_face(s);
+  if (facts.bared_mm3 > 0.0) {
+    s.findings["skin"] = {Origin::inferred, "strips of a mask, tape or wire before the mouth were taken off (" +
+                                                std::to_string(std::lround(facts.bared_mm3)) + " mm3)"};
+  }
   std::map<std::string, Point> given;
   const auto parts = parts_of(s, aim);
   say(0.1);

@@ -11,6 +11,7 @@
 #include <stdexcept>
 
 #include "pipeline/import.h"
+#include "pipeline/pose/bare_face.h"
 #include "pipeline/segment/free_line.h"
 #include "pipeline/segment/mouth_bounds.h"
 #include "tests/pipeline/closed_manikin.h"
@@ -46,7 +47,8 @@ struct Closed {
 
 void check_tongue_is_found_without_a_seed(const Closed& in) {
   EXPECT_TRUE(in.before.head.lips.empty()) << "the mouth is shut";
-  // This one is stuffed to the cheeks, wider than bounds by rule reach: what is found is tongue, and more than half of it.
+  // This one is stuffed to the cheeks, wider than bounds by rule reach: what is found is tongue, and more than half of
+  // it.
   const auto labels = on_series_grid(in.before, in.scan.ct.grid);
   double found = 0.0;
   double truth = 0.0;
@@ -76,8 +78,9 @@ void check_jaw_moved_rigidly(const Closed& in) {
     return (1.0 / n) * sum;
   };
   EXPECT_LT(distance(in.facts.aim.jaw(middle(in.before.bones.mandible)), middle(in.after.bones.mandible)), 0.3);
-  EXPECT_NEAR(static_cast<double>(count(in.after.bones.mandible)) / static_cast<double>(count(in.before.bones.mandible)),
-              1.0, 0.05);
+  EXPECT_NEAR(
+      static_cast<double>(count(in.after.bones.mandible)) / static_cast<double>(count(in.before.bones.mandible)), 1.0,
+      0.05);
   // Each voxel of the moved jaw comes from within a voxel of the jaw.
   const auto near = dilated(in.before.bones.mandible, 0.9);
   std::size_t off = 0;
@@ -157,11 +160,42 @@ void check_what_was_given_is_kept(const Closed& in) {
       << "it goes where the vallecula went";
 }
 
+/// A mask's strip of 2 mm, 3 mm before the lips, in the head's mask as a scan's joined pieces are.
+void check_strips_are_taken_off(const Segmentation& closed) {
+  auto bare = closed;
+  EXPECT_EQ(bare_face(bare), 0.0) << "lips, nose and chin are no strips";
+  auto masked = closed;
+  const auto& g = masked.hu.grid;
+  const double low = masked.landmarks.at("lower_gum_midline")[2] - 2.0;
+  const double high = masked.landmarks.at("upper_gum_midline")[2] + 2.0;
+  std::size_t drawn = 0;
+  for (int z = 0; z < g.size[2]; ++z) {
+    const double pz = g.origin[2] + z * g.spacing[2];
+    for (int x = 0; x < g.size[0] && pz > low && pz < high; ++x) {
+      if (std::abs(g.origin[0] + x * g.spacing[0] - masked.frame.mid_x) > 12.0) continue;
+      int front = 0;
+      while (front < g.size[1] && closed.head.inside.at(x, front, z) == 0) ++front;
+      for (int y = front - static_cast<int>(5.0 / g.spacing[1]); y < front - static_cast<int>(3.0 / g.spacing[1]);
+           ++y) {
+        masked.head.body.at(x, y, z) = masked.head.inside.at(x, y, z) = 1;
+        masked.labels.at(x, y, z) = kSkin;
+        ++drawn;
+      }
+    }
+  }
+  ASSERT_GT(drawn, 1000u);
+  EXPECT_NEAR(bare_face(masked), static_cast<double>(drawn) * g.voxel_mm3(), 1e-6);
+  EXPECT_EQ(masked.head.body.voxels, closed.head.body.voxels);
+  EXPECT_EQ(masked.head.inside.voxels, closed.head.inside.voxels);
+  EXPECT_EQ(masked.labels.voxels, closed.labels.voxels);
+}
+
 TEST(Position, ClosedMouthIsFoundAndOpened) {
   Closed in;
   in.scan = closed_scan();
   in.before = segment(in.scan.ct, {});
   check_tongue_is_found_without_a_seed(in);
+  check_strips_are_taken_off(in.before);
   in.after = in.before;
   in.facts = put_into_position(in.after);
   ASSERT_TRUE(in.facts.aim.part);
@@ -169,6 +203,8 @@ TEST(Position, ClosedMouthIsFoundAndOpened) {
   check_skull_did_not_move(in);
   check_mouth_is_open(in);
   check_what_was_given_is_kept(in);
+  EXPECT_EQ(in.facts.bared_mm3, 0.0);
+  EXPECT_EQ(in.after.findings.at("skin").origin, Origin::measured);
   EXPECT_NEAR(in.facts.lower_volume_ratio, 1.0, 0.01);
   EXPECT_NEAR(tongue_mm3(in.after) / tongue_mm3(in.before), 1.0, 0.08);
   std::printf("[ figures  ] jaw %.1f deg, jacobian %.3f, folded %.1f mm3, overlap %.1f mm3, tongue %.3f\n",
@@ -190,9 +226,8 @@ void write_nrrd(const Hounsfield& hu, const std::filesystem::path& file) {
   const auto& g = hu.grid;
   std::ofstream out(file, std::ios::binary);
   out.precision(17);
-  out << "NRRD0004\ntype: short\ndimension: 3\nspace: left-posterior-superior\nsizes: " << g.size[0] << " "
-      << g.size[1] << " " << g.size[2]
-      << "\nspace directions: (" << g.spacing[0] << ",0,0) (0," << g.spacing[1] << ",0) (0,0,"
+  out << "NRRD0004\ntype: short\ndimension: 3\nspace: left-posterior-superior\nsizes: " << g.size[0] << " " << g.size[1]
+      << " " << g.size[2] << "\nspace directions: (" << g.spacing[0] << ",0,0) (0," << g.spacing[1] << ",0) (0,0,"
       << g.spacing[2] << ")\nkinds: domain domain domain\nencoding: raw\nspace origin: (" << g.origin[0] << ","
       << g.origin[1] << "," << g.origin[2] << ")\nendian: little\n\n";
   out.write(reinterpret_cast<const char*>(hu.voxels.data()),
@@ -215,7 +250,7 @@ TEST(Position, CancelledHalfWayLeavesWhatWasMeasured) {
   const auto before = import.segmentation();
   const auto on_scan = import.labels_on_scan().voxels;
   for (const double late : {0.85, 1.0}) {
-    cancel_at = 0.45 + 0.05 * late - 1e-9;
+    cancel_at = stage_begin::kPosition + (stage_begin::kSurfaces - stage_begin::kPosition) * late - 1e-9;
     EXPECT_THROW(import.position(), ImportError);
     const auto& s = import.segmentation();
     EXPECT_EQ(s.hu.voxels, before.hu.voxels);
@@ -241,7 +276,7 @@ TEST(Position, OpenMouthAndExtendedHeadAreLeftAlone) {
   const Vector3 eye = s.landmarks.at("operator_eye");
   EXPECT_GT(free_share(s, eye), 0.8);
   EXPECT_LT(free_share(s, eye + Vector3{0.0, 20.0, 0.0}), 0.2);
-  EXPECT_EQ(s.findings.count("operator_eye"), 0u) << "where the design has it";
+  EXPECT_EQ(s.findings.at("operator_eye").origin, Origin::measured) << "where the design has it";
   const auto labels = s.labels.voxels;
   const auto landmarks = s.landmarks;
   put_into_position(s);
