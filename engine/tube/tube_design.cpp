@@ -10,12 +10,12 @@ namespace {
 
 constexpr double kGripShortOfConnector = 0.040;
 
-/// Sources. Outer diameters of 3.5 and 4.0: CLINICAL.md (5.4 to 5.6 mm: the middle); of 2.5 and 3.0 and the lengths:
-/// makers' catalogues (assumed). Cord mark of 2.5, 3.0, 3.5: 24, 26, 28 mm (as first described; Gill and O'Donnell,
-/// Arch Dis Child Fetal Neonatal Ed 2014;99:F344, who found makers to differ by up to a centimetre); of 4.0: continued
-/// (assumed). Curve: ISO 5361's 140 mm; bevel 37.5 degrees (Red Cross items catalogue, MCTDTEND), facing left.
-/// Centimetre marks from 5 on, Young's modulus at body temperature (plasticised PVC, 10 to 30 MPa), Poisson's ratio and
-/// density: assumed.
+/// Sources. Outer diameters of 3.5 and 4.0: CLINICAL.md (of 5.4 to 5.6 mm the middle); of 2.5 and 3.0, and the lengths:
+/// makers' catalogues (assumed). Cord mark, a line 2 mm wide: 24, 26, 28 mm for 2.5, 3.0, 3.5 as first described (in
+/// Gill and O'Donnell, Arch Dis Child Fetal Neonatal Ed 2014;99:F344); 4.0 continues the row (assumed). Curve: ISO
+/// 5361's 140 mm. Bevel: 37.5 degrees (Red Cross items catalogue, MCTDTEND), facing left. Centimetre marks from 5 on,
+/// Young's modulus (plasticised PVC has 10 to 30 MPa when warm; a tube comes at the room's temperature: the upper end),
+/// Poisson's ratio and density: assumed.
 struct Size {
   const char* name;
   double inner, outer, length, cord_mark;  // mm

@@ -18,7 +18,7 @@ struct TubeDesign {
   double bend_radius = 0.140;         ///< Magill's curve, of the undeformed axis
   double bevel_rad = 0.654;           ///< between the opening's plane and the axis
   Vec3 bevel_faces = -Vec3::UnitY();  ///< the opening's side: the patient's left in use
-  double young_pa = 20e6;
+  double young_pa = 30e6;
   double poisson = 0.45;
   double density_kg_m3 = 1250.0;
 };

@@ -14,13 +14,13 @@ namespace {
 using namespace vallecula::engine;
 using Clock = std::chrono::steady_clock;
 
-/// The hand goes to and fro by 20 mm, up and down by 10 mm and turns by half a radian; `contacts` points lie on a
-/// floor.
+/// The hand goes to and fro by 20 mm, up and down by 10 mm and turns by half a radian; half of the points lie under a
+/// ceiling that the tube's curve presses against.
 void measure(const char* what, const Stylet* stylet, int contact_count, int ticks) {
   const TubeDesign tube = tube_design("3.5");
   const Rod rod(tube_rod(tube, stylet, usual_grip_from_tip(tube)));
   RodState state(rod, Pose{});
-  const double floor = -rod.description().length_m / 10;
+  const double ceiling = state.position[0].z() / 3;
   std::vector<RodContact> contacts(static_cast<std::size_t>(contact_count));
   std::vector<double> cost(static_cast<std::size_t>(ticks));
   double sum = 0.0;
@@ -36,7 +36,8 @@ void measure(const char* what, const Stylet* stylet, int contact_count, int tick
       c.friction = 0.2;
       const Vec3 at = 0.5 * (state.position[static_cast<std::size_t>(c.node)] +
                              state.position[static_cast<std::size_t>(c.node) + 1]);
-      c.depth_m = floor - at.z();
+      c.normal = -Vec3::UnitZ();
+      c.depth_m = at.z() - ceiling;
     }
     const auto begin = Clock::now();
     const RodStep r = step(rod, state, hand, contacts.data(), contact_count, 0.001);
