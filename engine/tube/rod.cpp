@@ -11,14 +11,14 @@ namespace vallecula::engine {
 
 namespace {
 
-constexpr int kMostIterations = 3;             // Newton's; the later ones only where the first left something
+constexpr int kMostIterations = 5;             // Newton's; two do unless contacts or friction change
 constexpr double kConverged = 1e-8;            // m, and a hundred times as many rad
 constexpr double kFastest = 5.0;               // m/s: whatever the hand does, nodes move no faster
 constexpr double kMostTurn = 0.5;              // rad an iteration
 constexpr double kMostPull = 0.03;             // m: the grip's spring pulls no harder than at this length
 constexpr double kMostContactForce = 200;      // N
 constexpr double kMostContactStiffness = 1e6;  // N/m
-constexpr double kStickSpeed = 5e-4;           // m/s: below it friction is a damper, above it mu times the normal force
+constexpr double kStickSpeed = 1e-4;           // m/s: below it friction is a damper, above it mu times the normal force
 
 using System = BandedSystem<kTubeNodes + kTubeSegments>;  // x0, w0, x1, w1, ... x39
 constexpr int place_of(int node) { return 2 * node; }

@@ -4,7 +4,7 @@
 // direct one, as a plain banded factorisation.
 #pragma once
 
-#include "engine/haptics/proxy.h"
+#include "engine/haptics/coupling.h"
 
 namespace vallecula::engine {
 
@@ -34,7 +34,9 @@ struct RodDescription {
   std::array<RodSection, kTubeJoints> section{};
 };
 
-/// A point of the rod's axis pressed against something: a spring that only pushes, and Coulomb friction.
+/// A point of the rod's axis pressed against something: a spring that only pushes, and Coulomb friction, which below
+/// 0.1 mm/s is a damper (what sticks creeps by less) and has no memory. A point first given when it is already deep is
+/// pushed at once with all of its spring: give points from where they just touch.
 struct RodContact {
   int node = 0;                 ///< the point lies between this node and the next
   double weight = 0.0;          ///< share of the next one, 0 to 1

@@ -213,7 +213,7 @@ TEST(RodTruth, TwistsByTorqueTimesLengthOverGj) {
   const double turned = std::atan2(z.y(), z.z());
   const double torque = load * tip.z(), soft = (kTubeJoints - corner - 3) * segment;
   const double expected = torque * soft / (0.7 * kEi);
-  EXPECT_NEAR(turned, expected, 0.05 * expected);
+  EXPECT_NEAR(turned, expected, 0.01 * expected);
 }
 
 }  // namespace

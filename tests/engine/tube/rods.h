@@ -1,6 +1,9 @@
-// Rods for the tests: a straight, uniform one in a stiff hand, dead loads, and how long it is to beam theory.
+// Rods for the tests: a straight, uniform one in a stiff hand and how long it is to beam theory, a usual tube; dead
+// loads, planes.
 #pragma once
 
+#include <algorithm>
+#include <cstring>
 #include <vector>
 
 #include "engine/tube/tube_design.h"
@@ -37,6 +40,44 @@ inline RodStep settle(const Rod& rod, RodState& state, const Pose& grip, std::ve
   RodStep r;
   for (int n = 0; n < steps; ++n) r = step(rod, state, grip, loads.data(), static_cast<int>(loads.size()), 0.001);
   return r;
+}
+
+inline Rod usual_tube() {
+  const TubeDesign tube = tube_design("3.5");
+  return Rod(tube_rod(tube, nullptr, usual_grip_from_tip(tube)));
+}
+
+inline Pose turned(double angle) {
+  Pose p;
+  p.rotation = Eigen::AngleAxisd(angle, Vec3::UnitX());
+  return p;
+}
+
+inline double fastest(const RodState& s) {
+  double most = 0.0;
+  for (const Vec3& v : s.velocity) most = std::max(most, v.norm());
+  return most;
+}
+
+/// Points along the rod against the plane n x = 0, which they must stay above by the tube's radius.
+inline int plane_contacts(const Rod& rod, const RodState& s, const Vec3& normal, double offset, double friction,
+                          std::array<RodContact, kTubeNodes>& contacts) {
+  for (int i = 0; i < kTubeNodes; ++i) {
+    RodContact& c = contacts[i];
+    c = RodContact{};
+    c.node = std::min(i, kTubeNodes - 2);
+    c.weight = i == kTubeNodes - 1 ? 1.0 : 0.0;
+    c.normal = normal;
+    c.depth_m = rod.description().outer_radius_m - (normal.dot(s.position[i]) - offset);
+    c.friction = friction;
+  }
+  return kTubeNodes;
+}
+
+inline bool same_bits(const RodState& a, const RodState& b) {
+  return std::memcmp(a.position.data(), b.position.data(), sizeof a.position) == 0 &&
+         std::memcmp(a.velocity.data(), b.velocity.data(), sizeof a.velocity) == 0 &&
+         std::memcmp(a.rotation.data(), b.rotation.data(), sizeof a.rotation) == 0;
 }
 
 }  // namespace vallecula::engine::testing
