@@ -24,8 +24,8 @@ struct RodDescription {
   double length_m = 0.14;  ///< tip to the last node; the hand clamps the last segment, so the rod is free to its middle
   double outer_radius_m = 0.00245;
   double mass_kg_m = 0.0116;  ///< per length
-  /// Along the rod and in shear. Softer than steel and far stiffer than PVC (185 N): a push of 10 N stretches it by
-  /// 0.5 %, so the marks stay where they are and the solve well conditioned.
+  /// Along the rod and in shear. Softer than steel and far stiffer than a PVC tube (277 N): a push of 10 N stretches it
+  /// by 0.5 %, so the marks stay where they are and the solve well conditioned.
   double stretching_n = 2000.0;
   double damping_s = 0.01;   ///< Kelvin and Voigt's: bending moment per strain rate over that per strain
   double grip_n_m = 2000.0;  ///< the hand's stiffness against moving (assumed)
