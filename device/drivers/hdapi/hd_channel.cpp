@@ -150,13 +150,13 @@ Vector Channel::force_to_show() noexcept {
   }
   // By turns, not by the clock: a loop that stood still for a while makes no jump.
   const double share = std::min(1.0, static_cast<double>(turns_ - on_since_) * period_s_ / kRampS);
-  return scale(clamped(newest_command_.force_n, peak_n_), share);
+  return scale(shortened_or_zero(newest_command_.force_n, peak_n_), share);
 }
 
 bool Channel::over(DeviceFault fault) const noexcept {
   if (fault == DeviceFault::not_calibrated) return calibration() == Calibration::good;
   return elapsed_s_ - error_s_ >= kQuietS &&
-         length(clamped(newest_command_.force_n, peak_n_)) <= kEasedShare * peak_n_ &&
+         length(shortened_or_zero(newest_command_.force_n, peak_n_)) <= kEasedShare * peak_n_ &&
          (fault != DeviceFault::motor_warm || warmth() < kCoolWarmth);
 }
 

@@ -18,7 +18,6 @@ namespace {
 
 constexpr std::chrono::milliseconds kLookAfter{500};
 constexpr std::chrono::seconds kOpenPatience{15};
-constexpr int kMostErrors = 32;  // taken off the library's stack in one turn
 
 std::mutex shared_mutex;
 std::weak_ptr<Scheduler> shared_scheduler;
