@@ -7,7 +7,6 @@ namespace vallecula::device::hdapi {
 namespace {
 
 constexpr int kSlowTurns = 50;  // calibration and temperature change slowly
-constexpr std::int64_t kLateNs = 50'000'000, kStandsNs = 500'000'000;
 constexpr int kMostMotors = 8;
 
 std::int64_t clock_ns() noexcept {
@@ -49,10 +48,7 @@ void Channel::command(const Vector& force_n) noexcept {
 
 DeviceFault Channel::fault() const noexcept {
   const DeviceFault held = fault_.load(std::memory_order_relaxed);
-  const std::int64_t still_ns = clock_ns() - turned_ns_.load(std::memory_order_relaxed);
-  const DeviceFault still = still_ns > kStandsNs ? DeviceFault::communication_lost
-                            : still_ns > kLateNs ? DeviceFault::servo_late
-                                                 : DeviceFault::none;
+  const DeviceFault still = fault_of_standing(1e-9 * (clock_ns() - turned_ns_.load(std::memory_order_relaxed)));
   return severity(still) > severity(held) ? still : held;
 }
 

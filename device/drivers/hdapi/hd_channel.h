@@ -34,8 +34,7 @@ class Channel {
   void command(const Vector& force_n) noexcept;
 
   // --- any thread ----------------------------------------------------------------------------------------------------
-  /// The fault that holds; without one, servo_late when the library's loop stands still for more than 50 ms and
-  /// communication_lost when it does for half a second.
+  /// The fault that holds; without one, that of the time for which the library's loop has been standing still.
   DeviceFault fault() const noexcept;
   Calibration calibration() const noexcept { return calibration_.load(std::memory_order_relaxed); }
   double warmth() const noexcept { return warmth_.load(std::memory_order_relaxed); }

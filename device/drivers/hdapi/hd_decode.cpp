@@ -48,6 +48,11 @@ DeviceFault fault_of(unsigned int code) noexcept {
   return known != nullptr ? known->fault : DeviceFault::driver_error;
 }
 
+DeviceFault fault_of_standing(double for_s) noexcept {
+  if (for_s > 0.5) return DeviceFault::communication_lost;
+  return for_s > 0.05 ? DeviceFault::servo_late : DeviceFault::none;
+}
+
 std::string name_of(unsigned int code) {
   if (const Named* known = find(code)) return known->name;
   char text[32];

@@ -13,6 +13,10 @@ namespace vallecula::device::hdapi {
 /// The fault that an error code stands for; none for success.
 DeviceFault fault_of(unsigned int code) noexcept;
 
+/// Of a loop that has been standing still for this long: servo_late beyond 50 ms, communication_lost beyond half a
+/// second.
+DeviceFault fault_of_standing(double for_s) noexcept;
+
 /// "HD_COMM_ERROR"; "error 0x999" for a code that has no name here.
 std::string name_of(unsigned int code);
 

@@ -89,6 +89,12 @@ TEST(HdapiDecode, TheHottestMotorCounts) {
   EXPECT_LT(warmth_of(nothing, 3), 0.0);
 }
 
+TEST(HdapiDecode, ALoopThatStandsStillIsLateAndThenLost) {
+  for (const double fine : {-1.0, 0.0, 0.001, 0.0499}) EXPECT_EQ(fault_of_standing(fine), DeviceFault::none) << fine;
+  for (const double late : {0.0501, 0.4999}) EXPECT_EQ(fault_of_standing(late), DeviceFault::servo_late) << late;
+  for (const double lost : {0.5001, 1e9}) EXPECT_EQ(fault_of_standing(lost), DeviceFault::communication_lost) << lost;
+}
+
 TEST(HdapiDecode, TheForceNeverExceedsThePeakAndKeepsItsDirection) {
   std::mt19937 random(3);
   std::normal_distribution<double> normal(0.0, 10.0);
