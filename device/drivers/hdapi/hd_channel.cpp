@@ -61,6 +61,7 @@ void Channel::attach(Handle handle, const Properties& properties) noexcept {
   motors_ = std::clamp(properties.motors, 1, kMostMotors);
   turns_ = on_since_ = 0;
   answers_ = false;
+  shown_ = {0, 0, 0};
   noted_ = DeviceFault::none;
   turned_ns_.store(clock_ns(), std::memory_order_relaxed);
   calibration_.store(Calibration::needs_update, std::memory_order_relaxed);
@@ -127,8 +128,8 @@ void Channel::exchange(const Functions& hd) noexcept {
     if (!answers_) note(DeviceFault::communication_lost);
   }
   if (turns_ % kSlowTurns == 0) look_slowly(hd);
-  const Vector force = force_to_show();
-  hd.set_doubles(kForce, force.data());
+  shown_ = force_to_show();
+  hd.set_doubles(kForce, shown_.data());
   hd.end_frame(handle_);
   ++turns_;
 }
@@ -140,13 +141,19 @@ Vector Channel::force_to_show() noexcept {
     commanded_s_ = elapsed_s_;
   }
   if (bad_command_.exchange(false, std::memory_order_relaxed)) note(DeviceFault::non_finite_command);
-  if (elapsed_s_ - commanded_s_ > kWatchdogS || silent() || noted_ != DeviceFault::none ||
-      fault_.load(std::memory_order_relaxed) != DeviceFault::none) {
+  const bool stops = newest_command_.force_n == Vector{0, 0, 0};
+  // Whoever leaves off with a zero is done; whoever leaves off in mid force is late.
+  if (elapsed_s_ - commanded_s_ > kWatchdogS && !stops) note(DeviceFault::servo_late);
+  if (silent() || noted_ != DeviceFault::none || fault_.load(std::memory_order_relaxed) != DeviceFault::none) {
+    on_since_ = turns_;
     return {0, 0, 0};
   }
+  if (stops) return {0, 0, 0};  // not bounded in rate: so the output chain stops the force
   // By turns, not by the clock: a loop that stood still for a while makes no jump.
   const double share = std::min(1.0, static_cast<double>(turns_ - on_since_) * period_s_ / kRampS);
-  return scale(shortened_or_zero(newest_command_.force_n, peak_n_), share);
+  const Vector wanted = scale(shortened_or_zero(newest_command_.force_n, peak_n_), share);
+  const Vector change = subtract(wanted, shown_), step = shortened(change, kMostRateNS * period_s_);
+  return step == change ? wanted : shortened(add(shown_, step), peak_n_);
 }
 
 bool Channel::over(DeviceFault fault) const noexcept {
@@ -167,7 +174,6 @@ void Channel::settle(const Functions& hd) noexcept {
     noted_ = DeviceFault::none;
   } else if (held != DeviceFault::none && over(held)) {
     hd.enable(kForceOutput);
-    on_since_ = turns_;
     now = DeviceFault::none;
   }
   fault_.store(now, std::memory_order_relaxed);

@@ -17,11 +17,14 @@ struct Properties {
   int motors = 3;
 };
 
-/// The force shown is zero whenever: no new command came for kWatchdogS; a fault holds; the command is not finite; the
-/// device does not know where it stands. A fault ends when no error came for kQuietS, the command is below kEasedShare
-/// of the peak, warm motors have cooled to kCoolWarmth; then the force output is switched on again and grows from zero
-/// over kRampS.
+/// The force shown is zero whenever: a fault holds; the command is not finite; the device does not know where it
+/// stands; no new command came for kWatchdogS, which is servo_late unless the last one was zero. A fault ends when no
+/// error came for kQuietS, the command is below kEasedShare of the peak, warm motors have cooled to kCoolWarmth; then
+/// the force output is switched on again and grows from zero over kRampS. A command of exactly zero is shown at once;
+/// any other change is bounded to kMostRateNS, as in the output chain, so that what a late turn or a burst of ticks
+/// brings at once reaches the hand spread over the turns that follow.
 constexpr double kWatchdogS = 0.05, kQuietS = 0.5, kEasedShare = 0.5, kCoolWarmth = 0.8, kRampS = 0.1;
+constexpr double kMostRateNS = 400.0;
 
 class Channel {
  public:
@@ -74,6 +77,7 @@ class Channel {
   // The loop's own.
   State now_;
   Command newest_command_;
+  Vector shown_{0, 0, 0};
   double elapsed_s_ = 0.0, last_s_ = 0.0;  ///< own time: a turn lasts its nominal period at least
   double commanded_s_ = -1.0, error_s_ = 0.0;
   DeviceFault noted_ = DeviceFault::none;
