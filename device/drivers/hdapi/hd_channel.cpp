@@ -108,7 +108,7 @@ void Channel::look_slowly(const Functions& hd) noexcept {
   if (calibration != Calibration::good) note(DeviceFault::not_calibrated);
 }
 
-void Channel::exchange(const Functions& hd) noexcept {
+void Channel::exchange(const Functions& hd, bool may_show) noexcept {
   double transform[16] = {};
   hd.get_doubles(kTransform, transform);
   int buttons = 0;
@@ -128,13 +128,13 @@ void Channel::exchange(const Functions& hd) noexcept {
     if (!answers_) note(DeviceFault::communication_lost);
   }
   if (turns_ % kSlowTurns == 0) look_slowly(hd);
-  shown_ = force_to_show();
+  shown_ = force_to_show(may_show);
   hd.set_doubles(kForce, shown_.data());
   hd.end_frame(handle_);
   ++turns_;
 }
 
-Vector Channel::force_to_show() noexcept {
+Vector Channel::force_to_show(bool may_show) noexcept {
   const Command& command = commands_.newest();
   if (command.number != newest_command_.number) {
     newest_command_ = command;
@@ -144,7 +144,8 @@ Vector Channel::force_to_show() noexcept {
   const bool stops = newest_command_.force_n == Vector{0, 0, 0};
   // Whoever leaves off with a zero is done; whoever leaves off in mid force is late.
   if (elapsed_s_ - commanded_s_ > kWatchdogS && !stops) note(DeviceFault::servo_late);
-  if (silent() || noted_ != DeviceFault::none || fault_.load(std::memory_order_relaxed) != DeviceFault::none) {
+  if (!may_show || silent() || noted_ != DeviceFault::none ||
+      fault_.load(std::memory_order_relaxed) != DeviceFault::none) {
     on_since_ = turns_;
     return {0, 0, 0};
   }

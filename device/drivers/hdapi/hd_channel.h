@@ -56,7 +56,8 @@ class Channel {
   void begin(const Functions& hd, double now_s) noexcept;
   /// An error that the library reports of this device.
   void note(DeviceFault fault) noexcept;
-  void exchange(const Functions& hd) noexcept;
+  /// may_show: false in the turns before the loop is stopped; no force then.
+  void exchange(const Functions& hd, bool may_show) noexcept;
   void settle(const Functions& hd) noexcept;
 
  private:
@@ -65,7 +66,7 @@ class Channel {
     std::uint64_t number = 0;
   };
   void look_slowly(const Functions& hd) noexcept;
-  Vector force_to_show() noexcept;
+  Vector force_to_show(bool may_show) noexcept;
   bool over(DeviceFault fault) const noexcept;
 
   // Set while the loop stands.

@@ -3,6 +3,7 @@
 #include <locale.h>
 
 #include <algorithm>
+#include <atomic>
 #include <condition_variable>
 #include <deque>
 #include <functional>
@@ -18,6 +19,7 @@ namespace {
 
 constexpr std::chrono::milliseconds kLookAfter{500};
 constexpr std::chrono::seconds kOpenPatience{15};
+constexpr std::chrono::milliseconds kLastTurnPatience{100};  // of a loop that turns each millisecond
 
 std::mutex shared_mutex;
 std::weak_ptr<Scheduler> shared_scheduler;
@@ -62,6 +64,7 @@ struct Scheduler::Core {
   unsigned long callback = 0;
   bool turning = false, scheduled = false;
   // Between threads.
+  std::atomic<bool> halting{false}, halted{false};  ///< every device is to show no force; they do
   mutable std::mutex mutex;
   std::condition_variable wake;
   std::deque<std::function<void()>> requests;
@@ -85,15 +88,17 @@ struct Scheduler::Core {
 unsigned int Scheduler::Core::turn(void* data) noexcept {
   Core& core = *static_cast<Core*>(data);
   const double now_s = clock_s();
+  const bool halting = core.halting.load(std::memory_order_relaxed);
   for (const Member& member : core.members) {
     Channel& channel = *member.channel;
     if (channel.handle() == kNoDevice) continue;
     channel.begin(core.hd, now_s);
     core.route_errors(channel);
-    channel.exchange(core.hd);
+    channel.exchange(core.hd, !halting);
     core.route_errors(channel);
     channel.settle(core.hd);
   }
+  if (halting) core.halted.store(true, std::memory_order_relaxed);
   return kGoOn;
 }
 
@@ -123,9 +128,14 @@ void Scheduler::Core::start() {
   turning = true;
 }
 
+/// A device keeps its last force while the loop stands: so one turn without force first, unless the loop hangs.
 void Scheduler::Core::stop() noexcept {
   if (!turning) return;
+  halting = true;
+  const auto until = std::chrono::steady_clock::now() + kLastTurnPatience;
+  while (!halted && std::chrono::steady_clock::now() < until) std::this_thread::sleep_for(std::chrono::milliseconds(1));
   hd.stop_scheduler();
+  halting = halted = false;
   turning = false;
 }
 

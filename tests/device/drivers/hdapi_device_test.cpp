@@ -184,7 +184,7 @@ TEST_F(HdapiDevice, TwoDevicesShareOneLoopAndKeepApart) {
   right.reset();
   EXPECT_TRUE(hd.running());
   EXPECT_FALSE(hd.open(1));
-  push(*left, {0, 2, 0}, 30);
+  for (int i = 0; i < 1000 && hd.given(0)[1] != 2.0; ++i) push(*left, {0, 2, 0}, 1);
   EXPECT_EQ(hd.given(0), (Vector{0, 2, 0}));
 }
 

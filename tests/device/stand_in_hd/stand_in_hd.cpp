@@ -325,6 +325,12 @@ void hdStopScheduler() {
   running = false;
   if (servo.joinable()) servo.join();
   const std::lock_guard<std::mutex> turning(loop);  // a turn made by hand ends first
+  const Lock lock(mutex);
+  for (const State& s : states) {
+    for (const double f : s.given) {
+      if (s.open && f != 0.0) violate("the loop stopped while a force was shown");
+    }
+  }
 }
 
 }  // extern "C"
