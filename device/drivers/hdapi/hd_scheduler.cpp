@@ -23,9 +23,15 @@ constexpr std::chrono::milliseconds kLastTurnPatience{100};  // of a loop that t
 
 std::mutex shared_mutex;
 std::weak_ptr<Scheduler> shared_scheduler;
+std::shared_future<void> last_gone;  ///< of the newest scheduler: its tending thread has ended
 
 double clock_s() noexcept {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+HdError no_answer() {
+  return {"the device's library does not answer",
+          "Unplug the device, wait five seconds, plug it in again, and start the program anew"};
 }
 
 /// Numbers with a decimal point on this thread.
@@ -71,7 +77,7 @@ struct Scheduler::Core {
   bool leave = false;
   std::vector<Opened> list;  ///< of `members`
   std::promise<void> left;
-  std::future<void> gone = left.get_future();
+  std::shared_future<void> gone = left.get_future();
 
   static unsigned int turn(void* data) noexcept;
   void route_errors(Channel& from) noexcept;
@@ -242,7 +248,6 @@ Scheduler::Scheduler(const Functions& hd) : core_(std::make_shared<Core>(hd)) {
 }
 
 Scheduler::~Scheduler() {
-  const std::lock_guard<std::mutex> shared_lock(shared_mutex);  // no new one begins before this one ended
   {
     const std::lock_guard<std::mutex> lock(core_->mutex);
     core_->leave = true;
@@ -254,8 +259,11 @@ Scheduler::~Scheduler() {
 std::shared_ptr<Scheduler> Scheduler::shared() {
   const std::lock_guard<std::mutex> lock(shared_mutex);
   if (auto running = shared_scheduler.lock()) return running;
+  // One that nobody owns any more may still turn: two loops would drive the same devices.
+  if (last_gone.valid() && last_gone.wait_for(kPatience) != std::future_status::ready) throw no_answer();
   const std::shared_ptr<Scheduler> made(new Scheduler(load_library(library_paths())));
   shared_scheduler = made;
+  last_gone = made->core_->gone;
   return made;
 }
 
@@ -269,8 +277,7 @@ Scheduler::Opened Scheduler::open(const std::string& name) {
   std::future<void> done = core_->ask([core = core_.get(), channel, name] { core->join(channel, name); });
   if (done.wait_for(kOpenPatience) != std::future_status::ready) {
     channel->silence();
-    throw HdError("the device's library does not answer",
-                  "Unplug the device, wait five seconds, plug it in again, and start the program anew");
+    throw no_answer();
   }
   done.get();
   for (const Opened& open : opened()) {

@@ -22,7 +22,8 @@ class Scheduler {
     DeviceInfo info;
   };
 
-  /// The running one, or a new one. Throws HdError when the library cannot be loaded.
+  /// The running one, or a new one once the last has ended. Throws HdError when the library cannot be loaded, or the
+  /// last one does not end.
   static std::shared_ptr<Scheduler> shared();
   /// The running one, or nothing.
   static std::shared_ptr<Scheduler> running();

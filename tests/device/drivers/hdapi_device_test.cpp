@@ -241,8 +241,15 @@ TEST_F(HdapiDevice, TheLoopEndsWithTheLastDeviceInBoundedTimeEvenIfTheLibraryHan
   device.reset();
   EXPECT_LT(std::chrono::steady_clock::now() - begin, 2 * Scheduler::kPatience + 1s);
   writing.join();
+  try {  // the loop that nobody owns any more still turns: no second one beside it
+    const HdDevice second("Right Device");
+    ADD_FAILURE() << "opened";
+  } catch (const DeviceError& error) {
+    EXPECT_NE(std::string(error.what()).find("does not answer"), std::string::npos) << error.what();
+  }
   hd.hang(false);
   EXPECT_TRUE(within(2s, [&] { return !hd.open(0) && !hd.running() && hd.callbacks() == 0; }));
+  EXPECT_EQ(HdDevice("Right Device").fault(), DeviceFault::none);
 }
 
 /// de_DE writes 7,9: the library, which reads its set-up with the thread's locale, must not see it.

@@ -293,6 +293,7 @@ void hdUpdateCalibration(unsigned int style) {
 
 unsigned long hdScheduleAsynchronous(unsigned int (*call)(void*), void* data, unsigned short) {
   const Lock lock(mutex);
+  if (!callbacks.empty()) violate("a second callback: two loops drive the devices");
   callbacks.push_back({next_callback, call, data});
   return next_callback++;
 }
