@@ -38,7 +38,7 @@ const char* describe(DeviceFault fault) noexcept {
     case DeviceFault::non_finite_command:
       return "A force that is not a number was held back and zero force was sent: please report this trial's log.";
     case DeviceFault::servo_late:
-      return "The device's own loop is late: close other programs, and set up real-time priority.";
+      return "The servo loop is late: close other programs, and set up real-time priority.";
     case DeviceFault::not_calibrated:
       return "The device does not know where it stands: put its pen into the ink well, or move it once to its ends.";
     case DeviceFault::driver_error:

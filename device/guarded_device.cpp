@@ -23,8 +23,14 @@ GuardSettings guard_for(const DeviceInfo& info, const MapSettings& map) {
   settings.limits.peak_force_n = info.peak_force_n;
   settings.limits.continuous_force_n = info.continuous_force_n;
   if (info.own_axes && info.peak_force_n > 0.0)
-    settings.limits.force_scale = std::min(1.0, info.peak_force_n / (kFullForceN * map.motion_scale));
+    settings.limits.force_scale =
+        std::min(most_force_scale(info, map), info.peak_force_n / (kFullForceN * map.motion_scale));
   return settings;
+}
+
+double most_force_scale(const DeviceInfo& info, const MapSettings& map) {
+  if (!(info.max_stiffness_n_m > 0.0)) return 1.0;
+  return std::min(1.0, info.max_stiffness_n_m / (kStiffestModelNM * map.motion_scale * map.motion_scale));
 }
 
 double largest_model_force_n(const GuardSettings& settings) {

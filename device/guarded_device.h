@@ -16,9 +16,15 @@ struct GuardSettings {
 };
 
 /// What the device itself asks for: its forces as limits, and of a device with own axes the force scaled down where its
-/// peak is below kFullForceN, so that the whole range of a laryngoscopy can be felt on a weak one.
+/// peak is below kFullForceN, so that the whole range of a laryngoscopy can be felt on a weak one, and to
+/// most_force_scale().
 GuardSettings guard_for(const DeviceInfo& info, const MapSettings& map = {});
 constexpr double kFullForceN = 7.9;  ///< the Touch X's, with which the method was published
+
+/// The largest force scale with which the stiffest contact does not buzz on this device; at most 1. The hand feels the
+/// model's stiffness times the force scale times the square of the motion scale: the map scales the way and the force.
+double most_force_scale(const DeviceInfo& info, const MapSettings& map);
+constexpr double kStiffestModelNM = 1200.0;  ///< the engine's coupling of the hand to the tool: no contact is stiffer
 
 /// The largest force on the tool (N, in the patient) that the device can show under these settings; 0: shows none.
 double largest_model_force_n(const GuardSettings& settings);

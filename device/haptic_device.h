@@ -24,7 +24,7 @@ enum class DeviceFault : std::uint8_t {
   unplugged,
   motor_warm,
   non_finite_command,
-  servo_late,      ///< the driver's own loop missed its deadline for too long
+  servo_late,      ///< the driver's own loop, or whoever commands it, missed its deadline for too long
   not_calibrated,  ///< it works, but does not know where it stands
   driver_error     ///< the driver reports an error that has no name here
 };

@@ -56,7 +56,8 @@ device::GuardSettings guard_settings(const device::DeviceInfo& info) {
   const DeviceSettings settings = device_settings(info);
   device::GuardSettings guard = device::guard_for(info, settings.map);
   guard.clutch_button = settings.clutch_button;
-  if (settings.force_scale > 0.0) guard.limits.force_scale = settings.force_scale;
+  if (settings.force_scale > 0.0)
+    guard.limits.force_scale = std::min(settings.force_scale, device::most_force_scale(info, settings.map));
   return guard;
 }
 

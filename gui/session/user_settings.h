@@ -23,7 +23,8 @@ struct DeviceSettings {
 DeviceSettings device_settings(const device::DeviceInfo& info);
 void keep_device_settings(const device::DeviceInfo& info, const DeviceSettings& settings);
 
-/// A device's own limits with the person's settings. Those of a device that is nobody's (scripted, recorded) are not
+/// A device's own limits with the person's settings; the force chosen no larger than the device shows without buzzing.
+/// Those of a device that is nobody's (scripted, recorded) are not
 /// the person's.
 device::GuardSettings guard_settings(const device::DeviceInfo& info);
 

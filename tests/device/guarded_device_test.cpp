@@ -67,6 +67,33 @@ TEST(GuardedDevice, AWeakDeviceShowsTheWholeRangeScaledDown) {
   EXPECT_EQ(guard_for(info).limits.force_scale, 1.0);
 }
 
+/// A wall of the model's largest stiffness, felt through the map: what the hand feels is measured, not computed.
+TEST(GuardedDevice, NoContactIsStifferThanTheDeviceCanShow) {
+  for (const double stiffest : {1020.0, 2350.0, 0.0}) {
+    for (const double motion_scale : {kLeastMotionScale, 1.0, 2.0, kMostMotionScale}) {
+      PuppetDevice puppet(true);
+      puppet.max_stiffness_n_m = stiffest;
+      MapSettings map;
+      map.motion_scale = motion_scale;
+      GuardSettings settings = guard_for(puppet.info(), map);
+      settings.limits.soft_start_s = kTick;
+      GuardedDevice guard(puppet, settings);
+      const double pressed_m = 1e-3;
+      double start_x = 0.0;
+      for (int i = 0; i < 500; ++i) {
+        puppet.reading.position_m = {i == 0 ? 0.0 : pressed_m, 0, 0};
+        const DeviceReading reading = guard.read(i * kTick);
+        if (i == 0) start_x = reading.position_m[0];
+        guard.write({kStiffestModelNM * (start_x - reading.position_m[0]), 0, 0});
+      }
+      const double felt = length(puppet.heard) / pressed_m;
+      const double by_peak = std::min(1.0, 7.9 / (kFullForceN * motion_scale)) * 1200.0 * motion_scale * motion_scale;
+      EXPECT_NEAR(felt, stiffest > 0.0 ? std::min(stiffest, by_peak) : by_peak, 1e-3)
+          << stiffest << " " << motion_scale;
+    }
+  }
+}
+
 TEST(GuardedDevice, EveryFaultIsZeroForceInItsVeryTickAndAPause) {
   for (auto kind = DeviceFault::force_exceeded; kind <= DeviceFault::driver_error;
        kind = static_cast<DeviceFault>(static_cast<int>(kind) + 1)) {

@@ -15,6 +15,7 @@ class PuppetDevice final : public HapticDevice {
     info.peak_force_n = 7.9;
     info.continuous_force_n = continuous_n_;
     info.own_axes = own_axes_;
+    info.max_stiffness_n_m = max_stiffness_n_m;
     return info;
   }
   DeviceReading read(double) noexcept override { return reading; }
@@ -27,6 +28,7 @@ class PuppetDevice final : public HapticDevice {
   Calibration calibrated = Calibration::good;
   Vector heard{0, 0, 0};
   int writes = 0;
+  double max_stiffness_n_m = 0.0;
 
  private:
   bool own_axes_;

@@ -244,6 +244,12 @@ TEST_F(TrialPause, SettingsAreKeptPerDeviceAndNonsenseIsNone) {
   EXPECT_EQ(guard.limits.force_scale, 0.5);
   EXPECT_EQ(guard.clutch_button, 4u);
   EXPECT_EQ(guard_settings(other).map.motion_scale, 1.0);
+  // What was chosen stays below what buzzes: here half the way and so a quarter of the model's stiffness.
+  one.max_stiffness_n_m = 60.0;
+  EXPECT_DOUBLE_EQ(guard_settings(one).limits.force_scale, 60.0 / (0.25 * 1200.0));
+  one.max_stiffness_n_m = 1020.0;
+  EXPECT_EQ(guard_settings(one).limits.force_scale, 0.5);
+  EXPECT_EQ(device::kStiffestModelNM, engine::HapticSettings().coupling_stiffness_n_m);
   one.own_axes = false;
   EXPECT_EQ(guard_settings(one).limits.force_scale, 1.0) << "a script is nobody's device";
   settings.map = {1e9, std::nan(""), false};

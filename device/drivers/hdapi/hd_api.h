@@ -12,6 +12,7 @@ struct ErrorInfo {
   int internal_code = 0;
   Handle device = kNoDevice;
 };
+constexpr int kMostErrors = 32;  // taken off the library's stack at once: one that never runs empty must not hold us
 
 /// A callback of the library's servo loop; returns kGoOn or kDone.
 using Callback = unsigned int (*)(void* data);

@@ -7,7 +7,6 @@ namespace vallecula::device::hdapi {
 namespace {
 
 constexpr int kSlowTurns = 50;  // calibration and temperature change slowly
-constexpr std::int64_t kLateNs = 50'000'000, kStandsNs = 500'000'000;
 constexpr int kMostMotors = 8;
 
 std::int64_t clock_ns() noexcept {
@@ -49,10 +48,7 @@ void Channel::command(const Vector& force_n) noexcept {
 
 DeviceFault Channel::fault() const noexcept {
   const DeviceFault held = fault_.load(std::memory_order_relaxed);
-  const std::int64_t still_ns = clock_ns() - turned_ns_.load(std::memory_order_relaxed);
-  const DeviceFault still = still_ns > kStandsNs ? DeviceFault::communication_lost
-                            : still_ns > kLateNs ? DeviceFault::servo_late
-                                                 : DeviceFault::none;
+  const DeviceFault still = fault_of_standing(1e-9 * (clock_ns() - turned_ns_.load(std::memory_order_relaxed)));
   return severity(still) > severity(held) ? still : held;
 }
 
@@ -65,6 +61,7 @@ void Channel::attach(Handle handle, const Properties& properties) noexcept {
   motors_ = std::clamp(properties.motors, 1, kMostMotors);
   turns_ = on_since_ = 0;
   answers_ = false;
+  shown_ = {0, 0, 0};
   noted_ = DeviceFault::none;
   turned_ns_.store(clock_ns(), std::memory_order_relaxed);
   calibration_.store(Calibration::needs_update, std::memory_order_relaxed);
@@ -111,7 +108,7 @@ void Channel::look_slowly(const Functions& hd) noexcept {
   if (calibration != Calibration::good) note(DeviceFault::not_calibrated);
 }
 
-void Channel::exchange(const Functions& hd) noexcept {
+void Channel::exchange(const Functions& hd, bool may_show) noexcept {
   double transform[16] = {};
   hd.get_doubles(kTransform, transform);
   int buttons = 0;
@@ -131,32 +128,39 @@ void Channel::exchange(const Functions& hd) noexcept {
     if (!answers_) note(DeviceFault::communication_lost);
   }
   if (turns_ % kSlowTurns == 0) look_slowly(hd);
-  const Vector force = force_to_show();
-  hd.set_doubles(kForce, force.data());
+  shown_ = force_to_show(may_show);
+  hd.set_doubles(kForce, shown_.data());
   hd.end_frame(handle_);
   ++turns_;
 }
 
-Vector Channel::force_to_show() noexcept {
+Vector Channel::force_to_show(bool may_show) noexcept {
   const Command& command = commands_.newest();
   if (command.number != newest_command_.number) {
     newest_command_ = command;
     commanded_s_ = elapsed_s_;
   }
   if (bad_command_.exchange(false, std::memory_order_relaxed)) note(DeviceFault::non_finite_command);
-  if (elapsed_s_ - commanded_s_ > kWatchdogS || silent() || noted_ != DeviceFault::none ||
+  const bool stops = newest_command_.force_n == Vector{0, 0, 0};
+  // Whoever leaves off with a zero is done; whoever leaves off in mid force is late.
+  if (elapsed_s_ - commanded_s_ > kWatchdogS && !stops) note(DeviceFault::servo_late);
+  if (!may_show || silent() || noted_ != DeviceFault::none ||
       fault_.load(std::memory_order_relaxed) != DeviceFault::none) {
+    on_since_ = turns_;
     return {0, 0, 0};
   }
+  if (stops) return {0, 0, 0};  // not bounded in rate: so the output chain stops the force
   // By turns, not by the clock: a loop that stood still for a while makes no jump.
   const double share = std::min(1.0, static_cast<double>(turns_ - on_since_) * period_s_ / kRampS);
-  return scale(clamped(newest_command_.force_n, peak_n_), share);
+  const Vector wanted = scale(shortened_or_zero(newest_command_.force_n, peak_n_), share);
+  const Vector change = subtract(wanted, shown_), step = shortened(change, kMostRateNS * period_s_);
+  return step == change ? wanted : shortened(add(shown_, step), peak_n_);
 }
 
 bool Channel::over(DeviceFault fault) const noexcept {
   if (fault == DeviceFault::not_calibrated) return calibration() == Calibration::good;
   return elapsed_s_ - error_s_ >= kQuietS &&
-         length(clamped(newest_command_.force_n, peak_n_)) <= kEasedShare * peak_n_ &&
+         length(shortened_or_zero(newest_command_.force_n, peak_n_)) <= kEasedShare * peak_n_ &&
          (fault != DeviceFault::motor_warm || warmth() < kCoolWarmth);
 }
 
@@ -171,7 +175,6 @@ void Channel::settle(const Functions& hd) noexcept {
     noted_ = DeviceFault::none;
   } else if (held != DeviceFault::none && over(held)) {
     hd.enable(kForceOutput);
-    on_since_ = turns_;
     now = DeviceFault::none;
   }
   fault_.store(now, std::memory_order_relaxed);

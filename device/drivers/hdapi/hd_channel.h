@@ -17,11 +17,14 @@ struct Properties {
   int motors = 3;
 };
 
-/// The force shown is zero whenever: no new command came for kWatchdogS; a fault holds; the command is not finite; the
-/// device does not know where it stands. A fault ends when no error came for kQuietS, the command is below kEasedShare
-/// of the peak, warm motors have cooled to kCoolWarmth; then the force output is switched on again and grows from zero
-/// over kRampS.
+/// The force shown is zero whenever: a fault holds; the command is not finite; the device does not know where it
+/// stands; no new command came for kWatchdogS, which is servo_late unless the last one was zero. A fault ends when no
+/// error came for kQuietS, the command is below kEasedShare of the peak, warm motors have cooled to kCoolWarmth; then
+/// the force output is switched on again and grows from zero over kRampS. A command of exactly zero is shown at once;
+/// any other change is bounded to kMostRateNS, as in the output chain, so that what a late turn or a burst of ticks
+/// brings at once reaches the hand spread over the turns that follow.
 constexpr double kWatchdogS = 0.05, kQuietS = 0.5, kEasedShare = 0.5, kCoolWarmth = 0.8, kRampS = 0.1;
+constexpr double kMostRateNS = 400.0;
 
 class Channel {
  public:
@@ -34,8 +37,7 @@ class Channel {
   void command(const Vector& force_n) noexcept;
 
   // --- any thread ----------------------------------------------------------------------------------------------------
-  /// The fault that holds; without one, servo_late when the library's loop stands still for more than 50 ms and
-  /// communication_lost when it does for half a second.
+  /// The fault that holds; without one, that of the time for which the library's loop has been standing still.
   DeviceFault fault() const noexcept;
   Calibration calibration() const noexcept { return calibration_.load(std::memory_order_relaxed); }
   double warmth() const noexcept { return warmth_.load(std::memory_order_relaxed); }
@@ -54,7 +56,8 @@ class Channel {
   void begin(const Functions& hd, double now_s) noexcept;
   /// An error that the library reports of this device.
   void note(DeviceFault fault) noexcept;
-  void exchange(const Functions& hd) noexcept;
+  /// may_show: false in the turns before the loop is stopped; no force then.
+  void exchange(const Functions& hd, bool may_show) noexcept;
   void settle(const Functions& hd) noexcept;
 
  private:
@@ -63,7 +66,7 @@ class Channel {
     std::uint64_t number = 0;
   };
   void look_slowly(const Functions& hd) noexcept;
-  Vector force_to_show() noexcept;
+  Vector force_to_show(bool may_show) noexcept;
   bool over(DeviceFault fault) const noexcept;
 
   // Set while the loop stands.
@@ -75,6 +78,7 @@ class Channel {
   // The loop's own.
   State now_;
   Command newest_command_;
+  Vector shown_{0, 0, 0};
   double elapsed_s_ = 0.0, last_s_ = 0.0;  ///< own time: a turn lasts its nominal period at least
   double commanded_s_ = -1.0, error_s_ = 0.0;
   DeviceFault noted_ = DeviceFault::none;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <limits>
 
 namespace vallecula::device::hdapi {
 namespace {
@@ -49,6 +48,11 @@ DeviceFault fault_of(unsigned int code) noexcept {
   return known != nullptr ? known->fault : DeviceFault::driver_error;
 }
 
+DeviceFault fault_of_standing(double for_s) noexcept {
+  if (for_s > 0.5) return DeviceFault::communication_lost;
+  return for_s > 0.05 ? DeviceFault::servo_late : DeviceFault::none;
+}
+
 std::string name_of(unsigned int code) {
   if (const Named* known = find(code)) return known->name;
   char text[32];
@@ -89,25 +93,12 @@ std::optional<Pose> pose_of(const double (&m)[16], const Vector& middle_mm) noex
     if (!std::isfinite(v)) return std::nullopt;
   }
   const Vector x{m[0], m[1], m[2]}, y{m[4], m[5], m[6]}, z{m[8], m[9], m[10]};
-  const Vector cross{x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]};
   constexpr double kLoose = 0.01;
   if (std::abs(length(x) - 1.0) > kLoose || std::abs(length(y) - 1.0) > kLoose || std::abs(length(z) - 1.0) > kLoose ||
-      length(subtract(cross, z)) > 2.0 * kLoose) {
+      length(subtract(cross(x, y), z)) > 2.0 * kLoose) {
     return std::nullopt;
   }
-  // Shepperd 1978: divide by the largest of the four components.
-  const double trace = x[0] + y[1] + z[2];
-  Rotation q;
-  if (trace >= x[0] && trace >= y[1] && trace >= z[2]) {
-    q = {1.0 + trace, y[2] - z[1], z[0] - x[2], x[1] - y[0]};
-  } else if (x[0] >= y[1] && x[0] >= z[2]) {
-    q = {y[2] - z[1], 1.0 + x[0] - y[1] - z[2], x[1] + y[0], z[0] + x[2]};
-  } else if (y[1] >= z[2]) {
-    q = {z[0] - x[2], x[1] + y[0], 1.0 - x[0] + y[1] - z[2], y[2] + z[1]};
-  } else {
-    q = {x[1] - y[0], z[0] + x[2], y[2] + z[1], 1.0 - x[0] - y[1] + z[2]};
-  }
-  return Pose{scale(subtract({m[12], m[13], m[14]}, middle_mm), 1e-3), normalised(q)};
+  return Pose{scale(subtract({m[12], m[13], m[14]}, middle_mm), 1e-3), from_axes(x, y, z)};
 }
 
 double warmth_of(const double* temperatures, int motors) noexcept {
@@ -116,13 +107,6 @@ double warmth_of(const double* temperatures, int motors) noexcept {
     if (std::isfinite(temperatures[i])) warmth = std::max(warmth, std::clamp(temperatures[i], 0.0, 1.0));
   }
   return warmth;
-}
-
-Vector clamped(const Vector& force_n, double peak_n) noexcept {
-  const double norm = length(force_n);
-  if (!std::isfinite(norm) || !(peak_n > 0.0)) return {0, 0, 0};
-  if (norm <= peak_n) return force_n;
-  return scale(force_n, peak_n / norm * (1.0 - 4.0 * std::numeric_limits<double>::epsilon()));
 }
 
 }  // namespace vallecula::device::hdapi

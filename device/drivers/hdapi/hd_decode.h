@@ -13,6 +13,10 @@ namespace vallecula::device::hdapi {
 /// The fault that an error code stands for; none for success.
 DeviceFault fault_of(unsigned int code) noexcept;
 
+/// Of a loop that has been standing still for this long: servo_late beyond 50 ms, communication_lost beyond half a
+/// second.
+DeviceFault fault_of_standing(double for_s) noexcept;
+
 /// "HD_COMM_ERROR"; "error 0x999" for a code that has no name here.
 std::string name_of(unsigned int code);
 
@@ -23,8 +27,8 @@ Calibration calibration_of(unsigned int status) noexcept;
 
 struct Pose {
   Vector position_m{0, 0, 0};  ///< device axes, from the middle of the workspace
-  Rotation rotation{1, 0, 0,
-                    0};  ///< of the stylus: its +z runs from its tip to its back end (check), its +y up at rest
+  /// Of the stylus: its +z runs from its tip to its back end (check), its +y up at rest.
+  Rotation rotation{1, 0, 0, 0};
 };
 
 /// From the column-major transform (mm); nothing when a number is not finite or the axes are no right-handed
@@ -33,8 +37,5 @@ std::optional<Pose> pose_of(const double (&transform)[16], const Vector& middle_
 
 /// Hottest motor, 0 to 1; negative when no number is usable.
 double warmth_of(const double* temperatures, int motors) noexcept;
-
-/// Shortened to `peak_n`, direction kept; a force that is not finite, or a peak that is not positive, gives zero.
-Vector clamped(const Vector& force_n, double peak_n) noexcept;
 
 }  // namespace vallecula::device::hdapi

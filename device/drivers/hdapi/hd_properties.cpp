@@ -9,7 +9,6 @@ namespace vallecula::device::hdapi {
 namespace {
 
 constexpr double kBelievableForceN = 100.0, kBelievableMm = 5000.0, kBelievableStiffness = 100.0;
-constexpr int kMostErrors = 32;
 
 /// The library's string, in what a terminal shows.
 std::string text_of(const Functions& hd, unsigned int what) {

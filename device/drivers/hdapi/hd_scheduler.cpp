@@ -3,6 +3,7 @@
 #include <locale.h>
 
 #include <algorithm>
+#include <atomic>
 #include <condition_variable>
 #include <deque>
 #include <functional>
@@ -18,13 +19,19 @@ namespace {
 
 constexpr std::chrono::milliseconds kLookAfter{500};
 constexpr std::chrono::seconds kOpenPatience{15};
-constexpr int kMostErrors = 32;  // taken off the library's stack in one turn
+constexpr std::chrono::milliseconds kLastTurnPatience{100};  // of a loop that turns each millisecond
 
 std::mutex shared_mutex;
 std::weak_ptr<Scheduler> shared_scheduler;
+std::shared_future<void> last_gone;  ///< of the newest scheduler: its tending thread has ended
 
 double clock_s() noexcept {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+HdError no_answer() {
+  return {"the device's library does not answer",
+          "Unplug the device, wait five seconds, plug it in again, and start the program anew"};
 }
 
 /// Numbers with a decimal point on this thread.
@@ -63,13 +70,14 @@ struct Scheduler::Core {
   unsigned long callback = 0;
   bool turning = false, scheduled = false;
   // Between threads.
+  std::atomic<bool> halting{false}, halted{false};  ///< every device is to show no force; they do
   mutable std::mutex mutex;
   std::condition_variable wake;
   std::deque<std::function<void()>> requests;
   bool leave = false;
   std::vector<Opened> list;  ///< of `members`
   std::promise<void> left;
-  std::future<void> gone = left.get_future();
+  std::shared_future<void> gone = left.get_future();
 
   static unsigned int turn(void* data) noexcept;
   void route_errors(Channel& from) noexcept;
@@ -86,15 +94,17 @@ struct Scheduler::Core {
 unsigned int Scheduler::Core::turn(void* data) noexcept {
   Core& core = *static_cast<Core*>(data);
   const double now_s = clock_s();
+  const bool halting = core.halting.load(std::memory_order_relaxed);
   for (const Member& member : core.members) {
     Channel& channel = *member.channel;
     if (channel.handle() == kNoDevice) continue;
     channel.begin(core.hd, now_s);
     core.route_errors(channel);
-    channel.exchange(core.hd);
+    channel.exchange(core.hd, !halting);
     core.route_errors(channel);
     channel.settle(core.hd);
   }
+  if (halting) core.halted.store(true, std::memory_order_relaxed);
   return kGoOn;
 }
 
@@ -124,9 +134,14 @@ void Scheduler::Core::start() {
   turning = true;
 }
 
+/// A device keeps its last force while the loop stands: so one turn without force first, unless the loop hangs.
 void Scheduler::Core::stop() noexcept {
   if (!turning) return;
+  halting = true;
+  const auto until = std::chrono::steady_clock::now() + kLastTurnPatience;
+  while (!halted && std::chrono::steady_clock::now() < until) std::this_thread::sleep_for(std::chrono::milliseconds(1));
   hd.stop_scheduler();
+  halting = halted = false;
   turning = false;
 }
 
@@ -233,7 +248,6 @@ Scheduler::Scheduler(const Functions& hd) : core_(std::make_shared<Core>(hd)) {
 }
 
 Scheduler::~Scheduler() {
-  const std::lock_guard<std::mutex> shared_lock(shared_mutex);  // no new one begins before this one ended
   {
     const std::lock_guard<std::mutex> lock(core_->mutex);
     core_->leave = true;
@@ -245,8 +259,11 @@ Scheduler::~Scheduler() {
 std::shared_ptr<Scheduler> Scheduler::shared() {
   const std::lock_guard<std::mutex> lock(shared_mutex);
   if (auto running = shared_scheduler.lock()) return running;
+  // One that nobody owns any more may still turn: two loops would drive the same devices.
+  if (last_gone.valid() && last_gone.wait_for(kPatience) != std::future_status::ready) throw no_answer();
   const std::shared_ptr<Scheduler> made(new Scheduler(load_library(library_paths())));
   shared_scheduler = made;
+  last_gone = made->core_->gone;
   return made;
 }
 
@@ -260,8 +277,7 @@ Scheduler::Opened Scheduler::open(const std::string& name) {
   std::future<void> done = core_->ask([core = core_.get(), channel, name] { core->join(channel, name); });
   if (done.wait_for(kOpenPatience) != std::future_status::ready) {
     channel->silence();
-    throw HdError("the device's library does not answer",
-                  "Unplug the device, wait five seconds, plug it in again, and start the program anew");
+    throw no_answer();
   }
   done.get();
   for (const Opened& open : opened()) {

@@ -12,8 +12,8 @@ namespace vallecula::device::hdapi {
 
 /// Every call into the library outside its own loop is made on one thread, whose numbers have a decimal point whatever
 /// the user's locale (the library reads its set-up with it). That thread also reopens, twice a second, a device that is
-/// lost. The loop stands while a device is opened, reopened or closed: the others show no force in that time and say
-/// servo_late if it is long.
+/// lost. The loop stands while a device is opened, reopened or closed: the others show no force in that time, from
+/// a last turn before it on, and say servo_late if it is long.
 class Scheduler {
  public:
   struct Opened {
@@ -22,7 +22,8 @@ class Scheduler {
     DeviceInfo info;
   };
 
-  /// The running one, or a new one. Throws HdError when the library cannot be loaded.
+  /// The running one, or a new one once the last has ended. Throws HdError when the library cannot be loaded, or the
+  /// last one does not end.
   static std::shared_ptr<Scheduler> shared();
   /// The running one, or nothing.
   static std::shared_ptr<Scheduler> running();

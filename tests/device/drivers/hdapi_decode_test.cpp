@@ -89,22 +89,28 @@ TEST(HdapiDecode, TheHottestMotorCounts) {
   EXPECT_LT(warmth_of(nothing, 3), 0.0);
 }
 
+TEST(HdapiDecode, ALoopThatStandsStillIsLateAndThenLost) {
+  for (const double fine : {-1.0, 0.0, 0.001, 0.0499}) EXPECT_EQ(fault_of_standing(fine), DeviceFault::none) << fine;
+  for (const double late : {0.0501, 0.4999}) EXPECT_EQ(fault_of_standing(late), DeviceFault::servo_late) << late;
+  for (const double lost : {0.5001, 1e9}) EXPECT_EQ(fault_of_standing(lost), DeviceFault::communication_lost) << lost;
+}
+
 TEST(HdapiDecode, TheForceNeverExceedsThePeakAndKeepsItsDirection) {
   std::mt19937 random(3);
   std::normal_distribution<double> normal(0.0, 10.0);
   for (int i = 0; i < 10000; ++i) {
     const Vector asked{normal(random), normal(random), normal(random)};
-    const Vector shown = clamped(asked, 7.9);
+    const Vector shown = shortened_or_zero(asked, 7.9);
     ASSERT_LE(length(shown), 7.9);
     ASSERT_NEAR(shown[0] * asked[1], shown[1] * asked[0], 1e-9);
     ASSERT_NEAR(shown[1] * asked[2], shown[2] * asked[1], 1e-9);
     ASSERT_GE(shown[0] * asked[0], 0.0);
     ASSERT_EQ(shown == asked, length(asked) <= 7.9);
   }
-  EXPECT_EQ(clamped({1.7e308, 1.7e308, 0}, 7.9), (Vector{0, 0, 0}));  // its length is no number
-  EXPECT_EQ(clamped({kNan, 0, 0}, 7.9), (Vector{0, 0, 0}));
-  EXPECT_EQ(clamped({1, 0, 0}, 0.0), (Vector{0, 0, 0}));
-  EXPECT_EQ(clamped({1, 0, 0}, kNan), (Vector{0, 0, 0}));
+  EXPECT_EQ(shortened_or_zero({1.7e308, 1.7e308, 0}, 7.9), (Vector{0, 0, 0}));  // its length is no number
+  EXPECT_EQ(shortened_or_zero({kNan, 0, 0}, 7.9), (Vector{0, 0, 0}));
+  EXPECT_EQ(shortened_or_zero({1, 0, 0}, 0.0), (Vector{0, 0, 0}));
+  EXPECT_EQ(shortened_or_zero({1, 0, 0}, kNan), (Vector{0, 0, 0}));
 }
 
 }  // namespace

@@ -69,24 +69,56 @@ TEST_F(HdapiDevice, ForcesArriveOnTheirAxesAndNeverAboveThePeak) {
   const auto device = open_by_hand();
   push(*device, {0, 0, 0}, 200);
   for (const Vector& force : {Vector{1.5, 0, 0}, Vector{0, -2.5, 0}, Vector{0, 0, 3.5}, Vector{1, 2, 3}}) {
-    push(*device, force, 1);
+    push(*device, force, 30);
     EXPECT_EQ(hd.given(0), force);
   }
-  push(*device, {60, 0, -80}, 1);  // the peak, in the direction asked for
+  push(*device, {60, 0, -80}, 30);  // the peak, in the direction asked for
   EXPECT_NEAR(hd.given(0)[0], 0.6 * 7.9, 1e-12);
   EXPECT_NEAR(hd.given(0)[2], -0.8 * 7.9, 1e-12);
   EXPECT_LE(length(hd.given(0)), 7.9);
 }
 
-TEST_F(HdapiDevice, WithoutNewCommandsTheForceIsZeroAfterFiftyMilliseconds) {
+TEST_F(HdapiDevice, WithoutNewCommandsTheForceIsZeroAfterFiftyMillisecondsAndGrowsAgainFromZero) {
   const auto device = open_by_hand();
   push(*device, {0, 2.0, 0}, 200);
   EXPECT_EQ(hd.given(0)[1], 2.0);
   hd.turn(53);
   EXPECT_EQ(hd.given(0), (Vector{0, 0, 0}));
+  EXPECT_EQ(device->fault(), DeviceFault::servo_late);
+  int silent = 0;
+  for (; silent < 1000 && hd.given(0)[1] == 0.0; ++silent) push(*device, {0, 2.0, 0}, 1);
   EXPECT_EQ(device->fault(), DeviceFault::none);
-  push(*device, {0, 2.0, 0}, 1);
+  EXPECT_LT(silent, 1000);
+  double before = 0.0, largest_step = hd.given(0)[1];
+  for (int i = 0; i < 200; ++i) {
+    before = hd.given(0)[1];
+    push(*device, {0, 2.0, 0}, 1);
+    largest_step = std::max(largest_step, hd.given(0)[1] - before);
+  }
   EXPECT_EQ(hd.given(0)[1], 2.0);
+  EXPECT_LE(largest_step, 2.0 / 100 + 1e-12);  // a tenth of a second
+
+  push(*device, {0, 0, 0}, 1);  // who leaves off with a zero is not late
+  hd.turn(200);
+  EXPECT_EQ(device->fault(), DeviceFault::none);
+}
+
+/// What a late turn or a burst of ticks brings at once reaches the hand over several turns; a stop is at once.
+TEST_F(HdapiDevice, TheForceChangesNoFasterThanTheOutputChainLetsIt) {
+  const auto device = open_by_hand();
+  push(*device, {0, 1.0, 0}, 200);
+  for (const Vector& to : {Vector{0, 6.0, 0}, Vector{3.0, -2.0, 1.0}, Vector{0, 1e-9, 0}}) {
+    int turns = 0;
+    for (; turns < 100 && hd.given(0) != to; ++turns) {
+      const Vector before = hd.given(0);
+      push(*device, to, 1);
+      ASSERT_LE(length(subtract(hd.given(0), before)), 0.4 + 1e-12);
+    }
+    EXPECT_LT(turns, 25);
+  }
+  push(*device, {0, 5.0, 0}, 30);
+  push(*device, {0, 0, 0}, 1);
+  EXPECT_EQ(hd.given(0), (Vector{0, 0, 0}));
 }
 
 TEST_F(HdapiDevice, NeitherTheTickNorTheCallbackAllocates) {
@@ -152,7 +184,7 @@ TEST_F(HdapiDevice, TwoDevicesShareOneLoopAndKeepApart) {
   right.reset();
   EXPECT_TRUE(hd.running());
   EXPECT_FALSE(hd.open(1));
-  push(*left, {0, 2, 0}, 1);
+  for (int i = 0; i < 1000 && hd.given(0)[1] != 2.0; ++i) push(*left, {0, 2, 0}, 1);
   EXPECT_EQ(hd.given(0), (Vector{0, 2, 0}));
 }
 
@@ -209,8 +241,15 @@ TEST_F(HdapiDevice, TheLoopEndsWithTheLastDeviceInBoundedTimeEvenIfTheLibraryHan
   device.reset();
   EXPECT_LT(std::chrono::steady_clock::now() - begin, 2 * Scheduler::kPatience + 1s);
   writing.join();
+  try {  // the loop that nobody owns any more still turns: no second one beside it
+    const HdDevice second("Right Device");
+    ADD_FAILURE() << "opened";
+  } catch (const DeviceError& error) {
+    EXPECT_NE(std::string(error.what()).find("does not answer"), std::string::npos) << error.what();
+  }
   hd.hang(false);
   EXPECT_TRUE(within(2s, [&] { return !hd.open(0) && !hd.running() && hd.callbacks() == 0; }));
+  EXPECT_EQ(HdDevice("Right Device").fault(), DeviceFault::none);
 }
 
 /// de_DE writes 7,9: the library, which reads its set-up with the thread's locale, must not see it.

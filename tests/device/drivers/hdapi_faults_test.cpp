@@ -219,13 +219,14 @@ TEST_F(HdapiFaults, ADeviceThatAnotherProgramHoldsIsNotTakenForAStillHand) {
   EXPECT_TRUE(within(6s, [&] { return device.fault() == DeviceFault::none; }));
 }
 
-TEST_F(HdapiFaults, ALoopThatStandsStillIsLate) {
+/// How long it has stood decides (fault_of_standing, tested by itself): here, that it is told at all and forgiven.
+TEST_F(HdapiFaults, ALoopThatStandsStillIsAFaultUntilItTurnsAgain) {
   const auto device = open_by_hand();
   push(*device, {0, 0, 0}, 1);
-  EXPECT_TRUE(within(1s, [&] { return device->fault() == DeviceFault::servo_late; }));
+  EXPECT_TRUE(within(60s, [&] { return device->fault() != DeviceFault::none; }));
   EXPECT_FALSE(device->read(0).valid);
-  EXPECT_TRUE(within(2s, [&] { return device->fault() == DeviceFault::communication_lost; }));
-  EXPECT_TRUE(within(1s, [&] {
+  EXPECT_TRUE(within(60s, [&] { return device->fault() == DeviceFault::communication_lost; }));
+  EXPECT_TRUE(within(60s, [&] {
     push(*device, {0, 0, 0}, 1);
     return device->fault() == DeviceFault::none;
   }));

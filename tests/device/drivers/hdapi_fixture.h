@@ -26,27 +26,15 @@ class HdapiTest : public ::testing::Test {
     unsetenv("VALLECULA_LIBHD");
   }
 
-  /// With the loop turned by hand: it is turned while the device waits to be ready, and then only by turn().
-  std::unique_ptr<HdDevice> open_by_hand(const std::string& name = "") const {
+  using Held = std::unique_ptr<HdDevice, std::function<void(HdDevice*)>>;
+
+  /// With the loop turned by hand: it is turned while the device waits to be ready and while it is closed, and else
+  /// only by turn().
+  Held open_by_hand(const std::string& name = "") const {
     hd.by_hand();
-    std::atomic<bool> ready{false};
-    std::thread turning([&] {
-      while (!ready) {
-        hd.turn(1);
-        std::this_thread::sleep_for(std::chrono::milliseconds(1));
-      }
-    });
-    std::unique_ptr<HdDevice> device;
-    try {
-      device = std::make_unique<HdDevice>(name);
-    } catch (...) {
-      ready = true;
-      turning.join();
-      throw;
-    }
-    ready = true;
-    turning.join();
-    return device;
+    HdDevice* device = nullptr;
+    while_turning([&] { device = new HdDevice(name); });
+    return Held(device, [this](HdDevice* closed) { while_turning([&] { delete closed; }); });
   }
   /// Writes the force and turns, as often as given.
   void push(HdDevice& device, const Vector& force_n, int turns) const {
@@ -65,6 +53,26 @@ class HdapiTest : public ::testing::Test {
   }
 
   const testing::StandIn hd;
+
+ private:
+  void while_turning(const std::function<void()>& act) const {
+    std::atomic<bool> done{false};
+    std::thread turning([&] {
+      while (!done) {
+        hd.turn(1);
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      }
+    });
+    try {
+      act();
+    } catch (...) {
+      done = true;
+      turning.join();
+      throw;
+    }
+    done = true;
+    turning.join();
+  }
 };
 
 }  // namespace vallecula::device::hdapi

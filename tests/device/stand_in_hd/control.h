@@ -11,7 +11,8 @@ namespace vallecula::device::testing {
 
 /// Device 0 is "Default PHANToM" (a Touch X: 7.9 N, workspace centre 0, 15, -5 mm), device 1 "Right Device" (a Touch:
 /// 3.3 N, calibrated in its ink well). Whatever breaks HDAPI's rules counts as a violation: a device opened or closed
-/// while the loop turns, a force outside a frame, above the peak or not a number, a calibration under force.
+/// while the loop turns, the loop stopped under force, a second callback, a force outside a frame, above the peak or
+/// not a number, a calibration under force.
 class StandIn {
  public:
   explicit StandIn(const std::string& file) : library_(dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL)) {

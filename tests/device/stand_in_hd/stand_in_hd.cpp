@@ -293,6 +293,7 @@ void hdUpdateCalibration(unsigned int style) {
 
 unsigned long hdScheduleAsynchronous(unsigned int (*call)(void*), void* data, unsigned short) {
   const Lock lock(mutex);
+  if (!callbacks.empty()) violate("a second callback: two loops drive the devices");
   callbacks.push_back({next_callback, call, data});
   return next_callback++;
 }
@@ -325,6 +326,12 @@ void hdStopScheduler() {
   running = false;
   if (servo.joinable()) servo.join();
   const std::lock_guard<std::mutex> turning(loop);  // a turn made by hand ends first
+  const Lock lock(mutex);
+  for (const State& s : states) {
+    for (const double f : s.given) {
+      if (s.open && f != 0.0) violate("the loop stopped while a force was shown");
+    }
+  }
 }
 
 }  // extern "C"
