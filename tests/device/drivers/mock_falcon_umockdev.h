@@ -56,6 +56,7 @@ class MockFalcon {
     int lights = 0;                             ///< green 2, blue 4, red 8
     bool homing = false;
     long commands = 0, malformed = 0, loads = 0;
+    long forces = 0;  ///< commands with force
     int largest_motor = 0, largest_motor_unhomed = 0;
     int forces_unhomed = 0;   ///< commands with force while the answer says that it is not homed
     std::vector<int> chunks;  ///< bytes of each write while the firmware came
