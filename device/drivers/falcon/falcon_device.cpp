@@ -179,9 +179,9 @@ bool FalconDevice::take(const falcon::Report& report, Clock::time_point now) noe
   reading.buttons = report.buttons;
   const bool homed = report.homed == falcon::kAllHomed;
   if (homed) {
-    const double elapsed_ms = std::chrono::duration<double, std::milli>(now - good_at_).count();
+    const double now_ms = std::chrono::duration<double, std::milli>(now.time_since_epoch()).count();
     if (!homed_.load(std::memory_order_relaxed)) plausibility_.reset();  // the counts begin anew
-    if (!plausibility_.accepts(report.encoders, elapsed_ms)) return false;
+    if (!plausibility_.accepts(report.encoders, now_ms)) return false;
     falcon::Angles angles{};
     for (int leg = 0; leg < 3; ++leg) angles[leg] = falcon::leg_angle(report.encoders[leg]);
     auto position = falcon::position_of(angles, position_);
