@@ -1,7 +1,6 @@
 #include "device/output_chain.h"
 
 #include <algorithm>
-#include <limits>
 #include <stdexcept>
 #include <string>
 
@@ -21,13 +20,6 @@ double checked(double value, bool ok, const char* name) {
                                 " is out of range");
   }
   return value;
-}
-
-/// Shortens v to `limit`; a hair less, so that rounding cannot leave it above.
-Vector shortened(const Vector& v, double limit) noexcept {
-  const double norm = length(v);
-  if (!(norm > limit)) return v;
-  return scale(v, limit / norm * (1.0 - 4.0 * std::numeric_limits<double>::epsilon()));
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace vallecula::device {
 
@@ -17,6 +18,17 @@ inline Vector scale(const Vector& a, double s) noexcept { return {a[0] * s, a[1]
 inline double length(const Vector& a) noexcept { return std::hypot(std::hypot(a[0], a[1]), a[2]); }
 inline bool finite(const Vector& a) noexcept {
   return std::isfinite(a[0]) && std::isfinite(a[1]) && std::isfinite(a[2]);
+}
+/// Shortened to `limit`, direction kept; a hair less, so that rounding cannot leave it above. What is not finite is
+/// returned not finite.
+inline Vector shortened(const Vector& v, double limit) noexcept {
+  const double norm = length(v);
+  if (!(norm > limit)) return v;
+  return scale(v, limit / norm * (1.0 - 4.0 * std::numeric_limits<double>::epsilon()));
+}
+/// The same as a last line of defence: a vector or length that is not finite, or a limit not positive, gives zero.
+inline Vector shortened_or_zero(const Vector& v, double limit) noexcept {
+  return std::isfinite(length(v)) && limit > 0.0 ? shortened(v, limit) : Vector{0, 0, 0};
 }
 
 inline double dot(const Rotation& a, const Rotation& b) noexcept {
