@@ -17,13 +17,13 @@ void must(bool condition) {
   if (!condition) std::abort();
 }
 
-void check(const Report& report, Plausibility& plausibility, Vector& position) {
+void check(const Report& report, Plausibility& plausibility, double time_ms, Vector& position) {
   must(report.homed <= kAllHomed && report.buttons < 16);
   Command command;
   command.motors = report.encoders;
   const auto again = decode(encode(command));
   must(again && again->encoders == report.encoders);
-  if (!plausibility.accepts(report.encoders, 1.0)) return;
+  if (!plausibility.accepts(report.encoders, time_ms)) return;
   Angles angles{};
   for (int leg = 0; leg < 3; ++leg) angles[leg] = leg_angle(report.encoders[leg]);
   if (const auto found = position_of(angles, position)) {
@@ -56,7 +56,7 @@ void read_all(const std::uint8_t* bytes, std::size_t count) {
   for (std::size_t i = 0; i < count; ++i) {
     if (single.feed(bytes + i, 1) == 0) continue;
     ++found;
-    check(single.newest(), plausibility, position);
+    check(single.newest(), plausibility, static_cast<double>(found), position);
   }
   must(whole.feed(bytes, count) == static_cast<int>(found) && whole.malformed() == single.malformed());
   must(whole.newest().encoders == single.newest().encoders);

@@ -71,9 +71,6 @@ Vector in_space(const LegFrame& frame, double u, double v, double w) noexcept {
   return {frame.cosine * u - frame.sine * v, frame.sine * u + frame.cosine * v, w};
 }
 
-Vector cross(const Vector& a, const Vector& b) noexcept {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
 double dot3(const Vector& a, const Vector& b) noexcept { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 /// Columns of the inverse of a matrix given by rows; nothing when it is singular to working precision.

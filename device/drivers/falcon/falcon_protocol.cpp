@@ -76,20 +76,18 @@ int PacketReader::feed(const std::uint8_t* bytes, std::size_t count) noexcept {
   return found;
 }
 
-bool Plausibility::accepts(const std::array<std::int16_t, 3>& encoders, double elapsed_ms) noexcept {
-  const auto near = [&](const std::array<std::int16_t, 3>& other, double ms) {
-    const double reach = kCountsPerMs * std::max(1.0, ms);
-    return std::abs(encoders[0] - other[0]) <= reach && std::abs(encoders[1] - other[1]) <= reach &&
-           std::abs(encoders[2] - other[2]) <= reach;
+bool Plausibility::accepts(const std::array<std::int16_t, 3>& encoders, double time_ms) noexcept {
+  const auto near = [&](const Heard& other) {
+    const double reach = kCountsPerMs * std::max(1.0, time_ms - other.time_ms);
+    return std::abs(encoders[0] - other.encoders[0]) <= reach && std::abs(encoders[1] - other.encoders[1]) <= reach &&
+           std::abs(encoders[2] - other.encoders[2]) <= reach;
   };
-  since_accepted_ms_ += std::max(0.0, elapsed_ms);
-  if (known_ && !near(accepted_, since_accepted_ms_)) {
-    agreeing_ = agreeing_ > 0 && near(doubted_, elapsed_ms) ? agreeing_ + 1 : 1;
-    doubted_ = encoders;
+  if (known_ && !near(accepted_)) {
+    agreeing_ = agreeing_ > 0 && near(doubted_) ? agreeing_ + 1 : 1;
+    doubted_ = {encoders, time_ms};
     if (agreeing_ < kAgreeing) return false;
   }
-  accepted_ = encoders;
-  since_accepted_ms_ = 0.0;
+  accepted_ = {encoders, time_ms};
   agreeing_ = 0;
   known_ = true;
   return true;

@@ -66,13 +66,16 @@ class Plausibility {
   static constexpr int kAgreeing = 3;
   /// Encoder counts a millisecond: 3 m/s at the knee, some three times what a hand does.
   static constexpr int kCountsPerMs = 80;
-  /// `elapsed_ms` since the report before; one is assumed at least.
-  bool accepts(const std::array<std::int16_t, 3>& encoders, double elapsed_ms) noexcept;
+  /// `time_ms` on any clock that does not go back; between two reports at least one millisecond is assumed.
+  bool accepts(const std::array<std::int16_t, 3>& encoders, double time_ms) noexcept;
   void reset() noexcept { known_ = false; }
 
  private:
-  std::array<std::int16_t, 3> accepted_{}, doubted_{};
-  double since_accepted_ms_ = 0.0;
+  struct Heard {
+    std::array<std::int16_t, 3> encoders{};
+    double time_ms = 0.0;
+  };
+  Heard accepted_, doubted_;
   int agreeing_ = 0;
   bool known_ = false;
 };

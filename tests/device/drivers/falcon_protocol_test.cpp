@@ -182,32 +182,47 @@ TEST(FalconPlausibility, TakesWhatAHandCanDo) {
   Plausibility check;
   EXPECT_TRUE(check.accepts({1000, -1000, 0}, 0.0));
   for (int n = 1; n <= 100; ++n)
-    EXPECT_TRUE(check.accepts({static_cast<std::int16_t>(1000 - 30 * n), -1000, 5}, 1.0)) << n;
-  EXPECT_TRUE(check.accepts({-1300, -1000, 5}, 10.0));  // after a pause it may have gone further
+    EXPECT_TRUE(check.accepts({static_cast<std::int16_t>(1000 - 30 * n), -1000, 5}, n)) << n;
+  EXPECT_TRUE(check.accepts({-1300, -1000, 5}, 110.0));  // after a pause it may have gone further
 }
 
 TEST(FalconPlausibility, HoldsBackASingleJump) {
   Plausibility check;
-  EXPECT_TRUE(check.accepts({0, 0, 0}, 1.0));
+  double now_ms = 0.0;
+  EXPECT_TRUE(check.accepts({0, 0, 0}, now_ms));
   for (int leg = 0; leg < 3; ++leg) {
     std::array<std::int16_t, 3> jump{0, 0, 0};
     jump[leg] = 2048;  // the bit flips
-    EXPECT_FALSE(check.accepts(jump, 1.0));
-    EXPECT_TRUE(check.accepts({0, 0, 0}, 1.0));
+    EXPECT_FALSE(check.accepts(jump, ++now_ms));
+    EXPECT_TRUE(check.accepts({0, 0, 0}, ++now_ms));
   }
-  EXPECT_FALSE(check.accepts({2048, 0, 0}, 1.0));
-  EXPECT_FALSE(check.accepts({-2048, 0, 0}, 1.0));  // does not agree with the one before
-  EXPECT_FALSE(check.accepts({2048, 0, 0}, 1.0));
+  EXPECT_FALSE(check.accepts({2048, 0, 0}, ++now_ms));
+  EXPECT_FALSE(check.accepts({-2048, 0, 0}, ++now_ms));  // does not agree with the one before
+  EXPECT_FALSE(check.accepts({2048, 0, 0}, ++now_ms));
 }
 
 TEST(FalconPlausibility, BelievesWhatIsSaidAgain) {
   Plausibility check;
-  EXPECT_TRUE(check.accepts({0, 0, 0}, 1.0));
-  for (int n = 1; n < Plausibility::kAgreeing; ++n) EXPECT_FALSE(check.accepts({2048, 0, 0}, 1.0));
-  EXPECT_TRUE(check.accepts({2050, 0, 0}, 1.0));
-  EXPECT_TRUE(check.accepts({2060, 0, 0}, 1.0));
+  double now_ms = 1e9;  // since the machine was switched on
+  EXPECT_TRUE(check.accepts({0, 0, 0}, now_ms));
+  for (int n = 1; n < Plausibility::kAgreeing; ++n) EXPECT_FALSE(check.accepts({2048, 0, 0}, ++now_ms));
+  EXPECT_TRUE(check.accepts({2050, 0, 0}, ++now_ms));
+  EXPECT_TRUE(check.accepts({2060, 0, 0}, ++now_ms));
   check.reset();
-  EXPECT_TRUE(check.accepts({-30000, 0, 0}, 1.0));
+  EXPECT_TRUE(check.accepts({-30000, 0, 0}, ++now_ms));
+}
+
+/// What is held back does not widen what is taken: the hand has had as long as the clock says since the last that was
+/// taken, however many reports came in between.
+TEST(FalconPlausibility, AHandHasTheTimeOfTheClock) {
+  constexpr int kFar = 20 * Plausibility::kCountsPerMs;
+  Plausibility check;
+  EXPECT_TRUE(check.accepts({0, 0, 0}, 0.0));
+  for (int ms = 1; ms < 20; ++ms) {
+    const auto there = static_cast<std::int16_t>(ms % 2 == 0 ? kFar : -kFar);  // no two agree
+    EXPECT_FALSE(check.accepts({there, 0, 0}, ms)) << ms;
+  }
+  EXPECT_TRUE(check.accepts({kFar, 0, 0}, 20.0));
 }
 
 }  // namespace

@@ -37,7 +37,7 @@ TEST_F(FalconStartUmockdev, IsFoundAndWhatItLacksIsSaid) {
   EXPECT_EQ(found[0].name, "");
 
   mock.unplug();
-  EXPECT_TRUE(within(2.0, [] { return find_falcon().empty(); }));
+  EXPECT_TRUE(wait_for([] { return find_falcon().empty(); }));
 }
 
 TEST_F(FalconStartUmockdev, TheFactoryMakesIt) {
@@ -69,36 +69,36 @@ TEST_F(FalconStartUmockdev, StartsStepByStep) {
   ASSERT_EQ(seen.chunks.size(), (1500u + 61) / 62);
   for (std::size_t i = 0; i + 1 < seen.chunks.size(); ++i) EXPECT_EQ(seen.chunks[i], 62);
   EXPECT_EQ(seen.loads, 1);
-  EXPECT_TRUE(within(1.0, [&] { return mock_->seen().homing; }));
+  EXPECT_TRUE(wait_for([&] { return mock_->seen().homing; }));
 }
 
 TEST_F(FalconStartUmockdev, OneThatRunsIsNotLoadedAgain) {
   open_running();  // and no firmware file anywhere
   EXPECT_EQ(mock_->seen().loads, 0);
   EXPECT_EQ(mock_->seen().requests.size(), 4u);
-  EXPECT_TRUE(ticks_until(1.0, {0, 0, 0}, [&] { return mock_->seen().commands > 20; }));
+  EXPECT_TRUE(ticks_until({0, 0, 0}, [&] { return mock_->seen().commands > 20; }));
 }
 
 TEST_F(FalconStartUmockdev, FailuresToOpenAreNamed) {
-  expect_error({"no Falcon is plugged in", "power supply"}, 1.0);
+  expect_error({"no Falcon is plugged in", "power supply"});
   mock_ = std::make_unique<MockFalcon>(bed_, some_firmware());
   mock_->plug();
-  expect_error({"firmware", "~/.local/share/vallecula/falcon.bin", "falcon:FIRMWARE.bin"}, 3.0);
-  expect_error({"named is not there"}, 1.0, (folder_ / "none.bin").string());
-  expect_error({"named is not there"}, 1.0, folder_.string());
+  expect_error({"firmware", "~/.local/share/vallecula/falcon.bin", "falcon:FIRMWARE.bin"});
+  expect_error({"named is not there"}, (folder_ / "none.bin").string());
+  expect_error({"named is not there"}, folder_.string());
   write_file("small.bin", some_firmware(1000));
-  expect_error({"1000 bytes", "1024"}, 1.0, (folder_ / "small.bin").string());
+  expect_error({"1000 bytes", "1024"}, (folder_ / "small.bin").string());
   write_file("large.bin", std::vector<std::uint8_t>(300000));
-  expect_error({"300000 bytes"}, 1.0, (folder_ / "large.bin").string());
+  expect_error({"300000 bytes"}, (folder_ / "large.bin").string());
   ::setenv("VALLECULA_FALCON_FIRMWARE", (folder_ / "none.bin").c_str(), 1);
-  expect_error({"VALLECULA_FALCON_FIRMWARE"}, 1.0);
+  expect_error({"VALLECULA_FALCON_FIRMWARE"});
   write_file("falcon.bin", some_firmware());
   ::unsetenv("VALLECULA_FALCON_FIRMWARE");
   mock_->set([](FalconFaults& f) { f.held = true; });
-  expect_error({"another program"}, 1.0);
+  expect_error({"another program"});
   mock_->set([](FalconFaults& f) { f = {}; });
   mock_->set([](FalconFaults& f) { f.stalls_out = 1000; });
-  expect_error({"asking for a packet", "bus refused"}, 3.0);
+  expect_error({"asking for a packet", "bus refused"});
 }
 
 TEST_F(FalconStartUmockdev, FailuresOfTheStartAreNamed) {
@@ -107,7 +107,7 @@ TEST_F(FalconStartUmockdev, FailuresOfTheStartAreNamed) {
     mock_ = std::make_unique<MockFalcon>(bed_, some_firmware());
     mock_->set(fault);
     mock_->plug();
-    expect_error(parts, 15.0);
+    expect_error(parts);
     mock_->unplug();
     mock_.reset();
   };
@@ -134,7 +134,7 @@ TEST_F(FalconStartUmockdev, TheStartEndsInTimeAndWhenItIsStopped) {
   std::atomic<bool> stop{false};
   auto begin = Clock::now();
   EXPECT_NE(start_error(stop, std::chrono::milliseconds(1500)).find("takes too long"), std::string::npos);
-  EXPECT_LT(since(begin), 2.5);
+  EXPECT_LT(since(begin), 15.0);  // of a minute
 
   begin = Clock::now();
   std::thread other([&] {
@@ -142,7 +142,7 @@ TEST_F(FalconStartUmockdev, TheStartEndsInTimeAndWhenItIsStopped) {
     stop = true;
   });
   EXPECT_NE(start_error(stop, std::chrono::seconds(20)).find("given up"), std::string::npos);
-  EXPECT_LT(since(begin), 1.7);
+  EXPECT_LT(since(begin), 15.0);  // of twenty seconds
   other.join();
 }
 

@@ -1,5 +1,7 @@
 // The Falcon's driver on the real libusb, against a mocked bus with a chip, a processor and a hand.
+#include <atomic>
 #include <random>
+#include <thread>
 
 #include "tests/device/allocation_guard.h"
 #include "tests/device/drivers/falcon_bed_umockdev.h"
@@ -7,28 +9,12 @@
 namespace vallecula::device {
 namespace {
 
-/// What the motors must be told for a force at a place: the force's work over a small way along each leg's angle, by
-/// differences of the way back, over the torque of a unit.
-std::array<double, 3> motors_for(const Vector& position, const Vector& force) {
-  std::array<double, 3> motors{};
-  const falcon::Angles angles = *falcon::leg_angles(position);
-  for (int leg = 0; leg < 3; ++leg) {
-    falcon::Angles more = angles, less = angles;
-    more[leg] += 1e-6;
-    less[leg] -= 1e-6;
-    const Vector way = subtract(*falcon::position_of(more, position), *falcon::position_of(less, position));
-    const double torque = (way[0] * force[0] + way[1] * force[1] + way[2] * force[2]) / 2e-6;
-    motors[leg] = -torque / (1.9835e-5 * 0.110 / 0.01425);
-  }
-  return motors;
-}
-
 /// The order of the requests is that of the notes on the device, written down here anew.
 TEST_F(FalconUmockdev, NoForceBeforeItIsHomed) {
   open_running();
   mock_->put({500, 500, 500});
   ticks({3, -4, 5}, 0.2);
-  EXPECT_TRUE(ticks_until(1.0, {3, -4, 5}, [&] { return device_->fault() == DeviceFault::not_calibrated; }));
+  EXPECT_TRUE(ticks_until({3, -4, 5}, [&] { return device_->fault() == DeviceFault::not_calibrated; }));
   EXPECT_EQ(device_->calibration(), Calibration::needs_hand);
   EXPECT_FALSE(tick({3, -4, 5}).valid);
   EXPECT_EQ(mock_->seen().largest_motor_unhomed, 0);
@@ -36,14 +22,14 @@ TEST_F(FalconUmockdev, NoForceBeforeItIsHomed) {
   EXPECT_TRUE(mock_->seen().homing);
 
   mock_->home();
-  EXPECT_TRUE(ticks_until(1.0, {3, -4, 5}, [&] { return tick({3, -4, 5}).valid; }));
+  EXPECT_TRUE(ticks_until({3, -4, 5}, [&] { return tick({3, -4, 5}).valid; }));
   EXPECT_EQ(device_->calibration(), Calibration::good);
-  EXPECT_TRUE(ticks_until(1.0, {3, -4, 5}, [&] { return !motors_zero(); }));
+  EXPECT_TRUE(ticks_until({3, -4, 5}, [&] { return !motors_zero(); }));
   EXPECT_EQ(mock_->seen().lights, falcon::kGreenLight);
 
   mock_->home(false);  // it lost its count
-  EXPECT_TRUE(ticks_until(1.0, {3, -4, 5}, [&] { return device_->fault() == DeviceFault::not_calibrated; }));
-  EXPECT_TRUE(ticks_until(1.0, {3, -4, 5}, [&] { return motors_zero(); }));
+  EXPECT_TRUE(ticks_until({3, -4, 5}, [&] { return device_->fault() == DeviceFault::not_calibrated; }));
+  EXPECT_TRUE(ticks_until({3, -4, 5}, [&] { return motors_zero(); }));
 }
 
 TEST_F(FalconUmockdev, ReadsPlaceAndButtons) {
@@ -51,7 +37,7 @@ TEST_F(FalconUmockdev, ReadsPlaceAndButtons) {
   for (const Vector& place : {Vector{0.02, 0.01, -0.01}, Vector{-0.03, 0.02, 0.02}, Vector{0.0, -0.04, 0.0}}) {
     mock_->put(encoders_at(place), 5);
     DeviceReading reading;
-    EXPECT_TRUE(ticks_until(1.0, {0, 0, 0}, [&] {
+    EXPECT_TRUE(ticks_until({0, 0, 0}, [&] {
       reading = tick({0, 0, 0});
       // Half a count of each encoder is a fiftieth of a millimetre at the knee.
       return reading.valid && length(subtract(reading.position_m, place)) < 6e-5;
@@ -65,9 +51,7 @@ TEST_F(FalconUmockdev, TheForceIsTheTransposedJacobianTimesIt) {
   open_homed();
   for (const Vector& place : {Vector{0, 0, 0}, Vector{0.03, -0.02, 0.01}, Vector{-0.02, 0.03, -0.03}}) {
     mock_->put(encoders_at(place));
-    ASSERT_TRUE(ticks_until(1.0, {0, 0, 0}, [&] {
-      return length(subtract(tick({0, 0, 0}).position_m, place)) < 6e-5;
-    }));
+    ASSERT_TRUE(ticks_until({0, 0, 0}, [&] { return length(subtract(tick({0, 0, 0}).position_m, place)) < 6e-5; }));
     const Vector read = tick({0, 0, 0}).position_m;
     for (const Vector& force : {Vector{1, 0, 0}, Vector{0, -2, 0}, Vector{0, 0, 2.5}, Vector{1.5, -1, 2}}) {
       const auto expected = motors_for(read, force);
@@ -77,7 +61,7 @@ TEST_F(FalconUmockdev, TheForceIsTheTransposedJacobianTimesIt) {
         for (int leg = 0; leg < 3; ++leg) all = all && std::abs(motors[leg] - expected[leg]) < 0.51;  // rounding
         return all;
       };
-      EXPECT_TRUE(ticks_until(1.0, force, right))
+      EXPECT_TRUE(ticks_until(force, right))
           << mock_->seen().motors[0] << " for " << expected[0] << ", " << mock_->seen().motors[1] << " for "
           << expected[1] << ", " << mock_->seen().motors[2] << " for " << expected[2];
     }
@@ -104,29 +88,35 @@ TEST_F(FalconUmockdev, AForceTooLargeKeepsItsDirection) {
       }
       return true;
     };
-    EXPECT_TRUE(ticks_until(1.0, force, along)) << force[0];
+    EXPECT_TRUE(ticks_until(force, along)) << force[0];
   }
 }
 
 TEST_F(FalconUmockdev, WhatIsNotANumberIsNoForce) {
   open_homed();
   for (int axis = 0; axis < 3; ++axis) {
-    ASSERT_TRUE(ticks_until(1.0, {1, 1, 1}, [&] { return !motors_zero(); }));
+    ASSERT_TRUE(ticks_until({1, 1, 1}, [&] { return !motors_zero(); }));
     Vector bad{1, 1, 1};
     bad[axis] = axis == 1 ? HUGE_VAL : std::nan("");
-    EXPECT_TRUE(ticks_until(1.0, bad, [&] { return motors_zero(); }));
-    EXPECT_TRUE(ticks_until(1.0, bad, [&] { return device_->fault() == DeviceFault::non_finite_command; }));
-    EXPECT_TRUE(ticks_until(1.0, {1, 1, 1}, [&] { return device_->fault() == DeviceFault::none; }));
+    EXPECT_TRUE(ticks_until(bad, [&] { return motors_zero(); }));
+    EXPECT_TRUE(ticks_until(bad, [&] { return device_->fault() == DeviceFault::non_finite_command; }));
+    EXPECT_TRUE(ticks_until({1, 1, 1}, [&] { return device_->fault() == DeviceFault::none; }));
   }
 }
 
 TEST_F(FalconUmockdev, AServoThatStopsIsNoForce) {
   open_homed();
-  ASSERT_TRUE(ticks_until(1.0, {2, 2, 2}, [&] { return !motors_zero(); }));
-  const auto stopped = Clock::now();
-  EXPECT_TRUE(within(1.0, [&] { return motors_zero(); }));
-  EXPECT_GT(since(stopped), 0.03);  // it holds for 50 ms from the last command
-  EXPECT_TRUE(ticks_until(1.0, {2, 2, 2}, [&] { return !motors_zero(); }));
+  ASSERT_TRUE(ticks_until({2, 2, 2}, [&] { return !motors_zero(); }));
+  const long forces = mock_->seen().forces;
+  EXPECT_TRUE(wait_for([&] { return device_->fault() == DeviceFault::servo_late && motors_zero(); }));
+  EXPECT_LE(mock_->seen().forces, forces + 60);  // one a millisecond, for 50 ms from the last command
+  EXPECT_FALSE(device_->read(since(begin_)).valid);
+  EXPECT_TRUE(ticks_until({2, 2, 2}, [&] { return device_->fault() == DeviceFault::none && !motors_zero(); }));
+  // Without a force there is nothing to withhold: a trial has ended.
+  ASSERT_TRUE(ticks_until({0, 0, 0}, [&] { return motors_zero(); }));
+  const long commands = mock_->seen().commands;
+  EXPECT_TRUE(wait_for([&] { return mock_->seen().commands > commands + 100; }));
+  EXPECT_EQ(device_->fault(), DeviceFault::none);
 }
 
 TEST_F(FalconUmockdev, UnpluggedAndPluggedInAgain) {
@@ -136,11 +126,11 @@ TEST_F(FalconUmockdev, UnpluggedAndPluggedInAgain) {
   device_ = std::make_unique<FalconDevice>();
   mock_->put(encoders_at({0.01, 0.01, 0.01}));
   mock_->home();
-  ASSERT_TRUE(ticks_until(2.0, {1, 1, 1}, [&] { return !motors_zero(); }));
+  ASSERT_TRUE(ticks_until({1, 1, 1}, [&] { return !motors_zero(); }));
   for (int time = 1; time <= 3; ++time) {
     const DeviceReading before = tick({1, 1, 1});
     mock_->unplug();
-    ASSERT_TRUE(ticks_until(1.0, {1, 1, 1}, [&] { return device_->fault() == DeviceFault::unplugged; }));
+    ASSERT_TRUE(ticks_until({1, 1, 1}, [&] { return device_->fault() == DeviceFault::unplugged; }));
     DeviceReading reading = ticks({1, 1, 1}, 0.6);  // and is looked for meanwhile
     EXPECT_FALSE(reading.valid);
     EXPECT_LT(length(subtract(reading.position_m, before.position_m)), 1e-9);  // Newton's last bits
@@ -149,54 +139,55 @@ TEST_F(FalconUmockdev, UnpluggedAndPluggedInAgain) {
 
     const long commands = mock_->seen().commands;
     mock_->plug();
-    ASSERT_TRUE(ticks_until(8.0, {1, 1, 1}, [&] { return device_->fault() == DeviceFault::not_calibrated; }));
+    ASSERT_TRUE(ticks_until({1, 1, 1}, [&] { return device_->fault() == DeviceFault::not_calibrated; }));
     EXPECT_EQ(mock_->seen().loads, 1 + time);
     EXPECT_GT(mock_->seen().commands, commands);
     EXPECT_TRUE(motors_zero());
     mock_->home();
-    ASSERT_TRUE(ticks_until(2.0, {1, 1, 1}, [&] { return device_->fault() == DeviceFault::none && !motors_zero(); }));
+    ASSERT_TRUE(ticks_until({1, 1, 1}, [&] { return device_->fault() == DeviceFault::none && !motors_zero(); }));
   }
   EXPECT_EQ(mock_->seen().largest_motor_unhomed, 0);
 }
 
 TEST_F(FalconUmockdev, SilenceIsAFaultAndNoForce) {
   open_homed();
-  ASSERT_TRUE(ticks_until(1.0, {2, 2, 2}, [&] { return !motors_zero(); }));
+  ASSERT_TRUE(ticks_until({2, 2, 2}, [&] { return !motors_zero(); }));
   mock_->set([](FalconFaults& f) { f.silent = true; });
-  const auto begin = Clock::now();
-  ASSERT_TRUE(ticks_until(1.0, {2, 2, 2}, [&] { return device_->fault() == DeviceFault::communication_lost; }));
-  EXPECT_LT(since(begin), 0.3);
+  const auto before = mock_->seen();
+  ASSERT_TRUE(ticks_until({2, 2, 2}, [&] { return device_->fault() == DeviceFault::communication_lost; }));
+  EXPECT_LE(mock_->seen().commands, before.commands + 10);  // each waits 10 ms for its answer, 50 ms are a fault
+  EXPECT_LE(mock_->seen().forces, before.forces + 1);       // the one that was not answered
   EXPECT_TRUE(motors_zero());
   EXPECT_FALSE(tick({2, 2, 2}).valid);
   mock_->set([](FalconFaults& f) { f.silent = false; });
-  EXPECT_TRUE(ticks_until(4.0, {2, 2, 2}, [&] { return device_->fault() == DeviceFault::none && !motors_zero(); }));
+  EXPECT_TRUE(ticks_until({2, 2, 2}, [&] { return device_->fault() == DeviceFault::none && !motors_zero(); }));
   // Longer than it waits: opened anew.
   mock_->set([](FalconFaults& f) { f.silent = true; });
   const std::size_t requests = mock_->seen().requests.size();
-  ASSERT_TRUE(ticks_until(6.0, {2, 2, 2}, [&] { return mock_->seen().requests.size() > requests; }));
+  ASSERT_TRUE(ticks_until({2, 2, 2}, [&] { return mock_->seen().requests.size() > requests; }));
   mock_->set([](FalconFaults& f) { f.silent = false; });
-  EXPECT_TRUE(ticks_until(8.0, {2, 2, 2}, [&] { return device_->fault() == DeviceFault::none && !motors_zero(); }));
+  EXPECT_TRUE(ticks_until({2, 2, 2}, [&] { return device_->fault() == DeviceFault::none && !motors_zero(); }));
 }
 
 TEST_F(FalconUmockdev, StallsPassAndLongOnesAreAFault) {
   open_homed();
   mock_->set([](FalconFaults& f) { f.stalls_out = 2, f.stalls_in = 2; });
-  EXPECT_TRUE(ticks_until(1.0, {2, 2, 2}, [&] {
+  EXPECT_TRUE(ticks_until({2, 2, 2}, [&] {
     bool over = false;
     mock_->set([&](FalconFaults& f) { over = f.stalls_out == 0 && f.stalls_in == 0; });
     return over && device_->fault() == DeviceFault::none && !motors_zero();
   }));
   mock_->set([](FalconFaults& f) { f.stalls_out = 1000000; });
-  EXPECT_TRUE(ticks_until(1.0, {2, 2, 2}, [&] { return device_->fault() == DeviceFault::communication_lost; }));
+  EXPECT_TRUE(ticks_until({2, 2, 2}, [&] { return device_->fault() == DeviceFault::communication_lost; }));
   mock_->set([](FalconFaults& f) { f.stalls_out = 0; });
-  EXPECT_TRUE(ticks_until(4.0, {2, 2, 2}, [&] { return device_->fault() == DeviceFault::none && !motors_zero(); }));
+  EXPECT_TRUE(ticks_until({2, 2, 2}, [&] { return device_->fault() == DeviceFault::none && !motors_zero(); }));
 }
 
 TEST_F(FalconUmockdev, BrokenFlippedLateAndRepeatedAnswers) {
   const Vector place{0.01, -0.01, 0.02};
   open_homed(place);
   const auto stays = [&] {
-    return ticks_until(1.0, {0, 0, 1}, [&] { return device_->fault() == DeviceFault::none; }) &&
+    return ticks_until({0, 0, 1}, [&] { return device_->fault() == DeviceFault::none; }) &&
            length(subtract(tick({0, 0, 1}).position_m, place)) < 6e-5;
   };
   for (int n = 0; n < 20; ++n) {
@@ -216,10 +207,10 @@ TEST_F(FalconUmockdev, BrokenFlippedLateAndRepeatedAnswers) {
   mock_->set([](FalconFaults& f) { f = {}, f.late_ms = 15; });  // beyond what one exchange waits
   ticks({0, 0, 1}, 0.3);
   mock_->set([](FalconFaults& f) { f = {}; });
-  EXPECT_TRUE(ticks_until(2.0, {0, 0, 1}, [&] { return stays(); }));
+  EXPECT_TRUE(ticks_until({0, 0, 1}, [&] { return stays(); }));
   const Vector next{0.0, 0.0, 0.0};  // not one answer behind
   mock_->put(encoders_at(next));
-  EXPECT_TRUE(ticks_until(1.0, {0, 0, 0}, [&] { return length(subtract(tick({0, 0, 0}).position_m, next)) < 6e-5; }));
+  EXPECT_TRUE(ticks_until({0, 0, 0}, [&] { return length(subtract(tick({0, 0, 0}).position_m, next)) < 6e-5; }));
 }
 
 /// Random faults of the device and random forces of the servo for some seconds: bounds hold throughout, and it
@@ -265,12 +256,12 @@ TEST_F(FalconUmockdev, RandomFaultsAndForces) {
   EXPECT_LE(seen.forces_unhomed, 2 * unhomed);
   mock_->set([](FalconFaults& f) { f = {}; });
   mock_->home();
-  EXPECT_TRUE(ticks_until(8.0, {1, 1, 1}, [&] { return device_->fault() == DeviceFault::none && !motors_zero(); }));
+  EXPECT_TRUE(ticks_until({1, 1, 1}, [&] { return device_->fault() == DeviceFault::none && !motors_zero(); }));
 }
 
 TEST_F(FalconUmockdev, ItEndsWithoutForceWhateverHappens) {
   open_homed();
-  ASSERT_TRUE(ticks_until(1.0, {2, 2, 2}, [&] { return !motors_zero(); }));
+  ASSERT_TRUE(ticks_until({2, 2, 2}, [&] { return !motors_zero(); }));
   device_.reset();
   EXPECT_TRUE(motors_zero());
   EXPECT_EQ(mock_->seen().lights, 0);
@@ -281,7 +272,7 @@ TEST_F(FalconUmockdev, ItEndsWithoutForceWhateverHappens) {
     ticks({2, 2, 2}, 0.1);
     const auto begin = Clock::now();
     device_.reset();
-    EXPECT_LT(since(begin), 1.0);
+    EXPECT_LT(since(begin), 5.0);  // it does not hang: half a second, on a machine with time for it
   };
   ends([&] { mock_->set([](FalconFaults& f) { f.silent = true; }); });
   mock_->set([](FalconFaults& f) { f = {}; });
@@ -290,13 +281,36 @@ TEST_F(FalconUmockdev, ItEndsWithoutForceWhateverHappens) {
   ends([&] { mock_->unplug(); });
 }
 
-TEST_F(FalconUmockdev, ASecondOneIsToldThatItIsTaken) {
+TEST_F(FalconUmockdev, OurOwnIsNoOtherPrograms) {
   open_homed();
   const auto found = find_falcon();
   ASSERT_EQ(found.size(), 1u);
-  EXPECT_NE(found[0].problem.find("another program"), std::string::npos);
-  expect_error({"another program"}, 1.0);
-  EXPECT_TRUE(ticks_until(1.0, {1, 0, 0}, [&] { return device_->fault() == DeviceFault::none && !motors_zero(); }));
+  EXPECT_EQ(found[0].name, "falcon");
+  EXPECT_EQ(found[0].info.serial, MockFalcon::serial());
+  EXPECT_NE(found[0].problem.find("used by this program"), std::string::npos) << found[0].problem;
+  expect_error({"used by this program"});
+  EXPECT_TRUE(ticks_until({1, 0, 0}, [&] { return device_->fault() == DeviceFault::none && !motors_zero(); }));
+  device_.reset();
+  write_file("falcon.bin", some_firmware());
+  EXPECT_EQ(find_falcon().at(0).problem, "");
+}
+
+/// The window lists once a second, on a thread of its own, while a trial opens what it lists.
+TEST_F(FalconUmockdev, ListingAndOpeningNeverMeet) {
+  mock_ = std::make_unique<MockFalcon>(bed_, std::vector<std::uint8_t>());
+  mock_->plug();
+  std::atomic<bool> stop{false};
+  std::atomic<int> lists{0}, strangers{0};
+  std::thread listing([&] {
+    for (; !stop; ++lists) {
+      for (const FoundDevice& one : find_falcon()) strangers += one.problem.find("another program holds") != std::string::npos;
+    }
+  });
+  EXPECT_TRUE(wait_for([&] { return lists > 0; }));
+  for (int i = 0; i < 30; ++i) EXPECT_EQ(opening_error(), "opened");
+  stop = true;
+  listing.join();
+  EXPECT_EQ(strangers, 0);
 }
 
 TEST_F(FalconUmockdev, ATickAllocatesNothing) {
@@ -310,21 +324,10 @@ TEST_F(FalconUmockdev, ATickAllocatesNothing) {
 TEST_F(FalconUmockdev, ADriverThatStandsStillIsTold) {
   open_homed();
   mock_->set([](FalconFaults& f) { f.blocks_ms = 300; });
-  EXPECT_TRUE(ticks_until(2.0, {1, 0, 0}, [&] { return device_->fault() == DeviceFault::servo_late; }));
+  EXPECT_TRUE(ticks_until({1, 0, 0}, [&] { return device_->fault() == DeviceFault::servo_late; }));
   EXPECT_FALSE(tick({1, 0, 0}).valid);
   mock_->set([](FalconFaults& f) { f.blocks_ms = 0; });
-  EXPECT_TRUE(ticks_until(4.0, {1, 0, 0}, [&] { return device_->fault() == DeviceFault::none; }));
-}
-
-/// A figure, not a verdict: how often the mocked bus lets the driver ask.
-TEST_F(FalconUmockdev, HowOftenItAsks) {
-  open_homed();
-  const long before = mock_->seen().commands;
-  const auto begin = Clock::now();
-  ticks({1, 0, 0}, 1.0);
-  const double rate = static_cast<double>(mock_->seen().commands - before) / since(begin);
-  std::printf("the mocked Falcon was asked %.0f times a second\n", rate);
-  EXPECT_GT(rate, 50.0);
+  EXPECT_TRUE(ticks_until({1, 0, 0}, [&] { return device_->fault() == DeviceFault::none; }));
 }
 
 }  // namespace

@@ -104,6 +104,11 @@ MockFalcon::Seen MockFalcon::seen() const {
   return seen_;
 }
 
+void MockFalcon::listen(std::function<void(const std::array<int, 3>&)> listener) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  listener_ = std::move(listener);
+}
+
 // --- usbfs -----------------------------------------------------------------------------------------------------------
 
 gboolean MockFalcon::on_ioctl(UMockdevIoctlBase*, UMockdevIoctlClient* client, gpointer self) {
@@ -353,10 +358,13 @@ void MockFalcon::command(const std::uint8_t* bytes) {
     seen_.largest_motor = std::max(seen_.largest_motor, std::abs(seen_.motors[leg]));
     if (!homed_) seen_.largest_motor_unhomed = std::max(seen_.largest_motor_unhomed, std::abs(seen_.motors[leg]));
   }
-  if (!homed_ && seen_.motors != std::array<int, 3>{}) ++seen_.forces_unhomed;
+  const bool force = seen_.motors != std::array<int, 3>{};
+  seen_.forces += force;
+  seen_.forces_unhomed += force && !homed_;
   seen_.lights = (packet[13] - 'A') & 0x0e;
   seen_.homing = ((packet[13] - 'A') & 1) != 0;
   ++seen_.commands;
+  if (listener_) listener_(seen_.motors);
   if (faults_.silent) return;
 
   std::vector<std::uint8_t> answer{'<'};

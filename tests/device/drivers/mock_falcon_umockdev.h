@@ -7,6 +7,7 @@
 #include <chrono>
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <list>
 #include <mutex>
 #include <string>
@@ -56,11 +57,14 @@ class MockFalcon {
     int lights = 0;                             ///< green 2, blue 4, red 8
     bool homing = false;
     long commands = 0, malformed = 0, loads = 0;
+    long forces = 0;  ///< commands with force
     int largest_motor = 0, largest_motor_unhomed = 0;
     int forces_unhomed = 0;   ///< commands with force while the answer says that it is not homed
     std::vector<int> chunks;  ///< bytes of each write while the firmware came
   };
   Seen seen() const;
+  /// Calls this with the motors of every command that comes, until the next listener.
+  void listen(std::function<void(const std::array<int, 3>&)> listener);
   static std::string serial() { return "FALCON07"; }
 
  private:
@@ -92,6 +96,7 @@ class MockFalcon {
   mutable std::mutex mutex_;
   FalconFaults faults_;
   Seen seen_;
+  std::function<void(const std::array<int, 3>&)> listener_;
   bool plugged_ = false;
   UMockdevIoctlClient* claimed_by_ = nullptr;
   std::list<Flying> flying_;
