@@ -119,7 +119,7 @@ DeviceReading GuardedDevice::read(double time_s) noexcept {
   }
   if (state() == GuardState::confirming && confirmed(tool, elapsed_s)) {
     work_on(reading, tool_);
-    if (own_axes_) tool = map_.to_patient(reading);
+    if (own_axes_) tool = last_ = map_.to_patient(reading);  // the clutch may be what confirmed: it holds the tool here
     chain_.reset();
   }
   buttons_ = tool.buttons;

@@ -221,6 +221,36 @@ TEST(GuardedDevice, AMappedDeviceGoesOnFromTheFrozenToolWithoutAJump) {
   EXPECT_NEAR(bench.shown(), 5.0, 1e-6);
 }
 
+// The button nearest at hand is the clutch, and it confirms as any other does.
+TEST(GuardedDevice, ConfirmedByTheClutchTheToolStaysWhereItWasFrozen) {
+  Bench bench;
+  for (int i = 0; i < 400; ++i) {
+    bench.puppet.reading.position_m = {1e-4 * i, 0, 0};
+    bench.tick();
+  }
+  const DeviceReading frozen = bench.tool;
+  bench.puppet.trouble = DeviceFault::unplugged;
+  bench.ticks(50);
+  bench.puppet.trouble = DeviceFault::none;
+  bench.puppet.reading.position_m = {-0.06, 0.05, 0.04};
+  bench.puppet.reading.rotation_wxyz = about_axis({1, 0, 0}, 2.0);
+  bench.ticks(20);
+  ASSERT_EQ(bench.guard.state(), GuardState::confirming);
+  const auto expect_frozen = [&](const DeviceReading& reading) {
+    EXPECT_TRUE(reading.valid);
+    EXPECT_LT(length(subtract(reading.position_m, frozen.position_m)), 1e-12);
+    EXPECT_LT(angle_between(reading.rotation_wxyz, frozen.rotation_wxyz), 1e-7);
+  };
+  bench.puppet.reading.buttons = 2;
+  expect_frozen(bench.tick());
+  EXPECT_EQ(bench.guard.state(), GuardState::clutched);
+  bench.puppet.reading.position_m = {0.02, 0.01, 0};  // the hand is free
+  expect_frozen(bench.tick());
+  bench.puppet.reading.buttons = 0;
+  expect_frozen(bench.tick());
+  EXPECT_EQ(bench.guard.state(), GuardState::working);
+}
+
 TEST(GuardedDevice, TheClutchFreesTheHandAndTheToolStandsStill) {
   Bench bench;
   bench.ticks(700, {3, 0, 0});
