@@ -59,7 +59,8 @@ void GuardedDevice::begin_anew() noexcept {
 }
 
 DeviceFault GuardedDevice::trouble(const DeviceReading& reading, bool has_pose) const noexcept {
-  if (device_.fault() != DeviceFault::none) return device_.fault();
+  const DeviceFault fault = device_.fault();  // asked once: a driver's thread may end it meanwhile
+  if (fault != DeviceFault::none) return fault;
   const Calibration calibration = device_.calibration();
   if (calibration != Calibration::good && calibration != Calibration::not_needed) return DeviceFault::not_calibrated;
   return reading.valid && has_pose ? DeviceFault::none : DeviceFault::driver_error;
@@ -143,7 +144,8 @@ void GuardedDevice::see_tool(const std::array<double, 3>& position_m,
 }
 
 std::array<double, 3> GuardedDevice::write(const std::array<double, 3>& force_n) noexcept {
-  if (device_.fault() != DeviceFault::none) pause(device_.fault());  // it may have come since the reading
+  const DeviceFault fault = device_.fault();  // it may have come since the reading
+  if (fault != DeviceFault::none) pause(fault);
   if (quiet()) {
     chain_.stop(device_);
     return chain_.last_sent_n();

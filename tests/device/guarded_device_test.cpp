@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <limits>
+#include <utility>
 
 #include "tests/device/puppet_device.h"
 
@@ -86,6 +87,32 @@ TEST(GuardedDevice, EveryFaultIsZeroForceInItsVeryTickAndAPause) {
   between.guard.write({3, 0, 0});
   EXPECT_EQ(between.puppet.heard, (Vector{0, 0, 0}));
   EXPECT_FALSE(between.tick().valid);
+}
+
+TEST(GuardedDevice, AFaultThatEndsWhileItIsAskedForStillPauses) {
+  // Of a driver's thread that mends itself just after the first asking.
+  class Flicker final : public HapticDevice {
+   public:
+    DeviceInfo info() const override { return PuppetDevice(true).info(); }
+    DeviceReading read(double) noexcept override { return {}; }
+    void write(const std::array<double, 3>& force_n) noexcept override { heard = force_n; }
+    DeviceFault fault() const noexcept override { return std::exchange(next, DeviceFault::none); }
+    mutable DeviceFault next = DeviceFault::none;
+    Vector heard{0, 0, 0};
+  };
+  for (const bool before_reading : {true, false}) {
+    Flicker device;
+    GuardedDevice guard(device, guard_for(device.info()));
+    guard.read(0.0);
+    guard.write({1, 0, 0});
+    if (before_reading) device.next = DeviceFault::servo_late;
+    guard.read(kTick);
+    device.next = before_reading ? DeviceFault::none : DeviceFault::servo_late;
+    guard.write({1, 0, 0});
+    EXPECT_EQ(guard.state(), GuardState::paused) << before_reading;
+    EXPECT_EQ(guard.fault(), DeviceFault::servo_late);
+    EXPECT_EQ(device.heard, (Vector{0, 0, 0}));
+  }
 }
 
 TEST(GuardedDevice, NoForceBeforeCalibration) {
