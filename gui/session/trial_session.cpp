@@ -341,7 +341,7 @@ const engine::SceneDescription& TrialSession::scene() const { return impl_->desc
 device::HapticDevice& TrialSession::device() { return *impl_->device; }
 void TrialSession::start() { impl_->start(); }
 std::string TrialSession::pause() const {
-  return pause_words(impl_->guard->state(), impl_->guard->fault());
+  return pause_words(impl_->guard->state(), impl_->guard->fault(), impl_->device->confirms_itself());
 }
 void TrialSession::confirm() { impl_->guard->confirm(); }
 double TrialSession::paused_s() const { return kPeriodS * static_cast<double>(impl_->paused); }

@@ -222,7 +222,17 @@ TEST_F(TrialPauseRealTime, AKeyTakesHoldAgainAndThePauseIsToldInPlainWords) {
   session.confirm();
   EXPECT_TRUE(wait_for(""));
   EXPECT_GT(session.paused_s(), 0.29);
-  session.finish("ended");
+  live.device = "recorded:" + session.finish("ended").log.string();
+  live.out = box_ / "again";
+  TrialSession again(live);
+  again.start();
+  std::string told;
+  for (int i = 0; i < 6000 && told.empty(); ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    told = again.pause();
+  }
+  EXPECT_NE(told.find("goes on by itself"), std::string::npos) << "nobody is sent to look for a cable: " << told;
+  again.finish("ended");
 }
 
 TEST_F(TrialPause, SettingsAreKeptPerDeviceAndNonsenseIsNone) {
