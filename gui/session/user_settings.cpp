@@ -47,7 +47,8 @@ void keep_device_settings(const device::DeviceInfo& info, const DeviceSettings& 
   kept->setValue("motion_scale", settings.map.motion_scale);
   kept->setValue("turned_rad", settings.map.turned_rad);
   kept->setValue("left_handed", settings.map.left_handed);
-  kept->setValue("force_scale", settings.force_scale);
+  // Between none and the least: whoever asks for less gets the least, not all that the device can.
+  kept->setValue("force_scale", settings.force_scale > 0.0 ? std::max(settings.force_scale, kLeastForceScale) : 0.0);
   kept->setValue("clutch_button", settings.clutch_button);
 }
 
