@@ -61,6 +61,17 @@ device::GuardSettings guard_settings(const device::DeviceInfo& info) {
   return guard;
 }
 
+int button_of(std::uint32_t bit) { return bit == 0 ? 0 : 1 + static_cast<int>(std::log2(bit)); }
+std::uint32_t bit_of_button(int button) { return button == 0 ? 0u : 1u << (button - 1); }
+
+int clutch_button_in_hand(const device::DeviceInfo& info) {
+  if (!info.own_axes) return 0;
+  const DeviceSettings settings = device_settings(info);
+  const int button = button_of(settings.clutch_button);
+  const bool exchanged = settings.map.left_handed && (button == 1 || button == 2);
+  return exchanged ? 3 - button : button;
+}
+
 double mouse_gain() { return number(*user_settings(), "mouse/gain", kLeastMouseGain, kMostMouseGain, 1.0); }
 
 void keep_mouse_gain(double gain) {

@@ -253,8 +253,14 @@ TEST_F(TrialPause, SettingsAreKeptPerDeviceAndNonsenseIsNone) {
   EXPECT_TRUE(guard.map.left_handed);
   EXPECT_EQ(guard.limits.force_scale, 0.5);
   EXPECT_EQ(guard.clutch_button, 4u);
+  EXPECT_EQ(clutch_button_in_hand(one), 3);
+  EXPECT_EQ(clutch_button_in_hand(other), 2);
   EXPECT_EQ(guard_settings(other).map.motion_scale, 1.0);
+  settings.clutch_button = 2;
+  keep_device_settings(one, settings);
+  EXPECT_EQ(clutch_button_in_hand(one), 1) << "left-handed, the first two are exchanged";
   one.own_axes = false;
+  EXPECT_EQ(clutch_button_in_hand(one), 0);
   EXPECT_EQ(guard_settings(one).limits.force_scale, 1.0) << "a script is nobody's device";
   settings.map = {1e9, std::nan(""), false};
   settings.force_scale = -3.0;
