@@ -121,6 +121,22 @@ Moments measure_forces(const TrialLog& log, const Scenario& scenario, Score& sco
   return moments;
 }
 
+std::vector<Pause> pauses_in(const TrialLog& log) {
+  const std::vector<std::string>& faults = log.footer.pause_faults;
+  std::vector<Pause> pauses;
+  long long ticks = 0;
+  for (const LogTick& tick : log.ticks) {
+    if (tick.device_valid) {
+      ticks = 0;
+      continue;
+    }
+    if (ticks++ == 0)
+      pauses.push_back({tick.time_s, 0.0, pauses.size() < faults.size() ? faults[pauses.size()] : std::string()});
+    pauses.back().for_s = static_cast<double>(ticks) * log.header.servo_period_s;
+  }
+  return pauses;
+}
+
 }  // namespace
 
 Score score_trial(const TrialLog& log, const Scenario& scenario) {
@@ -131,6 +147,7 @@ Score score_trial(const TrialLog& log, const Scenario& scenario) {
   score.overruns = log.footer.overruns;
   score.real_time_setup = log.footer.real_time_setup;
   score.complete = log.footer.complete;
+  score.pauses = pauses_in(log);
   measure_attempt(log, score);
   measure_sight(log, scenario, score);
   const Moments moments = measure_forces(log, scenario, score);

@@ -22,6 +22,12 @@ struct Criterion {
   std::string sentence;  ///< figure, limit and second, for a person
 };
 
+/// A time in which the device could not be used.
+struct Pause {
+  double at_s = 0.0, for_s = 0.0;  ///< trial time
+  std::string fault;               ///< the device's, by name; empty: not known
+};
+
 struct Score {
   double peak_tongue_force_n = 0.0;  ///< model force; magnitude, tongue only
   double time_of_peak_tongue_force_s = 0.0;
@@ -33,6 +39,7 @@ struct Score {
   double attempt_start_s = 0.0;          ///< in trial time
   double time_over_force_limit_s = 0.0;  ///< device at its limit or lost: state not `tracking`
   double paused_s = 0.0;                 ///< the device could not be used; counts for nothing else
+  std::vector<Pause> pauses;             ///< what it is made of
   double attempt_paused_s = 0.0;         ///< the part of it within the attempt
   double time_over_target_s = 0.0;       ///< tongue force over the scenario's target
   double loop_rate_hz = 0.0;

@@ -111,6 +111,9 @@ TEST_F(TrialPause, CommunicationLostInThePressGoesOnWithoutAJumpAndReplaysToTheB
   // 0.25 s away and half a second of holding still.
   EXPECT_NEAR(outcome.score.paused_s, 0.75, 0.003);
   EXPECT_EQ(outcome.score.time_over_force_limit_s, 0.0);
+  ASSERT_EQ(outcome.score.pauses.size(), 1u);
+  EXPECT_NEAR(outcome.score.pauses[0].at_s, 0.8, 1e-9);
+  EXPECT_EQ(outcome.score.pauses[0].fault, "communication_lost");
 
   const Verification verified = verify_trial(log, recorded_scene(log, outcome.log, {}).description);
   EXPECT_EQ(verified.difference.field, "");
@@ -151,6 +154,8 @@ TEST_F(TrialPause, AtItsMaximumTheSceneStaysTheGhostShowsTheHandAndTheReturnIsSm
   EXPECT_GT(ghost_m, 0.005) << "the hand pushed on";
   EXPECT_GT(deepest_z, -0.005) << "the tool did not follow it";
   EXPECT_GT(outcome.score.paused_s, 0.5);
+  ASSERT_FALSE(outcome.score.pauses.empty());
+  EXPECT_EQ(outcome.score.pauses[0].fault, "force_exceeded");
   EXPECT_GT(outcome.score.time_over_force_limit_s, 0.1) << "the time at the limit is the hand's own";
   // The block is at rest again when the blade is out.
   EXPECT_EQ(log.ticks.back().loads[curricula::kTongue].contacts, 0);

@@ -39,7 +39,7 @@ TrialLog log_of(double seconds, const std::function<void(LogTick&)>& change = {}
   log.header.landmarks_m = landmarks();
   log.header.device_kind = "scripted";
   log.header.software_version = "9.8.7";
-  log.footer = {true, "finished", 999.5, 7, 2, "servo: real-time priority 80"};
+  log.footer = {true, "finished", 999.5, 7, 2, "servo: real-time priority 80", {}};
   const int ticks = static_cast<int>(std::lround(seconds / kTick));
   for (int i = 0; i < ticks; ++i) {
     LogTick t;
@@ -237,6 +237,21 @@ TEST(Score, APauseCountsForNothing) {
   EXPECT_TRUE(any_contains(b.reasons, "2.00 s to 15.00 s, paused for 3.00 s")) << joined(b.reasons);
   EXPECT_EQ(b.mouth_entries, 1) << "the blade stayed in the mouth meanwhile";
   EXPECT_TRUE(b.blade_out);
+}
+
+TEST(Score, PausesAreToldWithTheirFaults) {
+  TrialLog log = paused_at(9000, paused_at(5000, log_of(14)));
+  log.footer.pause_faults = {"unplugged"};  // the second is not known
+  const Score score = score_trial(log, scenario());
+  ASSERT_EQ(score.pauses.size(), 2u);
+  const QJsonArray told =
+      QJsonDocument::fromJson(QByteArray::fromStdString(score_to_json(score, log, scenario()))).object()["pauses"].toArray();
+  ASSERT_EQ(told.size(), 2);
+  EXPECT_NEAR(told[0].toObject()["at_s"].toDouble(), 5.0, 1e-9);
+  EXPECT_NEAR(told[0].toObject()["for_s"].toDouble(), 3.0, 1e-9);
+  EXPECT_EQ(told[0].toObject()["fault"].toString(), "unplugged");
+  EXPECT_NEAR(told[1].toObject()["at_s"].toDouble(), 9.0, 1e-9);
+  EXPECT_TRUE(told[1].toObject()["fault"].isNull());
 }
 
 TEST(Score, APauseIsNoWayOutOfTheMouthAndHidesNone) {
