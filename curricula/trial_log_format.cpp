@@ -262,6 +262,9 @@ std::string footer_to_json(const LogFooter& footer, std::int64_t ticks) {
   o["deadline_misses"] = static_cast<qint64>(footer.deadline_misses);
   o["overruns"] = static_cast<qint64>(footer.overruns);
   o["real_time_setup"] = text(footer.real_time_setup);
+  QJsonArray faults;
+  for (const std::string& fault : footer.pause_faults) faults.append(text(fault));
+  o["pause_faults"] = faults;
   o["ticks"] = static_cast<qint64>(ticks);
   return compact(o);
 }
@@ -275,6 +278,8 @@ LogFooter footer_from_json(const std::string& json, std::int64_t& ticks) {
   footer.deadline_misses = get_integer(o, "deadline_misses");
   footer.overruns = get_integer(o, "overruns");
   if (o.contains("real_time_setup")) footer.real_time_setup = get_text(o, "real_time_setup");  // older logs lack it
+  for (const QJsonValue& fault : o.value("pause_faults").toArray())  // likewise
+    footer.pause_faults.push_back(fault.toString().toStdString());
   ticks = get_integer(o, "ticks");
   return footer;
 }

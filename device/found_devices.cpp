@@ -6,13 +6,16 @@
 
 namespace vallecula::device {
 
-std::vector<FoundDevice> find_devices() {
-  std::vector<FoundDevice> found;
+FoundDevice found_mouse() {
   FoundDevice mouse;
   mouse.name = "mouse";
   mouse.info.kind = "mouse";
   mouse.info.model = "mouse and keyboard";
-  found.push_back(mouse);
+  return mouse;
+}
+
+std::vector<FoundDevice> find_devices() {
+  std::vector<FoundDevice> found = {found_mouse()};
   for (const FoundDevice& touch : hdapi::find_touch()) found.push_back(touch);
   for (const FoundDevice& falcon : find_falcon()) found.push_back(falcon);
   for (const FoundDevice& spacemouse : find_spacemouse()) found.push_back(spacemouse);

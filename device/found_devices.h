@@ -16,6 +16,9 @@ struct FoundDevice {
   std::string mend;     ///< what to do about it, or about its calibration
 };
 
+/// Always there.
+FoundDevice found_mouse();
+
 /// Every device that is plugged in, and every driver that is missing something (with what and where it looked); the
 /// mouse is always there. Opens nothing that another program may be using for longer than it takes to ask. May take a
 /// second; never throws for a device's sake.

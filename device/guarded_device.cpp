@@ -65,7 +65,8 @@ void GuardedDevice::begin_anew() noexcept {
 }
 
 DeviceFault GuardedDevice::trouble(const DeviceReading& reading, bool has_pose) const noexcept {
-  if (device_.fault() != DeviceFault::none) return device_.fault();
+  const DeviceFault fault = device_.fault();  // asked once: a driver's thread may end it meanwhile
+  if (fault != DeviceFault::none) return fault;
   const Calibration calibration = device_.calibration();
   if (calibration != Calibration::good && calibration != Calibration::not_needed) return DeviceFault::not_calibrated;
   return reading.valid && has_pose ? DeviceFault::none : DeviceFault::driver_error;
@@ -125,7 +126,7 @@ DeviceReading GuardedDevice::read(double time_s) noexcept {
   }
   if (state() == GuardState::confirming && confirmed(tool, elapsed_s)) {
     work_on(reading, tool_);
-    if (own_axes_) tool = map_.to_patient(reading);
+    if (own_axes_) tool = last_ = map_.to_patient(reading);  // the clutch may be what confirmed: it holds the tool here
     chain_.reset();
   }
   buttons_ = tool.buttons;
@@ -149,7 +150,8 @@ void GuardedDevice::see_tool(const std::array<double, 3>& position_m,
 }
 
 std::array<double, 3> GuardedDevice::write(const std::array<double, 3>& force_n) noexcept {
-  if (device_.fault() != DeviceFault::none) pause(device_.fault());  // it may have come since the reading
+  const DeviceFault fault = device_.fault();  // it may have come since the reading
+  if (fault != DeviceFault::none) pause(fault);
   if (quiet()) {
     chain_.stop(device_);
     return chain_.last_sent_n();

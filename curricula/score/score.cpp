@@ -18,29 +18,32 @@ double magnitude(const std::array<double, 3>& v) { return std::hypot(std::hypot(
 void measure_attempt(const TrialLog& log, Score& score) {
   const auto mouth = mouth_from_landmarks(log.header.landmarks_m);
   if (!mouth) return;
-  double last_inside_s = 0.0;
+  const double period_s = log.header.servo_period_s;
+  double last_inside_s = 0.0, last_worked_s = 0.0;
   long long paused = 0, paused_at_start = 0, paused_at_last = 0;
   for (const LogTick& tick : log.ticks) {
     if (!tick.device_valid) {
       ++paused;
       continue;
     }
+    last_worked_s = tick.time_s;
     if (tick.step_used < 0 || !mouth->holds(tick.proxy_pose.position_m)) continue;  // no step yet: no proxy yet
     if (!score.attempt_begun) {
       score.attempt_begun = true;
       score.attempt_start_s = tick.time_s;
       score.mouth_entries = 1;
       paused_at_start = paused;
-    } else if (tick.time_s - last_inside_s > kOutForAnEntryS) {
+    } else if (tick.time_s - last_inside_s - period_s * static_cast<double>(paused - paused_at_last) >
+               kOutForAnEntryS) {
       ++score.mouth_entries;
     }
     last_inside_s = tick.time_s;
     paused_at_last = paused;
   }
   if (!score.attempt_begun) return;
-  score.attempt_paused_s = static_cast<double>(paused_at_last - paused_at_start) * log.header.servo_period_s;
-  score.attempt_time_s = last_inside_s + log.header.servo_period_s - score.attempt_start_s - score.attempt_paused_s;
-  score.blade_out = last_inside_s < log.ticks.back().time_s;
+  score.attempt_paused_s = static_cast<double>(paused_at_last - paused_at_start) * period_s;
+  score.attempt_time_s = last_inside_s + period_s - score.attempt_start_s - score.attempt_paused_s;
+  score.blade_out = last_inside_s < last_worked_s;  // where a pause ends the trial: before it
 }
 
 void measure_sight(const TrialLog& log, const Scenario& scenario, Score& score) {
@@ -118,6 +121,22 @@ Moments measure_forces(const TrialLog& log, const Scenario& scenario, Score& sco
   return moments;
 }
 
+std::vector<Pause> pauses_in(const TrialLog& log) {
+  const std::vector<std::string>& faults = log.footer.pause_faults;
+  std::vector<Pause> pauses;
+  long long ticks = 0;
+  for (const LogTick& tick : log.ticks) {
+    if (tick.device_valid) {
+      ticks = 0;
+      continue;
+    }
+    if (ticks++ == 0)
+      pauses.push_back({tick.time_s, 0.0, pauses.size() < faults.size() ? faults[pauses.size()] : std::string()});
+    pauses.back().for_s = static_cast<double>(ticks) * log.header.servo_period_s;
+  }
+  return pauses;
+}
+
 }  // namespace
 
 Score score_trial(const TrialLog& log, const Scenario& scenario) {
@@ -128,6 +147,7 @@ Score score_trial(const TrialLog& log, const Scenario& scenario) {
   score.overruns = log.footer.overruns;
   score.real_time_setup = log.footer.real_time_setup;
   score.complete = log.footer.complete;
+  score.pauses = pauses_in(log);
   measure_attempt(log, score);
   measure_sight(log, scenario, score);
   const Moments moments = measure_forces(log, scenario, score);

@@ -22,6 +22,12 @@ struct Criterion {
   std::string sentence;  ///< figure, limit and second, for a person
 };
 
+/// A time in which the device could not be used.
+struct Pause {
+  double at_s = 0.0, for_s = 0.0;  ///< trial time
+  std::string fault;               ///< the device's, by name; empty: not known
+};
+
 struct Score {
   double peak_tongue_force_n = 0.0;  ///< model force; magnitude, tongue only
   double time_of_peak_tongue_force_s = 0.0;
@@ -33,6 +39,7 @@ struct Score {
   double attempt_start_s = 0.0;          ///< in trial time
   double time_over_force_limit_s = 0.0;  ///< device at its limit or lost: state not `tracking`
   double paused_s = 0.0;                 ///< the device could not be used; counts for nothing else
+  std::vector<Pause> pauses;             ///< what it is made of
   double attempt_paused_s = 0.0;         ///< the part of it within the attempt
   double time_over_target_s = 0.0;       ///< tongue force over the scenario's target
   double loop_rate_hz = 0.0;
@@ -49,8 +56,8 @@ struct Score {
   double peak_displayed_force_n = 0.0;               ///< what the device was told
   double time_of_glottis_max_s = -1.0;               ///< trial time of glottis_visible_max_percent; -1: never seen
   bool attempt_begun = false;                        ///< the blade tip was in the mouth at least once
-  bool blade_out = false;                            ///< and was out again when the log ended
-  int mouth_entries = 0;                             ///< times the tip came in after a second or more outside
+  bool blade_out = false;                            ///< and was out again in the last tick that was not paused
+  int mouth_entries = 0;                             ///< times the tip came in after a second or more outside, less pauses
   bool complete = false;                             ///< the log has its end; otherwise the trial was interrupted
   std::vector<Criterion> criteria;                   ///< the whole rubric, met or not
 };

@@ -26,6 +26,15 @@ std::string score_to_json(const Score& score, const TrialLog& log, const Scenari
   o["peak_gum_force_n"] = number_or_null(score.peak_gum_force_n);
   o["attempt_time_s"] = number_or_null(score.attempt_time_s);
   o["paused_s"] = number_or_null(score.paused_s);
+  QJsonArray pauses;
+  for (const Pause& pause : score.pauses) {
+    QJsonObject one;
+    one["at_s"] = number_or_null(pause.at_s);
+    one["for_s"] = number_or_null(pause.for_s);
+    one["fault"] = pause.fault.empty() ? QJsonValue(QJsonValue::Null) : QJsonValue(text(pause.fault));
+    pauses.append(one);
+  }
+  o["pauses"] = pauses;
   o["time_over_force_limit_s"] = number_or_null(score.time_over_force_limit_s);
   o["time_over_target_s"] = number_or_null(score.time_over_target_s);
   o["loop_rate_hz"] = number_or_null(score.loop_rate_hz, score.loop_rate_hz > 0.0);

@@ -14,7 +14,8 @@ struct TimedReading {
 };
 
 /// Gives back what was read then, pauses as well, whatever force it is shown: a record cannot yield. A trial of the
-/// same patient, scenario and build is the recorded one to the bit.
+/// same patient, scenario and build is the recorded one to the bit when neither ran in real time; in real time the
+/// simulation's steps fall on other ticks each time.
 class RecordedDevice final : public HapticDevice {
  public:
   /// `device_limit_n`: of the recorded trial. Throws DeviceError unless there is a reading, times increase strictly and

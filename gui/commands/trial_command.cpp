@@ -128,7 +128,7 @@ void add_trial_command(CLI::App& app, int& exit_code) {
       ->required();
   command->add_option("--curriculum", options->curriculum, "Curriculum file (the shipped one if left out)");
   command->add_option("--device", options->device, device_names() + " (t,x,y,z[,qw,qx,qy,qz]; s, m)")->required();
-  command->add_flag("--headless", options->headless, "No window");
+  command->add_flag("--headless", options->headless, "No window; scripted and recorded hands only");
   command->add_flag("--asap", options->as_fast_as_possible, "Headless only: as fast as it goes instead of 1 kHz");
   command
       ->add_option("--out", options->out,
@@ -151,8 +151,10 @@ void add_trial_command(CLI::App& app, int& exit_code) {
     if (options->as_fast_as_possible && !options->headless) {
       throw CLI::ValidationError("--asap", "works with --headless only: a person needs real time");
     }
-    if (options->headless && options->device == "mouse") {
-      throw CLI::ValidationError("--device", "a mouse needs the window: leave out --headless");
+    if (options->headless && !is_scripted(options->device)) {
+      throw CLI::ValidationError("--device", "'" + options->device +
+                                                 "' is held by a person, who must see the scene in real time: leave "
+                                                 "out --headless");
     }
     TrialSetup setup;
     name_scenario(*options, setup);

@@ -27,10 +27,6 @@ QDoubleSpinBox* number(QWidget* parent, const char* name, double low, double hig
   return box;
 }
 
-/// Bit of the n-th button, and back; 0: none.
-std::uint32_t bit_of(int button) { return button == 0 ? 0u : 1u << (button - 1); }
-int button_of(std::uint32_t bit) { return bit == 0 ? 0 : 1 + static_cast<int>(std::log2(bit)); }
-
 }  // namespace
 
 DeviceDialog::DeviceDialog(const device::DeviceInfo& info, QWidget* parent) : QDialog(parent) {
@@ -89,13 +85,16 @@ void DeviceDialog::set_device(QFormLayout& form, const device::DeviceInfo& info)
   if (info.peak_force_n > 0.0) {
     force = number(this, "force_scale", 0.0, 1.0, kLeastForceScale, kept.force_scale);
     force->setSpecialValueText("as the device can");
+    connect(force, &QDoubleSpinBox::editingFinished, force, [force] {  // shown as it will be kept
+      if (force->value() > 0.0) force->setValue(std::max(force->value(), kLeastForceScale));
+    });
     force->setToolTip("Force you feel over the force in the patient; it is kept in each trial's log");
     form.addRow("Force", force);
   }
   keep_ = [=] {
     DeviceSettings chosen = kept;
     chosen.map = {scale->value(), std::min(M_PI, std::max(-M_PI, kDegree * turned->value())), left->isChecked()};
-    chosen.clutch_button = bit_of(clutch->value());
+    chosen.clutch_button = bit_of_button(clutch->value());
     if (force != nullptr) chosen.force_scale = force->value();
     keep_device_settings(info, chosen);
   };

@@ -14,6 +14,7 @@
 #include "device/found_devices.h"
 #include "gui/pages/device_dialog.h"
 #include "gui/pages/devices_page.h"
+#include "gui/session/device_choice.h"
 #include "gui/session/device_rows.h"
 
 namespace vallecula::gui {
@@ -149,6 +150,7 @@ void StartPage::add_patient(const std::filesystem::path& package, bool choose) {
 }
 
 void StartPage::set_found_devices(const std::vector<device::FoundDevice>& devices) {
+  found_ = devices;
   const auto is_there = [&devices](const QString& name) {
     return std::any_of(devices.begin(), devices.end(),
                        [&name](const device::FoundDevice& one) { return one.name == name.toStdString(); });
@@ -182,14 +184,16 @@ void StartPage::choose_device(const QString& name, const QString& label) {
 
 std::unique_ptr<QDialog> StartPage::device_settings() {
   const std::string name = device_->currentData().toString().toStdString();
-  for (const device::FoundDevice& found : device::find_devices()) {
+  for (const device::FoundDevice& found : found_) {
     if (found.name != name && found.info.kind != name) continue;
     if (DeviceDialog::has_settings(found.info)) {
       set_message("");
       return std::make_unique<DeviceDialog>(found.info, this);
     }
   }
-  set_message("There is nothing to set: this device is not plugged in, or is a script.");
+  set_message(is_scripted(name) ? "A scripted hand has nothing to set."
+                                : "This device was not found when devices were last looked for: plug it in, and look "
+                                  "again with Devices ...");
   return nullptr;
 }
 

@@ -47,9 +47,10 @@ class StartPage : public QWidget {
  private:
   void show_scenario(int row);
   void browse();
-  /// Of the chosen device, as it is plugged in; null: it is not, or has none.
+  /// Of the chosen device, as it was last found; null: it was not, or has none.
   std::unique_ptr<QDialog> device_settings();
   curricula::Curriculum curriculum_;
+  std::vector<device::FoundDevice> found_{device::found_mouse()};  ///< looked for elsewhere: it may take seconds
   QListWidget* list_;
   QLabel *curriculum_title_, *briefing_, *message_;
   QComboBox *patient_, *device_;

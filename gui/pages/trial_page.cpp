@@ -34,6 +34,14 @@ double load(const engine::Snapshot& snapshot, engine::Structure structure) {
   return snapshot.loads[static_cast<std::size_t>(structure)].force_n.norm();
 }
 
+/// For a device in the hand that is no mouse.
+QString device_help(const device::DeviceInfo& info) {
+  const int clutch = clutch_button_in_hand(info);
+  return "Enter starts the trial and takes hold again after a pause, Esc ends it." +
+         (clutch == 0 ? QString()
+                      : QString(" Button %1 of the device, held, frees your hand: the blade stays.").arg(clutch));
+}
+
 }  // namespace
 
 TrialPage::TrialPage(QWidget* parent) : QWidget(parent) {
@@ -166,12 +174,12 @@ void TrialPage::open(std::shared_ptr<TrialSession> session, std::shared_ptr<Pati
 }
 
 void TrialPage::show_help() {
-  const std::string kind = session_ ? session_->device().info().kind : "";
-  help_->setText(control_->steering() ? control_->help()
-                 : kind == "scripted" ? "A scripted hand holds the blade. Esc ends the trial."
-                 : kind == "recorded" ? "The hand of a recorded trial holds the blade. Esc ends the trial."
-                                      : "Enter starts the trial and takes hold again after a pause, Esc ends it. The "
-                                        "device's second button, held, frees your hand: the blade stays.");
+  if (!session_) return;
+  const device::DeviceInfo info = session_->device().info();
+  help_->setText(control_->steering()      ? control_->help()
+                 : info.kind == "scripted" ? "A scripted hand holds the blade. Esc ends the trial."
+                 : info.kind == "recorded" ? "The hand of a recorded trial holds the blade. Esc ends the trial."
+                                           : device_help(info));
 }
 
 void TrialPage::start() {

@@ -65,7 +65,9 @@ std::string fault_sentence(const std::vector<engine::TickRecord>& ticks, const s
          " ticks up to it are in " + file_name + ")";
 }
 
-std::string pause_words(device::GuardState state, device::DeviceFault fault) {
+std::string pause_words(device::GuardState state, device::DeviceFault fault, bool recorded) {
+  if (state == device::GuardState::paused && recorded)
+    return "The recorded hand was paused here; it goes on by itself.";
   if (state == device::GuardState::paused) return device::describe(fault);
   if (state == device::GuardState::confirming)
     return "The device is back. To go on press one of its buttons or (in the window) Enter, or hold the grey blade on "

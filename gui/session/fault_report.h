@@ -19,8 +19,8 @@ std::string fault_words(std::uint32_t faults);
 /// When the last of `ticks` came, what was wrong with it, and the name of the file that holds them.
 std::string fault_sentence(const std::vector<engine::TickRecord>& ticks, const std::string& file_name);
 
-/// Why the trial is paused and what to do; empty while it is not.
-std::string pause_words(device::GuardState state, device::DeviceFault fault);
+/// Why the trial is paused and what to do; empty while it is not. `recorded`: the pause is a recorded hand's.
+std::string pause_words(device::GuardState state, device::DeviceFault fault, bool recorded);
 
 /// One row a tick, oldest first; units in the column names, world axes (patient LPS).
 std::string fault_csv(const std::vector<engine::TickRecord>& ticks);

@@ -90,6 +90,7 @@ struct TrialSession::Impl {
   // Below: the worker's until it is joined.
   std::int64_t recorded = 0;
   std::int64_t pause_began = 0;  ///< tick of the last one that was not paused
+  std::vector<std::string> pause_faults;  ///< as in the log's footer
   std::string ended_by;
   std::exception_ptr failure;
 };
@@ -187,6 +188,7 @@ curricula::LogFooter TrialSession::Impl::footer(bool complete, const std::string
   footer.deadline_misses = timing.deadline_misses;
   footer.overruns = timing.overruns;
   footer.real_time_setup = timing.priority;
+  footer.pause_faults = pause_faults;
   return footer;
 }
 
@@ -203,6 +205,7 @@ void TrialSession::Impl::start() {
   loop_fault = 0;
   paused = 0;
   pause_began = -1;
+  pause_faults.clear();
   if (setup.realtime) runner->start();
   worker = std::thread([this] {
     try {
@@ -230,10 +233,14 @@ void TrialSession::Impl::record(const engine::TickRecord& tick) {
   ++recorded;
   if (loop_fault == 0) loop_fault = tick.faults & kLoopFaults;
   if (!ended_by.empty()) return;
-  if (tick.device_valid)
+  if (tick.device_valid) {
     pause_began = tick.tick;
-  else
+  } else {
+    // A record of a pause does not say which fault it was.
+    if (pause_began == tick.tick - 1)
+      pause_faults.push_back(device->confirms_itself() ? "" : device::name_of(guard->fault()));
     ++paused;
+  }
   if (device->finished(tick.time_s)) {
     ended_by = "finished";
   } else if (tick.time_s - kPeriodS * static_cast<double>(paused) >= scenario.max_attempt_s) {
@@ -341,7 +348,7 @@ const engine::SceneDescription& TrialSession::scene() const { return impl_->desc
 device::HapticDevice& TrialSession::device() { return *impl_->device; }
 void TrialSession::start() { impl_->start(); }
 std::string TrialSession::pause() const {
-  return pause_words(impl_->guard->state(), impl_->guard->fault());
+  return pause_words(impl_->guard->state(), impl_->guard->fault(), impl_->device->confirms_itself());
 }
 void TrialSession::confirm() { impl_->guard->confirm(); }
 double TrialSession::paused_s() const { return kPeriodS * static_cast<double>(impl_->paused); }

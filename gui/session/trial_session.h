@@ -20,8 +20,7 @@ struct TrialSetup {
   std::filesystem::path patient;     ///< NAME.patient
   std::filesystem::path curriculum;  ///< YAML
   std::string scenario;              ///< id in it
-  /// KIND[:ARG]: "mouse", "scripted:expert", "scripted:novice", "scripted:press", "scripted:FILE.csv"
-  std::string device;
+  std::string device;                ///< KIND[:ARG], one of device_names() (session/device_choice.h)
   /// A tool of its own (m, tool frame) instead of the scenario's blade; null: the blade.
   std::shared_ptr<const engine::TriangleMesh> tool;
   /// Folder for trial.vtrial, tool.ply (of a tool of its own), score.json, report.html, force.png, fault.csv.

@@ -47,7 +47,8 @@ void keep_device_settings(const device::DeviceInfo& info, const DeviceSettings& 
   kept->setValue("motion_scale", settings.map.motion_scale);
   kept->setValue("turned_rad", settings.map.turned_rad);
   kept->setValue("left_handed", settings.map.left_handed);
-  kept->setValue("force_scale", settings.force_scale);
+  // Between none and the least: whoever asks for less gets the least, not all that the device can.
+  kept->setValue("force_scale", settings.force_scale > 0.0 ? std::max(settings.force_scale, kLeastForceScale) : 0.0);
   kept->setValue("clutch_button", settings.clutch_button);
 }
 
@@ -59,6 +60,17 @@ device::GuardSettings guard_settings(const device::DeviceInfo& info) {
   if (settings.force_scale > 0.0)
     guard.limits.force_scale = std::min(settings.force_scale, device::most_force_scale(info, settings.map));
   return guard;
+}
+
+int button_of(std::uint32_t bit) { return bit == 0 ? 0 : 1 + static_cast<int>(std::log2(bit)); }
+std::uint32_t bit_of_button(int button) { return button == 0 ? 0u : 1u << (button - 1); }
+
+int clutch_button_in_hand(const device::DeviceInfo& info) {
+  if (!info.own_axes) return 0;
+  const DeviceSettings settings = device_settings(info);
+  const int button = button_of(settings.clutch_button);
+  const bool exchanged = settings.map.left_handed && (button == 1 || button == 2);
+  return exchanged ? 3 - button : button;
 }
 
 double mouse_gain() { return number(*user_settings(), "mouse/gain", kLeastMouseGain, kMostMouseGain, 1.0); }

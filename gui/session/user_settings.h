@@ -28,6 +28,12 @@ void keep_device_settings(const device::DeviceInfo& info, const DeviceSettings& 
 /// the person's.
 device::GuardSettings guard_settings(const device::DeviceInfo& info);
 
+/// The n-th button (from 1) of this bit, and back; 0: none.
+int button_of(std::uint32_t bit);
+std::uint32_t bit_of_button(int button);
+/// Which of the device's own buttons, as a person counts them, is the clutch; 0: none.
+int clutch_button_in_hand(const device::DeviceInfo& info);
+
 /// Way of the blade over way of the mouse on the picture: 0.25 to 4, 1 unless chosen.
 constexpr double kLeastMouseGain = 0.25, kMostMouseGain = 4.0;
 double mouse_gain();

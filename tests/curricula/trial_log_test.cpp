@@ -118,7 +118,7 @@ std::vector<LogTick> write_log(const fs::path& path, int ticks, const LogFooter&
   return written;
 }
 
-LogFooter sample_footer() { return {true, "finished", 999.87654321, 3, 4, "servo: ordinary priority"}; }
+LogFooter sample_footer() { return {true, "finished", 999.87654321, 3, 4, "servo: ordinary priority", {"unplugged", ""}}; }
 
 TEST_F(TrialLogFile, AToolOfItsOwnIsNamedByItsHashAndOldLogsHaveNone) {
   LogHeader header = sample_header();
@@ -150,6 +150,7 @@ TEST_F(TrialLogFile, GivesBackEveryBit) {
       EXPECT_EQ(log.footer.ended, "finished");
       EXPECT_EQ(log.footer.loop_rate_hz, 999.87654321);
       EXPECT_EQ(log.footer.deadline_misses, 3);
+      EXPECT_EQ(log.footer.pause_faults, (std::vector<std::string>{"unplugged", ""}));
       EXPECT_EQ(log.footer.overruns, 4);
       EXPECT_EQ(log.footer.real_time_setup, "servo: ordinary priority");
       const LogHeader expected = sample_header(), &header = log.header;

@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <limits>
+#include <utility>
 
 #include "tests/device/puppet_device.h"
 
@@ -113,6 +114,32 @@ TEST(GuardedDevice, EveryFaultIsZeroForceInItsVeryTickAndAPause) {
   between.guard.write({3, 0, 0});
   EXPECT_EQ(between.puppet.heard, (Vector{0, 0, 0}));
   EXPECT_FALSE(between.tick().valid);
+}
+
+TEST(GuardedDevice, AFaultThatEndsWhileItIsAskedForStillPauses) {
+  // Of a driver's thread that mends itself just after the first asking.
+  class Flicker final : public HapticDevice {
+   public:
+    DeviceInfo info() const override { return PuppetDevice(true).info(); }
+    DeviceReading read(double) noexcept override { return {}; }
+    void write(const std::array<double, 3>& force_n) noexcept override { heard = force_n; }
+    DeviceFault fault() const noexcept override { return std::exchange(next, DeviceFault::none); }
+    mutable DeviceFault next = DeviceFault::none;
+    Vector heard{0, 0, 0};
+  };
+  for (const bool before_reading : {true, false}) {
+    Flicker device;
+    GuardedDevice guard(device, guard_for(device.info()));
+    guard.read(0.0);
+    guard.write({1, 0, 0});
+    if (before_reading) device.next = DeviceFault::servo_late;
+    guard.read(kTick);
+    device.next = before_reading ? DeviceFault::none : DeviceFault::servo_late;
+    guard.write({1, 0, 0});
+    EXPECT_EQ(guard.state(), GuardState::paused) << before_reading;
+    EXPECT_EQ(guard.fault(), DeviceFault::servo_late);
+    EXPECT_EQ(device.heard, (Vector{0, 0, 0}));
+  }
 }
 
 TEST(GuardedDevice, NoForceBeforeCalibration) {
@@ -246,6 +273,36 @@ TEST(GuardedDevice, AMappedDeviceGoesOnFromTheFrozenToolWithoutAJump) {
     before = bench.shown();
   }
   EXPECT_NEAR(bench.shown(), 5.0, 1e-6);
+}
+
+// The button nearest at hand is the clutch, and it confirms as any other does.
+TEST(GuardedDevice, ConfirmedByTheClutchTheToolStaysWhereItWasFrozen) {
+  Bench bench;
+  for (int i = 0; i < 400; ++i) {
+    bench.puppet.reading.position_m = {1e-4 * i, 0, 0};
+    bench.tick();
+  }
+  const DeviceReading frozen = bench.tool;
+  bench.puppet.trouble = DeviceFault::unplugged;
+  bench.ticks(50);
+  bench.puppet.trouble = DeviceFault::none;
+  bench.puppet.reading.position_m = {-0.06, 0.05, 0.04};
+  bench.puppet.reading.rotation_wxyz = about_axis({1, 0, 0}, 2.0);
+  bench.ticks(20);
+  ASSERT_EQ(bench.guard.state(), GuardState::confirming);
+  const auto expect_frozen = [&](const DeviceReading& reading) {
+    EXPECT_TRUE(reading.valid);
+    EXPECT_LT(length(subtract(reading.position_m, frozen.position_m)), 1e-12);
+    EXPECT_LT(angle_between(reading.rotation_wxyz, frozen.rotation_wxyz), 1e-7);
+  };
+  bench.puppet.reading.buttons = 2;
+  expect_frozen(bench.tick());
+  EXPECT_EQ(bench.guard.state(), GuardState::clutched);
+  bench.puppet.reading.position_m = {0.02, 0.01, 0};  // the hand is free
+  expect_frozen(bench.tick());
+  bench.puppet.reading.buttons = 0;
+  expect_frozen(bench.tick());
+  EXPECT_EQ(bench.guard.state(), GuardState::working);
 }
 
 TEST(GuardedDevice, TheClutchFreesTheHandAndTheToolStandsStill) {

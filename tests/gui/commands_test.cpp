@@ -75,7 +75,10 @@ TEST(CommandLine, WrongUsageIsTwo) {
   expect_refused(with({"joystick"}), 2, "joystick");
   expect_refused(with({"scripted:acrobat"}), 2, "scripted:acrobat");
   expect_refused(with({"scripted"}), 2, "scripted");
-  expect_refused(with({"mouse", "--headless"}), 2, "mouse");
+  for (const std::string live : {"mouse", "touch", "falcon", "spacemouse:A17"}) {
+    expect_refused(with({live, "--headless"}), 2, live);
+    expect_refused(with({live, "--headless", "--asap"}), 2, "real time");
+  }
   expect_refused(with({"mouse", "--asap"}), 2, "--asap");
 }
 

@@ -111,6 +111,9 @@ TEST_F(TrialPause, CommunicationLostInThePressGoesOnWithoutAJumpAndReplaysToTheB
   // 0.25 s away and half a second of holding still.
   EXPECT_NEAR(outcome.score.paused_s, 0.75, 0.003);
   EXPECT_EQ(outcome.score.time_over_force_limit_s, 0.0);
+  ASSERT_EQ(outcome.score.pauses.size(), 1u);
+  EXPECT_NEAR(outcome.score.pauses[0].at_s, 0.8, 1e-9);
+  EXPECT_EQ(outcome.score.pauses[0].fault, "communication_lost");
 
   const Verification verified = verify_trial(log, recorded_scene(log, outcome.log, {}).description);
   EXPECT_EQ(verified.difference.field, "");
@@ -151,6 +154,8 @@ TEST_F(TrialPause, AtItsMaximumTheSceneStaysTheGhostShowsTheHandAndTheReturnIsSm
   EXPECT_GT(ghost_m, 0.005) << "the hand pushed on";
   EXPECT_GT(deepest_z, -0.005) << "the tool did not follow it";
   EXPECT_GT(outcome.score.paused_s, 0.5);
+  ASSERT_FALSE(outcome.score.pauses.empty());
+  EXPECT_EQ(outcome.score.pauses[0].fault, "force_exceeded");
   EXPECT_GT(outcome.score.time_over_force_limit_s, 0.1) << "the time at the limit is the hand's own";
   // The block is at rest again when the blade is out.
   EXPECT_EQ(log.ticks.back().loads[curricula::kTongue].contacts, 0);
@@ -222,7 +227,17 @@ TEST_F(TrialPauseRealTime, AKeyTakesHoldAgainAndThePauseIsToldInPlainWords) {
   session.confirm();
   EXPECT_TRUE(wait_for(""));
   EXPECT_GT(session.paused_s(), 0.29);
-  session.finish("ended");
+  live.device = "recorded:" + session.finish("ended").log.string();
+  live.out = box_ / "again";
+  TrialSession again(live);
+  again.start();
+  std::string told;
+  for (int i = 0; i < 6000 && told.empty(); ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    told = again.pause();
+  }
+  EXPECT_NE(told.find("goes on by itself"), std::string::npos) << "nobody is sent to look for a cable: " << told;
+  again.finish("ended");
 }
 
 TEST_F(TrialPause, SettingsAreKeptPerDeviceAndNonsenseIsNone) {
@@ -243,6 +258,8 @@ TEST_F(TrialPause, SettingsAreKeptPerDeviceAndNonsenseIsNone) {
   EXPECT_TRUE(guard.map.left_handed);
   EXPECT_EQ(guard.limits.force_scale, 0.5);
   EXPECT_EQ(guard.clutch_button, 4u);
+  EXPECT_EQ(clutch_button_in_hand(one), 3);
+  EXPECT_EQ(clutch_button_in_hand(other), 2);
   EXPECT_EQ(guard_settings(other).map.motion_scale, 1.0);
   // What was chosen stays below what buzzes: here half the way and so a quarter of the model's stiffness.
   one.max_stiffness_n_m = 60.0;
@@ -250,7 +267,11 @@ TEST_F(TrialPause, SettingsAreKeptPerDeviceAndNonsenseIsNone) {
   one.max_stiffness_n_m = 1020.0;
   EXPECT_EQ(guard_settings(one).limits.force_scale, 0.5);
   EXPECT_EQ(device::kStiffestModelNM, engine::HapticSettings().coupling_stiffness_n_m);
+  settings.clutch_button = 2;
+  keep_device_settings(one, settings);
+  EXPECT_EQ(clutch_button_in_hand(one), 1) << "left-handed, the first two are exchanged";
   one.own_axes = false;
+  EXPECT_EQ(clutch_button_in_hand(one), 0);
   EXPECT_EQ(guard_settings(one).limits.force_scale, 1.0) << "a script is nobody's device";
   settings.map = {1e9, std::nan(""), false};
   settings.force_scale = -3.0;

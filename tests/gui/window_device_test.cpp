@@ -54,7 +54,9 @@ TEST_F(WindowDeviceRealTime, AFaultOfTheDeviceIsToldAndEnterTakesHoldAgain) {
   QObject::connect(&window, &MainWindow::trial_finished, [&](const TrialOutcome&) { ++finished; });
   window.prepare(setup, true);
   EXPECT_TRUE(wait_for([&] { return shown("Paused. The device does not answer"); }));
+  keep_picture(window, "pause-fault.png");
   ASSERT_TRUE(wait_for([&] { return shown("Paused. The device is back."); }));
+  keep_picture(window, "pause-confirm.png");
   QKeyEvent enter(QEvent::KeyPress, Qt::Key_Return, Qt::NoModifier);
   QApplication::sendEvent(&window.trial_page(), &enter);
   EXPECT_TRUE(wait_for([&] { return !shown("Paused."); }));
@@ -73,6 +75,8 @@ TEST_F(WindowDeviceRealTime, TheMouseIsExplainedUntilItIsKnown) {
     auto* introduction = window.trial_page().findChild<MouseIntroduction*>();
     ASSERT_NE(introduction, nullptr);
     EXPECT_EQ(introduction->isVisible(), !said_before);
+    wait_for([] { return false; }, 500);
+    keep_picture(window, said_before ? "introduced.png" : "introduction.png");
     if (said_before) break;
     introduction->findChild<QCheckBox*>()->setChecked(true);
     QKeyEvent plus(QEvent::KeyPress, Qt::Key_Plus, Qt::NoModifier);
@@ -87,6 +91,7 @@ TEST_F(WindowDeviceRealTime, DeviceSettingsAreShownAndKept) {
   mouse.kind = "mouse";
   {
     DeviceDialog dialog(mouse);
+    keep_picture(dialog, "settings-mouse.png");
     dialog.findChild<QDoubleSpinBox*>("gain")->setValue(2.0);
     dialog.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok)->click();
   }
@@ -111,11 +116,25 @@ TEST_F(WindowDeviceRealTime, DeviceSettingsAreShownAndKept) {
   EXPECT_EQ(kept.clutch_button, 4u);
   {
     DeviceDialog dialog(pen);
+    keep_picture(dialog, "settings-device.png");
     EXPECT_EQ(dialog.findChild<QSpinBox*>("clutch_button")->value(), 3) << "shown again as it was kept";
     dialog.findChild<QDoubleSpinBox*>("motion_scale")->setValue(2.5);
     dialog.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Cancel)->click();
   }
   EXPECT_EQ(device_settings(pen).map.motion_scale, 1.5);
+  for (const double asked : {0.01, 0.19, 0.2, 0.5}) {
+    DeviceDialog dialog(pen);
+    auto* force = dialog.findChild<QDoubleSpinBox*>("force_scale");
+    force->setValue(asked);
+    dialog.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok)->click();
+    EXPECT_EQ(device_settings(pen).force_scale, std::max(asked, kLeastForceScale)) << "less than asked for is not more";
+  }
+  {
+    DeviceDialog dialog(pen);
+    dialog.findChild<QDoubleSpinBox*>("force_scale")->setValue(0.0);
+    dialog.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok)->click();
+    EXPECT_EQ(device_settings(pen).force_scale, 0.0) << "as the device can";
+  }
   device::DeviceInfo script;
   script.kind = "scripted";
   EXPECT_FALSE(DeviceDialog::has_settings(script));

@@ -3,6 +3,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QTableWidget>
+#include <QTimer>
 #include <algorithm>
 #include <atomic>
 #include <cstdlib>
@@ -10,6 +11,7 @@
 #include <mutex>
 #include <thread>
 
+#include "gui/pages/device_dialog.h"
 #include "gui/pages/devices_page.h"
 #include "gui/pages/main_window.h"
 #include "gui/session/user_paths.h"
@@ -105,12 +107,6 @@ std::string told(QWidget& page) {
 class WindowDevices : public Screen {
  protected:
   WindowDevices() { setenv("VALLECULA_HOME", box_.home().c_str(), 1); }
-  void keep_picture(QWidget& widget, const std::string& name) {
-    const char* folder = std::getenv("VALLECULA_PICTURES");
-    if (folder == nullptr) return;
-    std::filesystem::create_directories(folder);
-    widget.grab().save(QString::fromStdString((std::filesystem::path(folder) / name).string()));
-  }
   test::Sandbox box_;
 };
 
@@ -225,6 +221,35 @@ TEST_F(WindowDevices, TheChosenOneIsPractisedWithAndRemembered) {
   EXPECT_FALSE(has("SpaceMouse Compact (B18)"));
   EXPECT_TRUE(has("SpaceMouse Compact (A17)")) << "the chosen one stays";
   EXPECT_EQ(device_of(window), "spacemouse:A17");
+}
+
+/// Settings are those of the device as the list told it: nothing is asked on the window's thread.
+TEST_F(WindowDevices, SettingsAreOfTheLastListAndOfTheMouseBeforeAny) {
+  StartPage page;
+  const auto heading_of_dialog = [&] {
+    QString heading;
+    QTimer::singleShot(0, [&] {
+      auto* dialog = qobject_cast<DeviceDialog*>(QApplication::activeModalWidget());
+      if (dialog == nullptr) return;
+      heading = dialog->findChild<QLabel*>("heading")->text();
+      dialog->reject();
+    });
+    button(page, "Device settings ...")->click();
+    QApplication::processEvents();
+    return heading.toStdString();
+  };
+  EXPECT_EQ(heading_of_dialog(), "mouse and keyboard");
+  page.choose_device("pen:7", "Pen (used last)");
+  EXPECT_EQ(heading_of_dialog(), "");
+  EXPECT_NE(told(page).find("was not found"), std::string::npos) << told(page);
+  FoundDevice pen;
+  pen.name = "pen:7";
+  pen.info.kind = "pen";
+  pen.info.model = "Pen 2000";
+  pen.info.own_axes = true;
+  page.set_found_devices({mouse(), pen});
+  EXPECT_EQ(heading_of_dialog(), "Pen 2000");
+  EXPECT_EQ(told(page).find("was not found"), std::string::npos) << told(page);
 }
 
 }  // namespace

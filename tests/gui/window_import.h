@@ -94,14 +94,11 @@ class WindowImport : public Screen {
     mouse(on, QEvent::MouseButtonRelease, to, Qt::NoButton);
   }
   void picture(const std::string& name) {
-    const char* folder = std::getenv("VALLECULA_PICTURES");
-    if (folder == nullptr) return;
-    fs::create_directories(folder);
+    if (std::getenv("VALLECULA_PICTURES") == nullptr) return;
     for (int i = 0; i < 10; ++i) QApplication::processEvents(QEventLoop::AllEvents, 20);
     check().view_3d().draw();
     const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
-    window_->grab().save(
-        QString::fromStdString((fs::path(folder) / (std::string(test->name()) + "-" + name + ".png")).string()));
+    keep_picture(*window_, std::string(test->name()) + "-" + name + ".png");
   }
   /// No two things that can be seen at once answer to the same Alt key.
   void expect_each_its_own_key(QWidget& page) {

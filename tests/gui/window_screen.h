@@ -6,8 +6,13 @@
 #include <QApplication>
 #include <QElapsedTimer>
 #include <QImage>
+#include <QWidget>
+#include <cstdlib>
+#include <filesystem>
 #include <functional>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "gui/pages/window_application.h"
 #include "gui/session/virtual_display.h"
@@ -33,6 +38,13 @@ class Screen : public ::testing::Test {
       QApplication::processEvents(QEventLoop::AllEvents, 20);
     }
     return true;
+  }
+  /// Kept as a picture to be looked at, where VALLECULA_PICTURES=DIR asks for it.
+  static void keep_picture(QWidget& widget, const std::string& name) {
+    const char* folder = std::getenv("VALLECULA_PICTURES");
+    if (folder == nullptr) return;
+    std::filesystem::create_directories(folder);
+    widget.grab().save(QString::fromStdString((std::filesystem::path(folder) / name).string()));
   }
 
  private:

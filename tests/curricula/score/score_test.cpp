@@ -39,7 +39,7 @@ TrialLog log_of(double seconds, const std::function<void(LogTick&)>& change = {}
   log.header.landmarks_m = landmarks();
   log.header.device_kind = "scripted";
   log.header.software_version = "9.8.7";
-  log.footer = {true, "finished", 999.5, 7, 2, "servo: real-time priority 80"};
+  log.footer = {true, "finished", 999.5, 7, 2, "servo: real-time priority 80", {}};
   const int ticks = static_cast<int>(std::lround(seconds / kTick));
   for (int i = 0; i < ticks; ++i) {
     LogTick t;
@@ -192,33 +192,38 @@ TEST(Score, EveryHapticStateButTrackingCounts) {
 
 // A device that is away takes nothing from the trainee and gives nothing: a good attempt with a pause of 3 s in its middle
 // is scored as the same attempt without.
-TEST(Score, APauseCountsForNothing) {
-  const TrialLog whole = log_of(14, good);
+/// The same with a pause of 3 s before tick `at`, in which nothing is the hand's doing.
+TrialLog paused_at(std::int64_t at, const TrialLog& whole) {
   TrialLog broken = whole;
   broken.ticks.clear();
   for (const LogTick& tick : whole.ticks) {
     LogTick t = tick;
-    if (t.tick == 5000) {
+    if (t.tick == at) {
       for (int i = 0; i < 3000; ++i) {
         LogTick pause = t;
-        pause.tick = 5000 + i;
+        pause.tick = at + i;
         pause.time_s = pause.tick * kTick;
         pause.device_valid = false;
         pause.state = LoggedState::lost;
         pause.has_sight = i % 20 == 0;
-        pause.glottis_visible = 0.99;  // none of it is the hand's doing
+        pause.glottis_visible = 0.99;
         pause.loads[kTongue].force_n = {9.0, 0, 0};
         broken.ticks.push_back(pause);
       }
     }
-    if (t.tick >= 5000) {
+    if (t.tick >= at) {
       t.tick += 3000;
       t.time_s = t.tick * kTick;
-      if (t.tick < 8400) t.state = LoggedState::recovering;
+      if (t.tick < at + 3400) t.state = LoggedState::recovering;
     }
     broken.ticks.push_back(t);
   }
-  const Score a = score_trial(whole, scenario()), b = score_trial(broken, scenario());
+  return broken;
+}
+
+TEST(Score, APauseCountsForNothing) {
+  const TrialLog whole = log_of(14, good);
+  const Score a = score_trial(whole, scenario()), b = score_trial(paused_at(5000, whole), scenario());
   EXPECT_TRUE(a.passed) << joined(a.reasons);
   EXPECT_TRUE(b.passed) << joined(b.reasons);
   EXPECT_NEAR(a.attempt_time_s, b.attempt_time_s, 1e-9);
@@ -230,6 +235,38 @@ TEST(Score, APauseCountsForNothing) {
   EXPECT_NEAR(b.paused_s, 3.0, 1e-9);
   EXPECT_EQ(a.paused_s, 0.0);
   EXPECT_TRUE(any_contains(b.reasons, "2.00 s to 15.00 s, paused for 3.00 s")) << joined(b.reasons);
+  EXPECT_EQ(b.mouth_entries, 1) << "the blade stayed in the mouth meanwhile";
+  EXPECT_TRUE(b.blade_out);
+}
+
+TEST(Score, PausesAreToldWithTheirFaults) {
+  TrialLog log = paused_at(9000, paused_at(5000, log_of(14)));
+  log.footer.pause_faults = {"unplugged"};  // the second is not known
+  const Score score = score_trial(log, scenario());
+  ASSERT_EQ(score.pauses.size(), 2u);
+  const QJsonArray told =
+      QJsonDocument::fromJson(QByteArray::fromStdString(score_to_json(score, log, scenario()))).object()["pauses"].toArray();
+  ASSERT_EQ(told.size(), 2);
+  EXPECT_NEAR(told[0].toObject()["at_s"].toDouble(), 5.0, 1e-9);
+  EXPECT_NEAR(told[0].toObject()["for_s"].toDouble(), 3.0, 1e-9);
+  EXPECT_EQ(told[0].toObject()["fault"].toString(), "unplugged");
+  EXPECT_NEAR(told[1].toObject()["at_s"].toDouble(), 9.0, 1e-9);
+  EXPECT_TRUE(told[1].toObject()["fault"].isNull());
+}
+
+TEST(Score, APauseIsNoWayOutOfTheMouthAndHidesNone) {
+  const auto out_for = [](int ticks) {
+    return log_of(14, [ticks](LogTick& t) {
+      if (t.tick >= 4000 && t.tick < 4000 + ticks) t.proxy_pose.position_m = kOutside;
+    });
+  };
+  EXPECT_EQ(score_trial(paused_at(4500, out_for(900)), scenario()).mouth_entries, 1) << "0.9 s outside, less the pause";
+  EXPECT_EQ(score_trial(paused_at(4500, out_for(1100)), scenario()).mouth_entries, 2);
+  for (const std::int64_t at : {8000, 13000}) {  // in the mouth, and out of it again
+    TrialLog never_back = paused_at(at, log_of(14));
+    never_back.ticks.resize(static_cast<std::size_t>(at + 3000));
+    EXPECT_EQ(score_trial(never_back, scenario()).blade_out, at == 13000);
+  }
 }
 
 TEST(Score, TheReasonCitesTheLongestStayAtTheLimitNotTheFirstTouch) {
