@@ -17,8 +17,8 @@ inline double portable_exp(double x) noexcept {
   return sum;
 }
 
-/// The standard normal's quantile of p, within -4 and 4, by the cumulative function 1 / (1 + exp(-1.5976 z - 0.070566 z^3))
-/// (Page 1977; off by 0.00014 at most).
+/// The standard normal's quantile of p, within -4 and 4, by the cumulative function 1 / (1 + exp(-1.5976 z - 0.070566
+/// z^3)) (Page 1977; off by 0.00014 at most).
 inline double normal_quantile(double p) noexcept {
   double low = -4.0, high = 4.0;
   for (int k = 0; k < 50; ++k) {
@@ -45,11 +45,11 @@ struct Draw {
   double lognormal(double sigma) noexcept { return portable_exp(sigma * normal_quantile(uniform())); }
 };
 
-/// Member `seed` of a sequence in [0, 1) whose members 1, 2, 3 ... lie evenly, in each of four dimensions and in all of
-/// them together (Roberts 2018, R4: steps are powers of the root of x^5 = x + 1): a few infants are a fair sample.
+/// Member `seed` of a sequence in [0, 1) whose members 1, 2, 3 ... lie evenly in each of four dimensions and in all of
+/// them together (Richtmyer 1951: multiples of the square roots of 2, 3, 5, 7): a few infants are a fair sample.
 inline double even_uniform(std::uint64_t seed, int dimension) noexcept {
-  constexpr std::uint64_t kSteps[] = {0xdb4f0b9175ae2165u, 0xbbe0563303a4615fu, 0xa0f2ec75a1fe1575u,
-                                      0x89e182857d9ed689u};
+  constexpr std::uint64_t kSteps[] = {0x6a09e667f3bcc909u, 0xbb67ae8584caa73bu, 0x3c6ef372fe94f82bu,
+                                      0xa54ff53a5f1d36f1u};
   const std::uint64_t at = (std::uint64_t{1} << 63) + seed * kSteps[dimension];
   return static_cast<double>(at >> 11) * 0x1.0p-53;
 }

@@ -6,9 +6,9 @@ namespace vallecula::engine {
 
 namespace {
 
-constexpr double kSlowest = 40.0;              // 1/min: an escape rhythm
-constexpr double kLeastLoad = 0.2;             // N: less is not noticed
-constexpr double kVagalShare = 0.7;            // of the way to the slowest rate, at the largest load
+constexpr double kSlowest = 40.0;                           // 1/min: an escape rhythm
+constexpr double kLeastLoad = 0.2;                          // N: less is not noticed
+constexpr double kVagalShare = 0.7;                         // of the way to the slowest rate, at the largest load
 constexpr double kReflexBegins = 0.60, kReflexFull = 0.30;  // tissue saturation, chemoreflex
 constexpr double kDirectBegins = 0.30, kDirectFull = 0.05;  // tissue saturation, the heart's own muscle
 constexpr double kTissueLag = 5.0, kSlowing = 3.0, kQuickening = 4.0, kInflationFades = 6.0;  // s

@@ -7,9 +7,9 @@ namespace vallecula::engine {
 /// Fixed for an infant.
 struct Heart {
   double resting_per_min = 0.0;
-  double first_per_min = 0.0;       ///< at the start: at birth the heart is slow until the lungs are aerated
-  double half_load_n = 0.0;         ///< load on the larynx that draws half of the vagal reflex
-  double reflex = 1.0;              ///< what atropine leaves of the reflexes, 0..1
+  double first_per_min = 0.0;  ///< at the start: at birth the heart is slow until the lungs are aerated
+  double half_load_n = 0.0;    ///< load on the larynx that draws half of the vagal reflex
+  double reflex = 1.0;         ///< what atropine leaves of the reflexes, 0..1
 };
 
 struct HeartState {

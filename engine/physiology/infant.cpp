@@ -12,8 +12,8 @@ namespace vallecula::engine {
 namespace {
 
 /// Medians of a body and the spread (sigma of the logarithm) of what an infant has of its own. The preterm's are
-/// calibrated, together with its Start, so that 200 seeds give the course of Kothari 2021 (Arch Dis Child 106:603); each
-/// lies within what textbooks give for ventilated preterm infants. The term's are such textbook values: assumed.
+/// calibrated, together with its Start, so that 200 seeds give the course of Kothari 2021 (Arch Dis Child 106:603);
+/// each lies within what textbooks give for ventilated preterm infants. The term's are such textbook values: assumed.
 struct Body {
   double consumption_ml_kg_min, consumption_spread;
   double lung_ml_kg, lung_spread;
@@ -37,27 +37,28 @@ constexpr Start kStarts[] = {
     {105.0, 0.10, 0.35, 0.75},  // delivery_room: assumed
 };
 
-constexpr double kP50 = 20.5;              // mmHg: newborn blood, "slightly above 20" (Tosetti 1985)
-constexpr double kHaemoglobinHolds = 1.34; // ml of oxygen a gram (Huefner)
+constexpr double kP50 = 20.5;               // mmHg: newborn blood, "slightly above 20" (Tosetti 1985)
+constexpr double kHaemoglobinHolds = 1.34;  // ml of oxygen a gram (Huefner)
 constexpr double kAirMmhg = 0.21 * 713.0, kPureMmhg = 713.0;
-constexpr double kHardestLung = 0.5;       // of the way to the inspired pressure: no breath does more
-constexpr double kLeastStart = 0.901;      // arterial, but at birth: nobody starts an attempt below 90 %
-constexpr double kLag = 5.0, kMostLag = 20.0;          // s: of the displayed saturation (CLINICAL)
+constexpr double kHardestLung = 0.5;                      // of the way to the inspired pressure: no breath does more
+constexpr double kLeastStart = 0.901;                     // arterial, but at birth: nobody starts an attempt below 90 %
+constexpr double kLag = 5.0, kMostLag = 20.0;             // s: of the displayed saturation (CLINICAL)
 constexpr double kHalfLoad = 3.0, kHalfLoadSpread = 0.5;  // N: of the vagal reflex (assumed)
-constexpr double kAtropineLeaves = 0.1;    // of the reflexes: Kothari saw no bradycardia at all
+constexpr double kAtropineLeaves = 0.1;                   // of the reflexes: Kothari saw no bradycardia at all
 constexpr double kRestingSpread = 0.06;
-constexpr double kDetectorHeart = 60.0;    // 1/min (assumed)
-// At birth: saturation 60 to 65 %, heart 96/min (65 to 127) at one minute, 163 at five (Dawson 2010). The shunt closes so
-// that 40 breaths a minute bring the medians of Dawson 2010 (Pediatrics 125:e1340): 73, 89, 96 % at 2, 5, 10 minutes.
-constexpr double kBirthLow = 0.60, kBirthHigh = 0.65, kBirthHeart = 96.0, kBirthHeartSpread = 0.25;
+constexpr double kDetectorHeart = 60.0;  // 1/min (assumed)
+// At birth: saturation 60 to 65 %, heart 96/min (65 to 127) at one minute, 163 at five (Dawson 2010). The shunt closes
+// so that 40 breaths a minute bring the medians of Dawson 2010 (Pediatrics 125:e1340): 73, 89, 96 % at 2, 5, 10
+// minutes.
+constexpr double kBirthLow = 0.60, kBirthHigh = 0.65, kBirthHeart = 96.0, kBirthHeartSpread = 0.4, kBirthSlowest = 45.0;
 constexpr double kShuntClosing = 0.0101;
 constexpr double kNewbornHeart = 165.0;
 
 constexpr double kBlocked = 0.05, kWideEnough = 0.25;  // opening of the cords: no air, all of the air
-constexpr double kShortestBreath = 0.4;    // s: a breath given sooner meets a chest that has not emptied
-constexpr double kRateForgotten = 10.0;    // s without a breath: there is no rate
+constexpr double kShortestBreath = 0.4;                // s: a breath given sooner meets a chest that has not emptied
+constexpr double kRateForgotten = 10.0;                // s without a breath: there is no rate
 constexpr double kRateSmoothing = 0.3;
-constexpr double kMostStep = 0.1;          // s
+constexpr double kMostStep = 0.1;  // s
 
 double mix(double preterm, double term, double share) { return preterm + share * (term - preterm); }
 
@@ -65,8 +66,9 @@ Body body_at(double weeks) {
   const double m = std::clamp((weeks - kPretermWeeks) / (kTermWeeks - kPretermWeeks), 0.0, 1.0);
   const auto of = [m](double Body::*what) { return mix(kPreterm.*what, kTerm.*what, m); };
   return {of(&Body::consumption_ml_kg_min), of(&Body::consumption_spread), of(&Body::lung_ml_kg),
-          of(&Body::lung_spread), of(&Body::flow_ml_kg_min), of(&Body::blood_ml_kg), of(&Body::arterial_share),
-          of(&Body::haemoglobin_g_dl), of(&Body::shunt), of(&Body::resting_per_min)};
+          of(&Body::lung_spread),           of(&Body::flow_ml_kg_min),     of(&Body::blood_ml_kg),
+          of(&Body::arterial_share),        of(&Body::haemoglobin_g_dl),   of(&Body::shunt),
+          of(&Body::resting_per_min)};
 }
 
 void check(const InfantDescription& d) {
@@ -75,6 +77,8 @@ void check(const InfantDescription& d) {
     refuse("a weight from 0.3 to 6 kg is needed, not " + std::to_string(d.weight_kg));
   if (!(d.gestation_weeks >= 22.0 && d.gestation_weeks <= 44.0))
     refuse("a gestation from 22 to 44 weeks is needed, not " + std::to_string(d.gestation_weeks));
+  if (!(d.added_oxygen >= 0.0 && d.added_oxygen <= 0.79))
+    refuse("from 0 to 0.79 of oxygen can be added, not " + std::to_string(d.added_oxygen));
   const std::string weeks = std::to_string(d.gestation_weeks) + " weeks";
   switch (d.course) {
     case Course::premedicated_preterm:
@@ -84,11 +88,13 @@ void check(const InfantDescription& d) {
     case Course::term:
       if (d.gestation_weeks <= kPretermWeeks) refuse("the term course holds from 32 weeks on, not for " + weeks);
       break;
-    case Course::preoxygenated: break;
+    case Course::preoxygenated:
+      break;
     case Course::delivery_room:
       if (d.premedicated) refuse("nobody is premedicated in the delivery room");
       break;
-    default: refuse("no such course: " + std::to_string(static_cast<int>(d.course)));
+    default:
+      refuse("no such course: " + std::to_string(static_cast<int>(d.course)));
   }
 }
 
@@ -103,9 +109,12 @@ bool in_airway(TubeTip tip) noexcept { return tip == TubeTip::trachea || tip == 
 double reached(const InfantInput& in, double opening) noexcept {
   if (in.breath == Breath::mask) return through_cords(opening);
   switch (in.tip) {
-    case TubeTip::trachea: return 1.0;
-    case TubeTip::main_bronchus: return 0.5;
-    default: return 0.0;
+    case TubeTip::trachea:
+      return 1.0;
+    case TubeTip::main_bronchus:
+      return 0.5;
+    default:
+      return 0.0;
   }
 }
 
@@ -117,16 +126,16 @@ double number_or(double value, double otherwise, std::uint32_t& faults) noexcept
 
 bool sound(const InfantState& s) noexcept {
   double sum = s.oxygen.arterial + s.oxygen.venous + s.oxygen.shunt + s.heart.per_min + s.heart.awakening +
-               s.heart.tissue + s.heart.inflation + s.pending_s + s.pending_load_n + s.breath_phase +
-               s.since_given_s + s.given_interval_s + s.since_breath_s;
+               s.heart.tissue + s.heart.inflation + s.pending_s + s.pending_load_n + s.breath_phase + s.since_given_s +
+               s.given_interval_s + s.since_breath_s;
   for (const double p : s.oxygen.alveolar_mmhg) sum += p;
   return std::isfinite(sum);
 }
 
-void reach_lungs(InfantState& s, const Infant& infant, double share, double strength) noexcept {
+void reach_lungs(InfantState& s, const Infant& infant, double share, double gas_mmhg) noexcept {
   if (!(share > 0)) return;
-  breathe(infant.oxygen, s.oxygen, share * strength);
-  breathe(s.heart, share * strength);
+  breathe(infant.oxygen, s.oxygen, share, gas_mmhg);
+  breathe(s.heart, share);
   s.since_breath_s = 0.0;
 }
 
@@ -138,7 +147,7 @@ void give_breath(const Infant& infant, InfantState& s, const InfantInput& in, do
     s.given_interval_s = 0.0;
   s.since_given_s = 0.0;
   ++s.breaths_given;
-  reach_lungs(s, infant, reached(in, opening), 1.0);
+  reach_lungs(s, infant, reached(in, opening), infant.oxygen.given_mmhg);
   if (in.breath == Breath::tube) breathe(infant.detector, s.detector, in_airway(in.tip), s.heart.per_min);
 }
 
@@ -184,6 +193,7 @@ Infant build_infant(const InfantDescription& d) {
   well = std::min(well, 0.9 * kPureMmhg);
   const OxygenState rest = at(well);
   o.inspired_mmhg = d.course == Course::preoxygenated ? kPureMmhg : std::clamp(well + 50.0, kAirMmhg, kPureMmhg);
+  o.given_mmhg = std::min(kPureMmhg, o.inspired_mmhg + d.added_oxygen * kPureMmhg);
   for (int i = 0; i < kLungUnits; ++i) {
     const double taken_ml_s = o.flow_ml_s * (1.0 - o.shunt) * o.flow_share[i] * o.capacity *
                               (saturation(o.first_mmhg[i], o.p50_mmhg) - rest.venous);
@@ -198,14 +208,15 @@ Infant build_infant(const InfantDescription& d) {
 
   infant.heart.resting_per_min = (birth ? kNewbornHeart : body.resting_per_min) * draw.lognormal(kRestingSpread);
   infant.heart.first_per_min =
-      birth ? std::min(infant.heart.resting_per_min, kBirthHeart * draw.lognormal(kBirthHeartSpread))
+      birth ? std::clamp(kBirthHeart * draw.lognormal(kBirthHeartSpread), kBirthSlowest, infant.heart.resting_per_min)
             : infant.heart.resting_per_min;
   infant.heart.half_load_n = kHalfLoad * draw.lognormal(kHalfLoadSpread);
   infant.heart.reflex = d.premedicated ? kAtropineLeaves : 1.0;
   infant.detector.breaths_needed = draw.uniform() < 0.5 ? 5 : 6;  // published: within 5 or 6
   infant.detector.least_heart_per_min = kDetectorHeart;
   const double lateness = even_uniform(d.seed, 2);
-  infant.delay_samples = static_cast<std::int32_t>((kLag + (kMostLag - kLag) * lateness * lateness) / kMonitorStep + 0.5);
+  infant.delay_samples =
+      static_cast<std::int32_t>((kLag + (kMostLag - kLag) * lateness * lateness) / kMonitorStep + 0.5);
   // 60 a minute at 32 weeks and before, 45 at term (assumed).
   infant.own_breaths_per_min =
       d.premedicated ? 0.0 : mix(60.0, 45.0, std::clamp((d.gestation_weeks - 32.0) / 8.0, 0.0, 1.0));
@@ -239,7 +250,7 @@ InfantSigns step(const Infant& infant, InfantState& s, const InfantInput& input,
       const double share = input.tip == TubeTip::trachea         ? 1.0
                            : input.tip == TubeTip::main_bronchus ? 0.5
                                                                  : through_cords(opening);
-      reach_lungs(s, infant, share, kReferenceBreaths / infant.own_breaths_per_min);
+      reach_lungs(s, infant, share * kReferenceBreaths / infant.own_breaths_per_min, infant.oxygen.inspired_mmhg);
     }
   } else {
     s.breath_phase = 0.0;

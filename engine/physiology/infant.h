@@ -22,8 +22,9 @@ struct InfantDescription {
   Course course = Course::premedicated_preterm;
   double weight_kg = 1.0;
   double gestation_weeks = 28.0;
-  bool premedicated = true;  ///< with atropine and a muscle relaxant: no breath of its own, reflexes on the heart weak
-  std::uint64_t seed = 1;    ///< one infant of the population
+  bool premedicated = true;   ///< with atropine and a muscle relaxant: no breath of its own, reflexes on the heart weak
+  double added_oxygen = 0.1;  ///< to the gas it had before, as a fraction, in breaths given (assumed); 0..0.79
+  std::uint64_t seed = 1;     ///< one infant of the population; of course and lag 0 is the middle one
 };
 
 /// What is fixed in a trial.
@@ -31,8 +32,8 @@ struct Infant {
   Oxygen oxygen;
   Heart heart;
   Co2Detector detector;
-  std::int32_t delay_samples = 0;     ///< of the oximeter
-  double own_breaths_per_min = 0.0;   ///< 0: premedicated
+  std::int32_t delay_samples = 0;    ///< of the oximeter
+  double own_breaths_per_min = 0.0;  ///< 0: premedicated
 };
 
 /// Draws the infant. Throws std::invalid_argument with the number at fault, or with what contradicts what.
@@ -62,24 +63,24 @@ struct InfantState {
   HeartState heart;
   OximeterState oximeter;
   Co2DetectorState detector;
-  double pending_s = 0.0;          ///< since the last inner step
-  double pending_load_n = 0.0;     ///< largest load since then
-  double breath_phase = 0.0;       ///< of own breathing, 0..1 from the begin of a breath in
-  double since_given_s = 0.0;      ///< since the last breath given, wherever it went
-  double given_interval_s = 0.0;   ///< between breaths given, smoothed; 0: fewer than two
-  double since_breath_s = 0.0;     ///< since the last breath that reached a lung
+  double pending_s = 0.0;         ///< since the last inner step
+  double pending_load_n = 0.0;    ///< largest load since then
+  double breath_phase = 0.0;      ///< of own breathing, 0..1 from the begin of a breath in
+  double since_given_s = 0.0;     ///< since the last breath given, wherever it went
+  double given_interval_s = 0.0;  ///< between breaths given, smoothed; 0: fewer than two
+  double since_breath_s = 0.0;    ///< since the last breath that reached a lung
   std::int32_t breaths_given = 0;
 };
 
 /// What a step leaves, as plain numbers.
 struct InfantSigns {
-  double sao2 = 0.0;               ///< arterial, true, 0..1
-  double spo2 = 0.0;               ///< displayed, whole percent over 100
-  double heart_per_min = 0.0;      ///< by ECG: at once
+  double sao2 = 0.0;           ///< arterial, true, 0..1
+  double spo2 = 0.0;           ///< displayed, whole percent over 100
+  double heart_per_min = 0.0;  ///< by ECG: at once
   DetectorColour detector = DetectorColour::purple;
-  double since_breath_s = 0.0;     ///< since the last breath that reached a lung, or since the start
-  double given_per_min = 0.0;      ///< rate of the breaths given lately; 0 when there were none for 10 s
-  double breath_phase = 0.0;       ///< own breathing, 0..1; 0 in apnoea
+  double since_breath_s = 0.0;  ///< since the last breath that reached a lung, or since the start
+  double given_per_min = 0.0;   ///< rate of the breaths given lately; 0 when there were none for 10 s
+  double breath_phase = 0.0;    ///< own breathing, 0..1; 0 in apnoea
   std::uint32_t faults = kInfantFaultNone;
 };
 

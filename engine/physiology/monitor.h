@@ -7,10 +7,10 @@
 
 namespace vallecula::engine {
 
-constexpr double kMonitorStep = 0.1;     ///< s, between samples
-constexpr int kAveraged = 80;            ///< samples: 8 s, a usual setting
-constexpr int kMostDelay = 200;          ///< samples: 20 s
-constexpr int kShownEvery = 10;          ///< samples: the number changes once a second
+constexpr double kMonitorStep = 0.1;  ///< s, between samples
+constexpr int kAveraged = 80;         ///< samples: 8 s, a usual setting
+constexpr int kMostDelay = 200;       ///< samples: 20 s
+constexpr int kShownEvery = 10;       ///< samples: the number changes once a second
 
 struct OximeterState {
   std::array<float, kMostDelay + kAveraged / 2> seen{};  ///< ring of arterial saturations

@@ -6,9 +6,9 @@ namespace vallecula::engine {
 
 namespace {
 
-constexpr double kAdultP50 = 26.86;  // mmHg: where Severinghaus' equation gives one half
+constexpr double kAdultP50 = 26.86;    // mmHg: where Severinghaus' equation gives one half
 constexpr double kBtpsToStpd = 863.0;  // mmHg: ml BTPS times a pressure, over this, is ml STPD (760 * 310 / 273)
-constexpr double kScarce = 0.15;  // venous saturation below which tissue gets less than it would use (assumed)
+constexpr double kScarce = 0.15;       // venous saturation below which tissue gets less than it would use (assumed)
 
 double end_capillary(const Oxygen& o, const OxygenState& s) noexcept {
   double sum = 0.0;
@@ -35,9 +35,9 @@ OxygenState start(const Oxygen& o) noexcept {
   return s;
 }
 
-void breathe(const Oxygen& o, OxygenState& s, double share) noexcept {
+void breathe(const Oxygen& o, OxygenState& s, double share, double gas_mmhg) noexcept {
   for (int i = 0; i < kLungUnits; ++i)
-    s.alveolar_mmhg[i] += share * o.breath_share[i] * (o.inspired_mmhg - s.alveolar_mmhg[i]);
+    s.alveolar_mmhg[i] += share * o.breath_share[i] * (gas_mmhg - s.alveolar_mmhg[i]);
   s.shunt = std::max(o.shunt, s.shunt / (1.0 + share * o.shunt_closing * s.shunt));
 }
 

@@ -22,14 +22,15 @@ struct Oxygen {
   double capacity = 0.0;          ///< ml of oxygen that a ml of blood holds; what is dissolved is left out
   double arterial_ml = 0.0, venous_ml = 0.0;
   double p50_mmhg = 0.0;
-  double inspired_mmhg = 0.0;     ///< of the gas that breaths bring
-  double shunt = 0.0;             ///< share of the flow that passes no lung, once the lungs are aerated
-  double first_shunt = 0.0;       ///< and at the start: far more at birth
-  double shunt_closing = 0.0;     ///< what a breath adds to 1 / shunt: the shunt falls fast at first, then slowly
-  std::array<double, kLungUnits> volume_ml{};    ///< at the end of a breath out, BTPS
-  std::array<double, kLungUnits> flow_share{};   ///< of the flow that passes lung; sum 1
-  std::array<double, kLungUnits> first_mmhg{};   ///< alveolar pressure at the start
-  std::array<double, kLungUnits> breath_share{}; ///< of the way to the inspired pressure that a breath goes
+  double inspired_mmhg = 0.0;  ///< of the gas it had at the start, and has for breaths of its own
+  double given_mmhg = 0.0;     ///< of the gas of breaths given
+  double shunt = 0.0;          ///< share of the flow that passes no lung, once the lungs are aerated
+  double first_shunt = 0.0;    ///< and at the start: far more at birth
+  double shunt_closing = 0.0;  ///< what a breath adds to 1 / shunt: the shunt falls fast at first, then slowly
+  std::array<double, kLungUnits> volume_ml{};     ///< at the end of a breath out, BTPS
+  std::array<double, kLungUnits> flow_share{};    ///< of the flow that passes lung; sum 1
+  std::array<double, kLungUnits> first_mmhg{};    ///< alveolar pressure at the start
+  std::array<double, kLungUnits> breath_share{};  ///< of the way to the inspired pressure that a breath goes
 };
 
 struct OxygenState {
@@ -41,8 +42,8 @@ struct OxygenState {
 /// What a steady start needs, from the pressures, volumes and flows: arterial and venous saturation.
 OxygenState start(const Oxygen& o) noexcept;
 
-/// A breath that reaches `share` (0..1) of the lungs' ventilation.
-void breathe(const Oxygen& o, OxygenState& s, double share) noexcept;
+/// A breath that reaches `share` (0..1) of the lungs' ventilation with gas of this oxygen pressure.
+void breathe(const Oxygen& o, OxygenState& s, double share, double gas_mmhg) noexcept;
 
 /// dt_s (s) without a breath, blood flowing at `flow` times its resting rate.
 void use(const Oxygen& o, OxygenState& s, double flow, double dt_s) noexcept;

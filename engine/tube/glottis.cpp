@@ -9,26 +9,25 @@ namespace vallecula::engine {
 namespace {
 
 // All assumed but their order: cords close faster than they open.
-constexpr double kAtEase = 0.55;                    // opening of cords that nothing moves: neither open nor closed
+constexpr double kAtEase = 0.55;  // opening of cords that nothing moves: neither open nor closed
 constexpr double kBreathOut = 0.45, kBreathIn = 1.0;
-constexpr double kInspiration = 0.4;                // share of a breath
+constexpr double kInspiration = 0.4;                           // share of a breath
 constexpr double kClosing = 1.0 / 0.08, kOpening = 1.0 / 0.4;  // 1/s
-constexpr double kClosureSpread = 0.3;              // sigma of the logarithm
-constexpr double kWeary = 2.0;                      // s
-constexpr double kMostStep = 0.1;                   // s
-constexpr double kLongest = 120.0;                  // s
+constexpr double kShortClosure = 0.6, kLongClosure = 1.4;      // of the median
+constexpr double kWeary = 2.0;                                 // s
+constexpr double kMostStep = 0.1;                              // s
+constexpr double kLongest = 120.0;                             // s
 
 double smooth(double x) noexcept { return x * x * (3.0 - 2.0 * x); }
 
 double breathed(double phase) noexcept {
-  const double in = phase < kInspiration ? smooth(phase / kInspiration)
-                                         : smooth((1.0 - phase) / (1.0 - kInspiration));
+  const double in = phase < kInspiration ? smooth(phase / kInspiration) : smooth((1.0 - phase) / (1.0 - kInspiration));
   return kBreathOut + (kBreathIn - kBreathOut) * in;
 }
 
 void close(const Glottis& g, GlottisState& s) noexcept {
   s.spasm = g.spasm_s > 0;
-  s.closed_s = s.spasm ? g.spasm_s : g.closure_s * s.draw.lognormal(kClosureSpread);
+  s.closed_s = s.spasm ? g.spasm_s : g.closure_s * s.draw.between(kShortClosure, kLongClosure);
 }
 
 }  // namespace
@@ -45,8 +44,7 @@ Glottis checked(const Glottis& g) {
   need(g.spasm_s >= 0 && g.spasm_s <= kLongest, "a laryngospasm from 0 to 120 s is needed", g.spasm_s);
   if (g.spasm_from_start && !(g.spasm_s > 0))
     throw std::invalid_argument("glottis: a laryngospasm from the start needs its time");
-  if (g.relaxed && g.spasm_s > 0)
-    throw std::invalid_argument("glottis: no laryngospasm under a muscle relaxant");
+  if (g.relaxed && g.spasm_s > 0) throw std::invalid_argument("glottis: no laryngospasm under a muscle relaxant");
   return g;
 }
 

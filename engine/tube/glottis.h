@@ -1,5 +1,5 @@
-// The opening between the vocal cords: it widens and narrows with breathing, closes when it is touched, and stays shut in
-// laryngospasm. How the cords push back against a tube between them is the passage's concern.
+// The opening between the vocal cords: it widens and narrows with breathing, closes when it is touched, and stays shut
+// in laryngospasm. How the cords push back against a tube between them is the passage's concern.
 #pragma once
 
 #include <algorithm>
@@ -11,9 +11,9 @@ namespace vallecula::engine {
 
 /// Fixed in a trial.
 struct Glottis {
-  double length_m = 0.007;          ///< from the front commissure to the back wall, at term (CLINICAL, assumed)
-  /// Share of the length, from the front, over which the cords part like a V; behind it, between the arytenoids, the gap
-  /// is as wide throughout. Newborn: 0.43 to 0.45 (Sato 2015, Laryngoscope 125:E186).
+  double length_m = 0.007;  ///< from the front commissure to the back wall, at term (CLINICAL, assumed)
+  /// Share of the length, from the front, over which the cords part like a V; behind it, between the arytenoids, the
+  /// gap is as wide throughout. Newborn: 0.43 to 0.45 (Sato 2015, Laryngoscope 125:E186).
   double front_share = 0.44;
   double widest_half_slope = 0.58;  ///< half the gap over the distance from the commissure: 30 degrees a side (assumed)
   bool relaxed = false;             ///< by a muscle relaxant: neither breath nor touch moves the cords
@@ -39,11 +39,11 @@ enum GlottisFault : std::uint32_t {
 };
 
 struct GlottisState {
-  double opening = 0.0;     ///< 0 closed .. 1 as wide as at the height of a deep breath
-  double closed_s = 0.0;    ///< that they will yet hold themselves closed
-  double weary_s = 0.0;     ///< after a closure: time in which touch closes them no more
-  bool touched = false;     ///< in the last step
-  bool spasm = false;       ///< the present closure is a laryngospasm
+  double opening = 0.0;   ///< 0 closed .. 1 as wide as at the height of a deep breath
+  double closed_s = 0.0;  ///< that they will yet hold themselves closed
+  double weary_s = 0.0;   ///< after a closure: time in which touch closes them no more
+  bool touched = false;   ///< in the last step
+  bool spasm = false;     ///< the present closure is a laryngospasm
   Draw draw;
   std::uint32_t faults = kGlottisFaultNone;  ///< of the last step
 };

@@ -1,5 +1,5 @@
-// vallecula_physiology_bench [TICKS]: what a tick of the infant and of the cords costs, on average and of those that take
-// an inner step.
+// vallecula_physiology_bench [TICKS]: what a tick of the infant and of the cords costs, on average and of those that
+// take an inner step.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>

@@ -95,8 +95,8 @@ TEST(InfantCourse, TheDisplayIsLateByFiveToTwentySeconds) {
     while (p.signs.spo2 >= 0.755) p.tick({});
     lags.push_back(p.time_s - true_s);
   }
-  // The display changes once a second, in whole percent.
-  EXPECT_GE(quantile(lags, 0.0), 4.0);
+  // The display changes once a second, in whole percent, and the mean of a curve is not its middle.
+  EXPECT_GE(quantile(lags, 0.0), 3.5);
   EXPECT_LE(quantile(lags, 1.0), 21.5);
   EXPECT_GT(quantile(lags, 1.0) - quantile(lags, 0.0), 10.0);
 }
@@ -110,12 +110,14 @@ TEST(InfantCourse, PreoxygenationBuysTime) {
   }
 }
 
-// Dawson's infants breathed by themselves; here 40 breaths a minute by mask, from one minute on. Medians of saturation
-// 73, 89 and 96 % at 2, 5 and 10 minutes: the first minute's rise is the model's weakest (assumed course).
+// Dawson's infants breathed air by themselves; here 40 breaths a minute by mask, from one minute on. Medians of
+// saturation 73, 89 and 96 % at 2, 5 and 10 minutes: the first minute's rise is the model's weakest (assumed course).
 TEST(InfantCourse, InTheDeliveryRoomTheSaturationRisesByTheMinute) {
   std::array<std::vector<double>, 4> spo2, heart;
   for (std::uint64_t seed = 1; seed <= 100; ++seed) {
-    Patient p(term(seed, Course::delivery_room), 0.1);
+    InfantDescription d = term(seed, Course::delivery_room);
+    d.added_oxygen = 0.0;
+    Patient p(d, 0.1);
     constexpr int kMinutes[] = {1, 2, 5, 10};
     for (std::size_t k = 0; k < 4; ++k) {
       if (k > 0) p.ventilate(40 * (kMinutes[k] - kMinutes[k - 1]), Breath::mask);
@@ -127,7 +129,9 @@ TEST(InfantCourse, InTheDeliveryRoomTheSaturationRisesByTheMinute) {
   EXPECT_NEAR(quantile(spo2[1], 0.5), 73, 6);
   EXPECT_NEAR(quantile(spo2[2], 0.5), 89, 3);
   EXPECT_NEAR(quantile(spo2[3], 0.5), 96, 2);
-  EXPECT_NEAR(quantile(heart[0], 0.5), 96, 4);
+  EXPECT_NEAR(quantile(heart[0], 0.5), 96, 5);
+  EXPECT_NEAR(quantile(heart[0], 0.25), 65, 15);
+  EXPECT_NEAR(quantile(heart[0], 0.75), 127, 15);
   EXPECT_NEAR(quantile(heart[1], 0.5), 139, 5);
   EXPECT_NEAR(quantile(heart[2], 0.5), 163, 5);
 }

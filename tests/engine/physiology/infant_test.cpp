@@ -1,4 +1,5 @@
-// What the infant does to what is done to it: breaths, a blade on the larynx, the CO2 detector; and what every tick keeps.
+// What the infant does to what is done to it: breaths, a blade on the larynx, the CO2 detector; and what every tick
+// keeps.
 #include "engine/physiology/infant.h"
 
 #include <gtest/gtest.h>
@@ -35,16 +36,20 @@ Patient desaturated(const InfantDescription& d) {
   return p;
 }
 
-/// Seconds of breaths until the true saturation is 90 % again; 600: not within ten minutes.
+constexpr double kNever = 599.0;
+
+/// Seconds of breaths until the true saturation is within 3 % of its start's again; kNever or more: not in ten minutes.
 double recovery_s(Patient p, Breath breath, TubeTip tip, double per_min) {
-  const double begin = p.time_s;
-  while (p.signs.sao2 < 0.9 && p.time_s < begin + 600) p.ventilate(1, breath, tip, per_min);
+  const double begin = p.time_s, enough = start(p.infant.oxygen).arterial - 0.03;
+  while (p.signs.sao2 < enough && p.time_s < begin + 600) p.ventilate(1, breath, tip, per_min);
   return p.time_s - begin;
 }
 
 TEST(Infant, VentilationAtTheReferenceRateKeepsItAsItStarted) {
   for (std::uint64_t seed = 1; seed <= 50; ++seed) {
-    Patient p(preterm(seed), 0.1);
+    InfantDescription d = preterm(seed);
+    d.added_oxygen = 0.0;
+    Patient p(d, 0.1);
     const double sao2 = p.signs.sao2;
     p.ventilate(400, Breath::mask);
     EXPECT_NEAR(p.signs.sao2, sao2, 0.015) << seed;
@@ -57,8 +62,8 @@ TEST(Infant, AMinuteOfMaskVentilationBringsItBack) {
   std::vector<double> seconds;
   for (std::uint64_t seed = 1; seed <= 100; ++seed)
     seconds.push_back(recovery_s(desaturated(preterm(seed)), Breath::mask, TubeTip::none, 40));
-  EXPECT_GT(quantile(seconds, 0.5), 10.0);
-  EXPECT_LT(quantile(seconds, 0.5), 45.0);
+  EXPECT_GT(quantile(seconds, 0.5), 20.0);
+  EXPECT_LT(quantile(seconds, 0.5), 50.0);
   EXPECT_LT(quantile(seconds, 0.9), 75.0);
 }
 
@@ -71,8 +76,11 @@ TEST(Infant, BreathsAreCountedAndWhereTheyGoMatters) {
   // Half of each breath is like half of the breaths.
   const double one_lung = recovery_s(p, Breath::tube, TubeTip::main_bronchus, 60);
   EXPECT_NEAR(one_lung, recovery_s(p, Breath::tube, TubeTip::trachea, 30), 6.0);
-  EXPECT_EQ(recovery_s(p, Breath::tube, TubeTip::oesophagus, 40), 600.0);
-  EXPECT_EQ(recovery_s(p, Breath::tube, TubeTip::none, 40), 600.0);
+  InfantDescription pure = preterm(7);
+  pure.added_oxygen = 0.79;
+  EXPECT_LT(recovery_s(desaturated(pure), Breath::tube, TubeTip::trachea, 40), good);
+  EXPECT_GE(recovery_s(p, Breath::tube, TubeTip::oesophagus, 40), kNever);
+  EXPECT_GE(recovery_s(p, Breath::tube, TubeTip::none, 40), kNever);
 }
 
 TEST(Infant, ABreathSqueezedInBeforeTheLastIsOutIsNone) {
@@ -98,7 +106,7 @@ TEST(Infant, ThroughClosedCordsTheMaskBringsNothing) {
     shut.tick(in);
   }
   EXPECT_GT(open.signs.spo2, 0.9);
-  EXPECT_LT(shut.signs.spo2, 0.6);
+  EXPECT_LT(shut.signs.spo2, open.signs.spo2 - 0.15);
   EXPECT_NEAR(shut.signs.since_breath_s, 90.0, 0.2);
   EXPECT_LT(open.signs.since_breath_s, 1.6);
   EXPECT_EQ(shut.state.breaths_given, 60);
@@ -114,9 +122,9 @@ TEST(Infant, TheDisplayGoesOnFallingWhenVentilationBeginsAnew) {
       p.ventilate(1, Breath::mask);
       lowest = std::min(lowest, p.signs.spo2);
     }
-    falling += lowest < shown - 0.015;
+    falling += lowest < shown - 0.005;
   }
-  EXPECT_GE(falling, 45);
+  EXPECT_GE(falling, 45);  // where the lag is 5 s and the fall slow, whole percents hide it
 }
 
 TEST(Infant, ABreathingInfantKeepsItselfAndASedatedOneCannot) {
@@ -173,8 +181,11 @@ TEST(Infant, TheHeartRisesBeforeTheDisplay) {
     const double heart = p.signs.heart_per_min;
     double lowest = p.signs.spo2, heart_s = 0, display_s = 0;
     const double begin = p.time_s;
-    while ((heart_s == 0 || display_s == 0) && p.time_s < begin + 120) {
-      p.ventilate(1, Breath::tube, TubeTip::trachea);
+    InfantInput in;
+    in.tip = TubeTip::trachea;
+    for (int k = 0; (heart_s == 0 || display_s == 0) && k < 1200; ++k) {
+      in.breath = k % 15 == 0 ? Breath::tube : Breath::none;
+      p.tick(in);
       lowest = std::min(lowest, p.signs.spo2);
       if (heart_s == 0 && p.signs.heart_per_min > heart + 10) heart_s = p.time_s - begin;
       if (display_s == 0 && p.signs.spo2 > lowest + 0.025) display_s = p.time_s - begin;
@@ -316,6 +327,9 @@ TEST(Infant, ContradictionsAreRefused) {
   d = preterm();
   d.gestation_weeks = 36;
   refused(d, "up to 32 weeks");
+  d = preterm();
+  d.added_oxygen = 0.9;
+  refused(d, "oxygen");
   d = preterm();
   d.premedicated = false;
   refused(d, "premedicated");

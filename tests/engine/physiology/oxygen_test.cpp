@@ -27,7 +27,8 @@ TEST(Oxygen, TheCurvePassesThroughTheTextbooksPoints) {
 TEST(Oxygen, TheCurveIsUndoneByThePublishedInverse) {
   for (double p = 15.0; p <= 100.0; p += 1.0) {
     const double s = saturation(p, kAdultP50);
-    const double back = std::exp(0.385 * std::log(1.0 / (1.0 / s - 1.0)) + 3.32 - 1.0 / (72.0 * s) - 0.17 * std::pow(s, 6));
+    const double back =
+        std::exp(0.385 * std::log(1.0 / (1.0 / s - 1.0)) + 3.32 - 1.0 / (72.0 * s) - 0.17 * std::pow(s, 6));
     EXPECT_NEAR(back, p, 0.03 * p) << p;
   }
 }

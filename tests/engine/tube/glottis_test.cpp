@@ -74,8 +74,8 @@ TEST(Glottis, ATouchClosesItForATimeAndATubeLeftThereDoesNotHoldItClosed) {
   Cords c;
   EXPECT_LT(c.until_closed(true, true), 0.1);
   const double closed = c.until_closed(false, true);  // still touched
-  EXPECT_GT(closed, 0.3);
-  EXPECT_LT(closed, 3.0);
+  EXPECT_GT(closed, 0.5);
+  EXPECT_LT(closed, 1.5);
   for (int k = 0; k < 10000; ++k) c.tick(true);
   EXPECT_NEAR(c.state.opening, 0.55, 1e-9);
   c.tick(false);
