@@ -21,7 +21,7 @@ struct Body {
   double haemoglobin_g_dl, shunt;
   double resting_per_min;
 };
-constexpr Body kPreterm = {7.45, 0.20, 17.0, 0.05, 220.0, 94.0, 0.21, 12.0, 0.076, 155.0};
+constexpr Body kPreterm = {7.4, 0.19, 17.0, 0.05, 220.0, 94.0, 0.21, 12.0, 0.076, 155.0};
 constexpr Body kTerm = {6.5, 0.15, 27.0, 0.10, 240.0, 85.0, 0.25, 17.0, 0.05, 140.0};
 constexpr double kPretermWeeks = 32.0, kTermWeeks = 37.0;  // between them a mixture
 
@@ -31,7 +31,7 @@ struct Start {
   double well_mmhg, spread, badly_share, badly_part;
 };
 constexpr Start kStarts[] = {
-    {174.0, 0.51, 0.53, 0.38},  // premedicated_preterm: calibrated
+    {174.0, 0.52, 0.53, 0.38},  // premedicated_preterm: calibrated
     {105.0, 0.10, 0.35, 0.75},  // term: assumed
     {450.0, 0.20, 0.35, 0.75},  // preoxygenated: assumed
     {105.0, 0.10, 0.35, 0.75},  // delivery_room: assumed
@@ -58,6 +58,7 @@ constexpr double kBlocked = 0.05, kWideEnough = 0.25;  // opening of the cords: 
 constexpr double kShortestBreath = 0.4;                // s: a breath given sooner meets a chest that has not emptied
 constexpr double kRateForgotten = 10.0;                // s without a breath: there is no rate
 constexpr double kRateSmoothing = 0.3;
+constexpr double kMostLoad = 100.0;  // N: more slows the heart no further
 constexpr double kMostStep = 0.1;  // s
 
 double mix(double preterm, double term, double share) { return preterm + share * (term - preterm); }
@@ -234,8 +235,8 @@ InfantState start(const Infant& infant) noexcept {
 InfantSigns step(const Infant& infant, InfantState& s, const InfantInput& input, double dt_s) noexcept {
   InfantSigns signs;
   const double dt = std::clamp(number_or(dt_s, 0.0, signs.faults), 0.0, kMostStep);
-  const double load = std::max(0.0, number_or(input.blade_load_n, 0.0, signs.faults)) +
-                      std::max(0.0, number_or(input.tube_load_n, 0.0, signs.faults));
+  const double load = std::clamp(number_or(input.blade_load_n, 0.0, signs.faults), 0.0, kMostLoad) +
+                      std::clamp(number_or(input.tube_load_n, 0.0, signs.faults), 0.0, kMostLoad);
   const double opening = number_or(input.glottis_opening, 1.0, signs.faults);
 
   s.since_given_s += dt;

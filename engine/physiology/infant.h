@@ -24,7 +24,7 @@ struct InfantDescription {
   double gestation_weeks = 28.0;
   bool premedicated = true;   ///< with atropine and a muscle relaxant: no breath of its own, reflexes on the heart weak
   double added_oxygen = 0.1;  ///< to the gas it had before, as a fraction, in breaths given (assumed); 0..0.79
-  std::uint64_t seed = 1;     ///< one infant of the population; of course and lag 0 is the middle one
+  std::uint64_t seed = 1;     ///< one infant of the population; 0: its median saturation and lag
 };
 
 /// What is fixed in a trial.
