@@ -48,8 +48,8 @@ constexpr double kAtropineLeaves = 0.1;                   // of the reflexes: Ko
 constexpr double kRestingSpread = 0.06;
 constexpr double kDetectorHeart = 60.0;  // 1/min (assumed)
 // At birth: saturation 60 to 65 %, heart 96/min (65 to 127) at one minute, 163 at five (Dawson 2010). The shunt closes
-// so that 40 breaths a minute bring the medians of Dawson 2010 (Pediatrics 125:e1340): 73, 89, 96 % at 2, 5, 10
-// minutes.
+// so that 40 breaths a minute bring about the medians of Dawson 2010 (Pediatrics 125:e1340): 73, 89, 96 % at 2, 5 and
+// 10 minutes.
 constexpr double kBirthLow = 0.60, kBirthHigh = 0.65, kBirthHeart = 96.0, kBirthHeartSpread = 0.4, kBirthSlowest = 45.0;
 constexpr double kShuntClosing = 0.0101;
 constexpr double kNewbornHeart = 165.0;

@@ -26,6 +26,13 @@ inline InfantDescription term(std::uint64_t seed = 1, Course course = Course::te
   return d;
 }
 
+/// A blade that presses on the larynx.
+inline InfantInput load(double newton) {
+  InfantInput input;
+  input.blade_load_n = newton;
+  return input;
+}
+
 /// A patient with its clock, stepped by 1 ms or as told.
 struct Patient {
   Infant infant;
