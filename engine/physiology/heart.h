@@ -1,0 +1,33 @@
+// The heart rate: slowed early by the vagus when larynx or epiglottis are pressed, late by lack of oxygen, freed by the
+// first breaths. Time constants and gains are assumed; what they must show is in tests/engine/physiology.
+#pragma once
+
+namespace vallecula::engine {
+
+/// Fixed for an infant.
+struct Heart {
+  double resting_per_min = 0.0;
+  double first_per_min = 0.0;  ///< at the start: at birth the heart is slow until the lungs are aerated
+  double half_load_n = 0.0;    ///< load on the larynx that draws half of the vagal reflex
+  double reflex = 1.0;         ///< what atropine leaves of the reflexes, 0..1
+};
+
+struct HeartState {
+  double per_min = 0.0;
+  double awakening = 0.0;  ///< 0 as at birth, 1 as at rest: grows by breaths
+  double tissue = 0.0;     ///< saturation as heart and chemoreceptors have it
+  double inflation = 0.0;  ///< 0..1: how much the last breaths hold the vagus back
+};
+
+HeartState start(const Heart& h, double arterial) noexcept;
+
+/// A breath that reached `share` (0..1) of the lungs.
+void breathe(HeartState& s, double share) noexcept;
+
+/// dt_s (s) with this arterial saturation and this load on larynx and epiglottis.
+void beat(const Heart& h, HeartState& s, double arterial, double load_n, double dt_s) noexcept;
+
+/// Blood flow as a share of the flow at rest: an infant's stroke volume hardly changes.
+double flow(const Heart& h, const HeartState& s) noexcept;
+
+}  // namespace vallecula::engine
