@@ -55,10 +55,9 @@ StateWords words_for(engine::HapticState state, bool device_invalid) {
               "your hand."};
     case engine::HapticState::lost:
       return {device_invalid ? "paused" : "lost",
-              device_invalid
-                          ? "The device stopped answering. No force is shown until it is back."
-                          : "The device stayed over its limit too long and let go. Bring the grey blade back to the "
-                            "steel one to take hold again."};
+              device_invalid ? "The device stopped answering. No force is shown until it is back."
+                             : "The device stayed over its limit too long and let go. Bring the grey blade back to the "
+                               "steel one to take hold again."};
     case engine::HapticState::recovering:
       return {"taking hold again", "Taking hold again: the force returns gently."};
   }
