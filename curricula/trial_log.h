@@ -79,8 +79,8 @@ struct LogFooter {
   std::int64_t deadline_misses = 0;
   std::int64_t overruns = 0;           ///< ticks whose simulation step was not finished in time
   std::string real_time_setup;         ///< what priority the threads were granted, in words; empty in older logs
-  std::vector<std::string> pause_faults;  ///< the device's fault of each pause in order, "" where it is not known; none in
-                                          ///< older logs
+  std::vector<std::string> pause_faults;  ///< the device's fault of each pause in order, "" where it is not known; none
+                                          ///< in older logs
 };
 
 struct TrialLog {

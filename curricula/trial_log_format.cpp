@@ -277,8 +277,9 @@ LogFooter footer_from_json(const std::string& json, std::int64_t& ticks) {
   footer.loop_rate_hz = get_number(o, "loop_rate_hz");
   footer.deadline_misses = get_integer(o, "deadline_misses");
   footer.overruns = get_integer(o, "overruns");
-  if (o.contains("real_time_setup")) footer.real_time_setup = get_text(o, "real_time_setup");  // older logs lack it
-  for (const QJsonValue& fault : o.value("pause_faults").toArray())  // likewise
+  // Older logs lack these two.
+  if (o.contains("real_time_setup")) footer.real_time_setup = get_text(o, "real_time_setup");
+  for (const QJsonValue& fault : o.value("pause_faults").toArray())
     footer.pause_faults.push_back(fault.toString().toStdString());
   ticks = get_integer(o, "ticks");
   return footer;

@@ -57,7 +57,7 @@ struct Score {
   double time_of_glottis_max_s = -1.0;               ///< trial time of glottis_visible_max_percent; -1: never seen
   bool attempt_begun = false;                        ///< the blade tip was in the mouth at least once
   bool blade_out = false;                            ///< and was out again in the last tick that was not paused
-  int mouth_entries = 0;                             ///< times the tip came in after a second or more outside, less pauses
+  int mouth_entries = 0;  ///< times the tip came in after a second or more outside, less pauses
   bool complete = false;                             ///< the log has its end; otherwise the trial was interrupted
   std::vector<Criterion> criteria;                   ///< the whole rubric, met or not
 };

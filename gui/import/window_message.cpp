@@ -3,6 +3,7 @@
 #include <QRegularExpression>
 #include <QStringList>
 
+#include "gui/views/capitalised.h"
 #include "pipeline/package/label_map.h"
 
 namespace vallecula::gui {
@@ -38,7 +39,7 @@ QString window_message(const QString& message) {
 QString window_sentence(const QString& message) {
   QString text = window_message(message);
   if (text.startsWith("series: ")) text = text.mid(8);
-  return text.left(1).toUpper() + text.mid(1);
+  return capitalised(text);
 }
 
 }  // namespace vallecula::gui

@@ -4,13 +4,16 @@
 #include <QDialogButtonBox>
 #include <QDoubleSpinBox>
 #include <QFormLayout>
+#include <QHBoxLayout>
 #include <QLabel>
+#include <QPushButton>
 #include <QSpinBox>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
 
 #include "gui/session/user_settings.h"
+#include "gui/views/capitalised.h"
 
 namespace vallecula::gui {
 namespace {
@@ -23,15 +26,28 @@ QDoubleSpinBox* number(QWidget* parent, const char* name, double low, double hig
   box->setRange(low, high);
   box->setSingleStep(step);
   box->setDecimals(2);
+  box->setSuffix(QString::fromUtf8(" \xc3\x97"));
   box->setValue(value);
   return box;
+}
+
+/// A row whose meaning can be read beside it.
+void add_row(QFormLayout& form, const QString& name, QWidget* field, const QString& meaning) {
+  field->setMinimumWidth(150);
+  auto* about = new QLabel(meaning, field->parentWidget());
+  about->setObjectName("faint");
+  auto* row = new QHBoxLayout;
+  row->setSpacing(10);
+  row->addWidget(field);
+  row->addWidget(about, 1);
+  form.addRow(name, row);
 }
 
 }  // namespace
 
 DeviceDialog::DeviceDialog(const device::DeviceInfo& info, QWidget* parent) : QDialog(parent) {
   setWindowTitle("Device settings");
-  auto* title = new QLabel(QString::fromStdString(info.model), this);
+  auto* title = new QLabel(capitalised(QString::fromStdString(info.model)), this);
   title->setObjectName("heading");
   auto* form = new QFormLayout;
   form->setVerticalSpacing(10);
@@ -40,6 +56,7 @@ DeviceDialog::DeviceDialog(const device::DeviceInfo& info, QWidget* parent) : QD
   else
     set_device(*form, info);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
+  for (QAbstractButton* button : buttons->buttons()) button->setIcon(QIcon());
   connect(buttons, &QDialogButtonBox::accepted, this, [this] {
     keep_();
     accept();
@@ -48,14 +65,15 @@ DeviceDialog::DeviceDialog(const device::DeviceInfo& info, QWidget* parent) : QD
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(20, 16, 20, 16);
   column->addWidget(title);
+  column->addSpacing(8);
   column->addLayout(form);
+  column->addSpacing(12);
   column->addWidget(buttons);
 }
 
 void DeviceDialog::set_mouse(QFormLayout& form) {
   auto* gain = number(this, "gain", kLeastMouseGain, kMostMouseGain, 0.25, mouse_gain());
-  gain->setToolTip("How far the blade goes for the way the mouse goes on the picture; + and - change it in a trial");
-  form.addRow("Gain", gain);
+  add_row(form, "Blade's way", gain, "the mouse's way on the picture; + and - change it in a trial");
   keep_ = [gain] { keep_mouse_gain(gain->value()); };
 }
 
@@ -63,33 +81,29 @@ void DeviceDialog::set_device(QFormLayout& form, const device::DeviceInfo& info)
   const DeviceSettings kept = device_settings(info);
   auto* scale =
       number(this, "motion_scale", device::kLeastMotionScale, device::kMostMotionScale, 0.1, kept.map.motion_scale);
-  scale->setToolTip("How far the blade goes for the way your hand goes");
   auto* turned = number(this, "turned", -180.0, 180.0, 5.0, kept.map.turned_rad / kDegree);
   turned->setSuffix(QString::fromUtf8(" \xc2\xb0"));
-  turned->setToolTip("How far the device stands turned against you, anticlockwise seen from above");
-  auto* left = new QCheckBox("The device stands and is held on the other side", this);
+  turned->setDecimals(0);
+  auto* left = new QCheckBox("stands on the other side", this);
   left->setObjectName("left_handed");
   left->setChecked(kept.map.left_handed);
-  left->setToolTip("Turned the other way, first and second button exchanged; right stays right");
   auto* clutch = new QSpinBox(this);
   clutch->setObjectName("clutch_button");
   clutch->setRange(0, 16);
   clutch->setSpecialValueText("none");
   clutch->setValue(button_of(kept.clutch_button));
-  clutch->setToolTip("Held, it frees your hand: the blade stays where it is");
-  form.addRow("Motion", scale);
-  form.addRow("Turned", turned);
-  form.addRow("Left-handed", left);
-  form.addRow("Clutch button", clutch);
+  add_row(form, "Blade's way", scale, "your hand's way");
+  add_row(form, "Device turned", turned, "against you, anticlockwise seen from above");
+  add_row(form, "Left-handed", left, "turned the other way, first and second button exchanged");
+  add_row(form, "Clutch button", clutch, "held, it frees your hand: the blade stays where it is");
   QDoubleSpinBox* force = nullptr;
   if (info.peak_force_n > 0.0) {
     force = number(this, "force_scale", 0.0, 1.0, kLeastForceScale, kept.force_scale);
-    force->setSpecialValueText("as the device can");
+    force->setSpecialValueText("automatic");
     connect(force, &QDoubleSpinBox::editingFinished, force, [force] {  // shown as it will be kept
       if (force->value() > 0.0) force->setValue(std::max(force->value(), kLeastForceScale));
     });
-    force->setToolTip("Force you feel over the force in the patient; it is kept in each trial's log");
-    form.addRow("Force", force);
+    add_row(form, "Force felt", force, "the force in the patient; automatic: scaled to what the device can show");
   }
   keep_ = [=] {
     DeviceSettings chosen = kept;

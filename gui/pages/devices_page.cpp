@@ -9,6 +9,7 @@
 
 #include "gui/pages/background.h"
 #include "gui/session/device_rows.h"
+#include "gui/views/capitalised.h"
 #include "gui/views/theme.h"
 
 namespace vallecula::gui {
@@ -25,8 +26,7 @@ bool same_device(const device::FoundDevice& a, const device::FoundDevice& b) {
 }  // namespace
 
 QString device_label(const device::FoundDevice& device) {
-  const QString label = QString::fromStdString(device_row(device).model);
-  return label.left(1).toUpper() + label.mid(1);
+  return capitalised(QString::fromStdString(device_row(device).model));
 }
 
 DevicesPage::DevicesPage(QWidget* parent, Finder find) : QWidget(parent), find_(std::move(find)) {
@@ -37,7 +37,7 @@ DevicesPage::DevicesPage(QWidget* parent, Finder find) : QWidget(parent), find_(
   table_ = new QTableWidget(0, static_cast<int>(kDeviceColumns.size()) + 1, this);
   table_->setAccessibleName("Devices");
   QStringList headings;
-  for (const char* column : kDeviceColumns) headings << QString(column).left(1).toUpper() + QString(column).mid(1);
+  for (const char* column : kDeviceColumns) headings << capitalised(column);
   headings << "Needs";
   table_->setHorizontalHeaderLabels(headings);
   table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
@@ -46,7 +46,8 @@ DevicesPage::DevicesPage(QWidget* parent, Finder find) : QWidget(parent), find_(
   table_->verticalHeader()->hide();
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   table_->horizontalHeader()->setStretchLastSection(true);
-  about_ = new QLabel(this);
+  table_->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);  // what is needed is read whole
+  about_ = new QLabel("Looking for devices ...", this);
   about_->setWordWrap(true);
   about_->setMinimumHeight(3 * about_->fontMetrics().lineSpacing());
   about_->setAlignment(Qt::AlignTop | Qt::AlignLeft);

@@ -20,13 +20,16 @@ MouseIntroduction::MouseIntroduction(QWidget* parent) : QFrame(parent) {
   auto* title = new QLabel("Your mouse holds the laryngoscope", this);
   title->setObjectName("heading");
   auto* text = new QLabel(
-      "<table cellspacing='5'>"
+      "<table cellspacing='4'>"
       "<tr><td><b>Drag</b></td><td>moves the blade in the picture</td></tr>"
       "<tr><td><b>Wheel</b></td><td>deeper into the mouth, and back</td></tr>"
-      "<tr><td><b>Ctrl-drag</b></td><td>turns it about its tip; so do the right button and W A S D, Q E roll</td></tr>"
+      "<tr><td><b>Ctrl-drag</b></td><td>turns it about its tip; so do a drag with the right button and W A S D (Q E: "
+      "roll)</td></tr>"
       "<tr><td><b>Space</b></td><td>held: lifts along the handle; Backspace lowers</td></tr>"
-      "<tr><td><b>Shift</b></td><td>makes all of it finer; + and - set the gain</td></tr>"
-      "<tr><td><b>Arrows, PgUp, PgDn</b></td><td>move it without a mouse</td></tr></table>"
+      "<tr><td><b>Shift</b></td><td>held: all of it finer</td></tr>"
+      "<tr><td><b>+ and -</b></td><td>the blade goes farther, or less far, for the same way of the mouse</td></tr>"
+      "<tr><td><b>Arrows, PgUp, PgDn &nbsp;</b></td><td>move it without a mouse</td></tr>"
+      "<tr><td><b>Enter, Esc</b></td><td>start the trial, end it</td></tr></table>"
       "<p>A mouse cannot push back: the bars on the right show the force your blade puts on tongue and gum.<br>"
       "Lift, do not lever. The grey blade is your hand, where the blade could not follow it.</p>",
       this);

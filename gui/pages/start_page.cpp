@@ -16,6 +16,7 @@
 #include "gui/pages/devices_page.h"
 #include "gui/session/device_choice.h"
 #include "gui/session/device_rows.h"
+#include "gui/views/capitalised.h"
 
 namespace vallecula::gui {
 namespace {
@@ -44,8 +45,7 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
   device_ = new QComboBox(this);
   for (const device::DeviceKind& kind : device::device_kinds()) {
     if (!kind.argument.empty() || kind.hardware) continue;  // asks for more than a choice; offered when it is found
-    const QString about = QString::fromStdString(kind.description);
-    device_->addItem(about.left(1).toUpper() + about.mid(1), QString::fromStdString(kind.kind));
+    device_->addItem(capitalised(QString::fromStdString(kind.description)), QString::fromStdString(kind.kind));
   }
   device_->addItem("Watch a scripted expert", "scripted:expert");
   device_->addItem("Watch a scripted novice", "scripted:novice");

@@ -58,7 +58,7 @@ TrialPage::TrialPage(QWidget* parent) : QWidget(parent) {
   title_->setObjectName("heading");
   banner_ = new QLabel(this);
   banner_->setWordWrap(true);
-  banner_->setMinimumHeight(40);
+  banner_->setMinimumHeight(2 * banner_->fontMetrics().lineSpacing() + 16);  // two lines and their padding
   banner_->setAlignment(Qt::AlignVCenter | Qt::AlignLeft);
   auto* main = new QVBoxLayout;
   main->setSpacing(6);

@@ -70,8 +70,8 @@ std::string pause_words(device::GuardState state, device::DeviceFault fault, boo
     return "The recorded hand was paused here; it goes on by itself.";
   if (state == device::GuardState::paused) return device::describe(fault);
   if (state == device::GuardState::confirming)
-    return "The device is back. To go on press one of its buttons or (in the window) Enter, or hold the grey blade on "
-           "the steel one for half a second.";
+    return "The device is back. To go on press Enter or a button of the device, or hold the grey blade on the steel "
+           "one for half a second.";
   return "";
 }
 

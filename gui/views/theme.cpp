@@ -48,7 +48,8 @@ void apply(QApplication& application) {
     QLineEdit:focus { border: 1px solid #56b4e9; }
     QAbstractSpinBox QLineEdit { border: none; padding: 1px; }
     QTableView, QTreeView { background: #1f242b; border: 1px solid #3a424d; border-radius: 5px; gridline-color: #2b323b; }
-    QTableView::item, QTreeView::item { padding: 3px; }
+    QTableView::item { padding: 3px 6px; border: 0; }
+    QTreeView::item { padding: 3px; }
     QTableView::item:selected, QTreeView::item:selected { background: #2f5f8c; color: white; }
     QHeaderView::section { background: #262c34; border: none; border-right: 1px solid #3a424d; padding: 4px 6px; }
     QTabWidget::pane { border: none; }

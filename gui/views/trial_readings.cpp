@@ -54,10 +54,10 @@ StateWords words_for(engine::HapticState state, bool device_invalid) {
               "blade shows "
               "your hand."};
     case engine::HapticState::lost:
-      return {"lost", device_invalid
-                          ? "The device stopped answering. No force is shown until it is back."
-                          : "The device stayed over its limit too long and let go. Bring the grey blade back to the "
-                            "steel one to take hold again."};
+      return {device_invalid ? "paused" : "lost",
+              device_invalid ? "The device stopped answering. No force is shown until it is back."
+                             : "The device stayed over its limit too long and let go. Bring the grey blade back to the "
+                               "steel one to take hold again."};
     case engine::HapticState::recovering:
       return {"taking hold again", "Taking hold again: the force returns gently."};
   }
@@ -131,6 +131,7 @@ void TrialReadings::set_scenario(const curricula::Scenario& scenario, const std:
 void TrialReadings::clear() {
   best_percent_ = 0.0;
   attempt_start_s_ = mouth_ ? -1.0 : 0.0;
+  attempt_s_ = 0.0;
   clock_->setText("0.0 s");
   clock_->setStyleSheet(QString());
   seen_->setText("0 %");
@@ -146,20 +147,22 @@ void TrialReadings::show_snapshot(const engine::Snapshot& snapshot, double pause
   const engine::Vec3& tip = snapshot.proxy_pose.position;
   const double now_s = snapshot.time_s - paused_s;
   if (attempt_start_s_ < 0.0 && mouth_->holds({tip.x(), tip.y(), tip.z()})) attempt_start_s_ = now_s;
-  const double attempt_s = attempt_start_s_ < 0.0 ? 0.0 : now_s - attempt_start_s_;
-  clock_->setText(QString("%1 s").arg(attempt_s, 0, 'f', 1));
-  clock_->setStyleSheet(attempt_s > attempt_limit_s_ ? QString("color: %1").arg(theme::kOver.name()) : QString());
+  // The pause is told a little newer than the snapshot: at its beginning that must not turn the clock back.
+  if (attempt_start_s_ >= 0.0) attempt_s_ = std::max(attempt_s_, now_s - attempt_start_s_);
+  clock_->setText(QString("%1 s").arg(attempt_s_, 0, 'f', 1));
+  clock_->setStyleSheet(attempt_s_ > attempt_limit_s_ ? QString("color: %1").arg(theme::kOver.name()) : QString());
   seen_->setText(QString("%1 %").arg(percent, 0, 'f', 0));
   sight_->show_percent(percent, best_percent_, sight_percent_);
   const bool invalid = (snapshot.faults & engine::kFaultDeviceInvalid) != 0;
   state_->setText(words_for(snapshot.state, invalid).name);
   state_->setStyleSheet(
       snapshot.state == engine::HapticState::tracking ? QString() : QString("color: %1").arg(theme::kDevice.name()));
-  loop_->setText(QString("%1 Hz, %2 late of %3")
-                     .arg(snapshot.loop_rate_hz, 0, 'f', 0)
+  loop_->setText(QString("%1, %2 late of %3")
+                     .arg(snapshot.loop_rate_hz > 0.0 ? QString("%1 Hz").arg(snapshot.loop_rate_hz, 0, 'f', 0)
+                                                      : QString("measuring"))
                      .arg(snapshot.deadline_misses)
                      .arg(snapshot.ticks));
-  steps_->setText(QString("%1 steps dropped of %2").arg(snapshot.overruns).arg(snapshot.ticks));
+  steps_->setText(QString("%1 of %2 steps dropped").arg(snapshot.overruns).arg(snapshot.ticks));
 }
 
 }  // namespace vallecula::gui

@@ -37,7 +37,7 @@ class TrialReadings : public QWidget {
 
  private:
   std::optional<curricula::Mouth> mouth_;
-  double attempt_start_s_ = -1.0;
+  double attempt_start_s_ = -1.0, attempt_s_ = 0.0;
   QLabel *clock_, *limit_, *seen_, *state_, *loop_, *steps_;
   class SightBar* sight_;
   double sight_percent_ = 25.0, best_percent_ = 0.0, attempt_limit_s_ = 30.0;

@@ -118,7 +118,9 @@ std::vector<LogTick> write_log(const fs::path& path, int ticks, const LogFooter&
   return written;
 }
 
-LogFooter sample_footer() { return {true, "finished", 999.87654321, 3, 4, "servo: ordinary priority", {"unplugged", ""}}; }
+LogFooter sample_footer() {
+  return {true, "finished", 999.87654321, 3, 4, "servo: ordinary priority", {"unplugged", ""}};
+}
 
 TEST_F(TrialLogFile, AToolOfItsOwnIsNamedByItsHashAndOldLogsHaveNone) {
   LogHeader header = sample_header();

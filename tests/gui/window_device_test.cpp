@@ -89,6 +89,7 @@ TEST_F(WindowDeviceRealTime, TheMouseIsExplainedUntilItIsKnown) {
 TEST_F(WindowDeviceRealTime, DeviceSettingsAreShownAndKept) {
   device::DeviceInfo mouse;
   mouse.kind = "mouse";
+  mouse.model = "mouse and keyboard";
   {
     DeviceDialog dialog(mouse);
     keep_picture(dialog, "settings-mouse.png");
@@ -98,6 +99,7 @@ TEST_F(WindowDeviceRealTime, DeviceSettingsAreShownAndKept) {
   EXPECT_EQ(mouse_gain(), 2.0);
   device::DeviceInfo pen;
   pen.kind = "pen";
+  pen.model = "Pen 2000";
   pen.serial = "7";
   pen.own_axes = true;
   pen.peak_force_n = 3.3;

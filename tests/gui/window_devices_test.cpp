@@ -238,7 +238,7 @@ TEST_F(WindowDevices, SettingsAreOfTheLastListAndOfTheMouseBeforeAny) {
     QApplication::processEvents();
     return heading.toStdString();
   };
-  EXPECT_EQ(heading_of_dialog(), "mouse and keyboard");
+  EXPECT_EQ(heading_of_dialog(), "Mouse and keyboard");
   page.choose_device("pen:7", "Pen (used last)");
   EXPECT_EQ(heading_of_dialog(), "");
   EXPECT_NE(told(page).find("was not found"), std::string::npos) << told(page);

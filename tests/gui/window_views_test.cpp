@@ -1,5 +1,6 @@
 // What the views show, judged on the pictures themselves.
 #include <QLabel>
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <thread>
@@ -229,7 +230,30 @@ TEST_F(Views, WhatTheLoopCouldNotDoIsInSight) {
   QStringList shown;
   for (const QLabel* label : readings.findChildren<QLabel*>()) shown << label->text();
   EXPECT_TRUE(shown.contains("1000 Hz, 11 late of 9000")) << shown.join(" | ").toStdString();
-  EXPECT_TRUE(shown.contains("250 steps dropped of 9000")) << shown.join(" | ").toStdString();
+  EXPECT_TRUE(shown.contains("250 of 9000 steps dropped")) << shown.join(" | ").toStdString();
+}
+
+TEST_F(Views, TheAttemptsClockStandsInAPauseAndNeverGoesBack) {
+  TrialReadings readings;
+  readings.set_scenario({}, std::nullopt);
+  const auto shows = [&](const QString& text) {
+    const auto labels = readings.findChildren<QLabel*>();
+    return std::any_of(labels.begin(), labels.end(), [&](const QLabel* label) { return label->text() == text; });
+  };
+  engine::Snapshot snapshot;
+  snapshot.time_s = 2.0;
+  readings.show_snapshot(snapshot, 0.0);
+  EXPECT_TRUE(shows("2.0 s"));
+  readings.show_snapshot(snapshot, 0.2);  // the pause is told before the snapshot that has it
+  EXPECT_TRUE(shows("2.0 s"));
+  snapshot.time_s = 5.0;
+  readings.show_snapshot(snapshot, 3.0);
+  EXPECT_TRUE(shows("2.0 s"));
+  snapshot.time_s = 6.0;
+  readings.show_snapshot(snapshot, 3.0);
+  EXPECT_TRUE(shows("3.0 s"));
+  readings.clear();
+  EXPECT_TRUE(shows("0.0 s"));
 }
 
 TEST(StateWords, ALimitIsTheDevicesAndNeverTissueGivingWay) {

@@ -190,8 +190,6 @@ TEST(Score, EveryHapticStateButTrackingCounts) {
   }
 }
 
-// A device that is away takes nothing from the trainee and gives nothing: a good attempt with a pause of 3 s in its middle
-// is scored as the same attempt without.
 /// The same with a pause of 3 s before tick `at`, in which nothing is the hand's doing.
 TrialLog paused_at(std::int64_t at, const TrialLog& whole) {
   TrialLog broken = whole;
@@ -221,6 +219,8 @@ TrialLog paused_at(std::int64_t at, const TrialLog& whole) {
   return broken;
 }
 
+// A device that is away takes nothing from the trainee and gives nothing: a good attempt with a pause of 3 s in its
+// middle is scored as the same attempt without.
 TEST(Score, APauseCountsForNothing) {
   const TrialLog whole = log_of(14, good);
   const Score a = score_trial(whole, scenario()), b = score_trial(paused_at(5000, whole), scenario());
@@ -244,8 +244,9 @@ TEST(Score, PausesAreToldWithTheirFaults) {
   log.footer.pause_faults = {"unplugged"};  // the second is not known
   const Score score = score_trial(log, scenario());
   ASSERT_EQ(score.pauses.size(), 2u);
-  const QJsonArray told =
-      QJsonDocument::fromJson(QByteArray::fromStdString(score_to_json(score, log, scenario()))).object()["pauses"].toArray();
+  const QJsonArray told = QJsonDocument::fromJson(QByteArray::fromStdString(score_to_json(score, log, scenario())))
+                              .object()["pauses"]
+                              .toArray();
   ASSERT_EQ(told.size(), 2);
   EXPECT_NEAR(told[0].toObject()["at_s"].toDouble(), 5.0, 1e-9);
   EXPECT_NEAR(told[0].toObject()["for_s"].toDouble(), 3.0, 1e-9);
