@@ -3,7 +3,7 @@
 #include <pthread.h>
 #include <sys/prctl.h>
 
-#include <limits>
+#include <algorithm>
 
 #include "device/trajectory.h"
 
@@ -16,6 +16,8 @@ constexpr auto kPeriod = 1ms;
 constexpr int kExchangeMs = 10;
 /// Without a new force for so long the servo is not there: no force.
 constexpr auto kWishHolds = 50ms;
+/// So many turns it takes until force is whole again after it was withheld: a turn is a millisecond, on a busy bus longer.
+constexpr int kRampTurns = 100;
 /// Without a report for so long the fault is told; after the second time the Falcon is opened anew.
 constexpr auto kSilent = 50ms, kGiveUp = 1000ms;
 constexpr auto kLookAgain = 500ms;
@@ -34,13 +36,6 @@ DeviceInfo falcon_info(const std::string& serial) {
   info.actuated_dof = 3;
   info.own_axes = true;
   return info;
-}
-
-/// Shortened to `most`, a hair less so that rounding cannot leave it above; zero unless finite.
-Vector bounded(const Vector& force, double most) noexcept {
-  const double size = length(force);
-  if (!std::isfinite(size)) return {0, 0, 0};
-  return size > most ? scale(force, most / size * (1.0 - 4.0 * std::numeric_limits<double>::epsilon())) : force;
 }
 
 }  // namespace
@@ -106,8 +101,8 @@ DeviceReading FalconDevice::read(double) noexcept {
 }
 
 void FalconDevice::write(const std::array<double, 3>& force_n) noexcept {
-  not_finite_.store(!finite(force_n), std::memory_order_relaxed);
-  wished_.force_n = bounded(force_n, falcon::kPeakForce);
+  not_finite_.store(!std::isfinite(length(force_n)), std::memory_order_relaxed);
+  wished_.force_n = force_n;
   ++wished_.count;
   wish_.publish(wished_);
 }
@@ -118,6 +113,7 @@ DeviceFault FalconDevice::fault() const noexcept {
   const Clock::time_point beat{Clock::duration(beat_.load(std::memory_order_relaxed))};
   if (Clock::now() - beat > kLate) return DeviceFault::servo_late;
   if (!homed_.load(std::memory_order_relaxed)) return DeviceFault::not_calibrated;
+  if (overdue_.load(std::memory_order_relaxed)) return DeviceFault::servo_late;
   return not_finite_.load(std::memory_order_relaxed) ? DeviceFault::non_finite_command : DeviceFault::none;
 }
 
@@ -147,15 +143,25 @@ Vector FalconDevice::force_now(Clock::time_point now) noexcept {
     wish_count_ = wish.count;
     wish_at_ = now;
   }
-  const bool shown = clean_ && homed_.load(std::memory_order_relaxed) && wish_count_ > 0 && now - wish_at_ < kWishHolds;
-  return shown ? bounded(wish.force_n, falcon::kPeakForce) : Vector{0, 0, 0};
+  const bool overdue = now - wish_at_ >= kWishHolds && wish.force_n != Vector{0, 0, 0};
+  overdue_.store(overdue, std::memory_order_relaxed);
+  if (!clean_ || !homed_.load(std::memory_order_relaxed) || overdue || !std::isfinite(length(wish.force_n))) {
+    turns_shown_ = 0;
+    return {0, 0, 0};
+  }
+  turns_shown_ = std::min(turns_shown_ + 1, kRampTurns);
+  return scale(shortened_or_zero(wish.force_n, falcon::kPeakForce), turns_shown_ / static_cast<double>(kRampTurns));
 }
 
 void FalconDevice::tick() noexcept {
   falcon::Command command;
   command.lights = homed_.load(std::memory_order_relaxed) ? falcon::kGreenLight : falcon::kRedLight;
   const auto torques = falcon::leg_torques(position_, force_now(Clock::now()));
-  if (torques) command.motors = falcon::motor_commands(*torques);
+  if (torques) {
+    command.motors = falcon::motor_commands(*torques);
+  } else {
+    turns_shown_ = 0;
+  }
 
   const falcon::Transfer result = falcon::exchange(usb_, reader_, command, kExchangeMs);
   const auto now = Clock::now();

@@ -18,7 +18,9 @@ std::vector<FoundDevice> find_falcon();
 
 /// Reads a position and gives a force; its grip does not turn, so the rotation is always the identity. Until a person
 /// has moved the grip to its ends once (its light is red: pull it all the way out, push it all the way in), it does not
-/// know where it stands, reads as not valid and gives no force. Unplugged, it is looked for twice a second.
+/// know where it stands, reads as not valid and gives no force. Unplugged, it is looked for twice a second. A force
+/// that stands for 50 ms without a new one is withheld, and told as servo_late until one comes; whatever it was
+/// withheld for, force grows from nothing again over 0.1 s.
 class FalconDevice final : public HapticDevice {
  public:
   /// Opens and starts the first Falcon that is free; `firmware` as falcon::read_firmware() takes it. Throws
@@ -65,6 +67,7 @@ class FalconDevice final : public HapticDevice {
   falcon::Plausibility plausibility_;
   Vector position_{0, 0, 0};
   bool clean_ = false;           ///< the last exchange was whole: force may be shown
+  int turns_shown_ = 0;          ///< since force was last withheld
   Clock::time_point good_at_{};  ///< the last report that was taken
   std::uint64_t wish_count_ = 0;
   Clock::time_point wish_at_{};
@@ -74,7 +77,8 @@ class FalconDevice final : public HapticDevice {
   LatestValue<DeviceReading> reading_;
   std::atomic<DeviceFault> link_fault_{DeviceFault::none};
   std::atomic<bool> homed_{false};
-  std::atomic<Clock::rep> beat_;  ///< when the driver's thread last came round
+  std::atomic<bool> overdue_{false};  ///< the servo left a force standing
+  std::atomic<Clock::rep> beat_;      ///< when the driver's thread last came round
 
   // The servo's thread's.
   Wish wished_;

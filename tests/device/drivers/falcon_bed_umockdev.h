@@ -51,6 +51,22 @@ inline std::array<std::int16_t, 3> encoders_at(const Vector& position) {
   return counts;
 }
 
+/// What the motors must be told for a force at a place: the force's work over a small way along each leg's angle, by
+/// differences of the way back, over the torque of a unit.
+inline std::array<double, 3> motors_for(const Vector& position, const Vector& force) {
+  std::array<double, 3> motors{};
+  const falcon::Angles angles = *falcon::leg_angles(position);
+  for (int leg = 0; leg < 3; ++leg) {
+    falcon::Angles more = angles, less = angles;
+    more[leg] += 1e-6;
+    less[leg] -= 1e-6;
+    const Vector way = subtract(*falcon::position_of(more, position), *falcon::position_of(less, position));
+    const double torque = (way[0] * force[0] + way[1] * force[1] + way[2] * force[2]) / 2e-6;
+    motors[leg] = -torque / (1.9835e-5 * 0.110 / 0.01425);
+  }
+  return motors;
+}
+
 class FalconUmockdev : public TestbedUmockdev {
  protected:
   void SetUp() override {

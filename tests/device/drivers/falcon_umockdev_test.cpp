@@ -7,22 +7,6 @@
 namespace vallecula::device {
 namespace {
 
-/// What the motors must be told for a force at a place: the force's work over a small way along each leg's angle, by
-/// differences of the way back, over the torque of a unit.
-std::array<double, 3> motors_for(const Vector& position, const Vector& force) {
-  std::array<double, 3> motors{};
-  const falcon::Angles angles = *falcon::leg_angles(position);
-  for (int leg = 0; leg < 3; ++leg) {
-    falcon::Angles more = angles, less = angles;
-    more[leg] += 1e-6;
-    less[leg] -= 1e-6;
-    const Vector way = subtract(*falcon::position_of(more, position), *falcon::position_of(less, position));
-    const double torque = (way[0] * force[0] + way[1] * force[1] + way[2] * force[2]) / 2e-6;
-    motors[leg] = -torque / (1.9835e-5 * 0.110 / 0.01425);
-  }
-  return motors;
-}
-
 /// The order of the requests is that of the notes on the device, written down here anew.
 TEST_F(FalconUmockdev, NoForceBeforeItIsHomed) {
   open_running();
@@ -122,9 +106,15 @@ TEST_F(FalconUmockdev, AServoThatStopsIsNoForce) {
   open_homed();
   ASSERT_TRUE(ticks_until({2, 2, 2}, [&] { return !motors_zero(); }));
   const long forces = mock_->seen().forces;
-  EXPECT_TRUE(wait_for([&] { return motors_zero(); }));
+  EXPECT_TRUE(wait_for([&] { return device_->fault() == DeviceFault::servo_late && motors_zero(); }));
   EXPECT_LE(mock_->seen().forces, forces + 60);  // one a millisecond, for 50 ms from the last command
-  EXPECT_TRUE(ticks_until({2, 2, 2}, [&] { return !motors_zero(); }));
+  EXPECT_FALSE(device_->read(since(begin_)).valid);
+  EXPECT_TRUE(ticks_until({2, 2, 2}, [&] { return device_->fault() == DeviceFault::none && !motors_zero(); }));
+  // Without a force there is nothing to withhold: a trial has ended.
+  ASSERT_TRUE(ticks_until({0, 0, 0}, [&] { return motors_zero(); }));
+  const long commands = mock_->seen().commands;
+  EXPECT_TRUE(wait_for([&] { return mock_->seen().commands > commands + 100; }));
+  EXPECT_EQ(device_->fault(), DeviceFault::none);
 }
 
 TEST_F(FalconUmockdev, UnpluggedAndPluggedInAgain) {

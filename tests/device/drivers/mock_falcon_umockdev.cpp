@@ -104,6 +104,11 @@ MockFalcon::Seen MockFalcon::seen() const {
   return seen_;
 }
 
+void MockFalcon::listen(std::function<void(const std::array<int, 3>&)> listener) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  listener_ = std::move(listener);
+}
+
 // --- usbfs -----------------------------------------------------------------------------------------------------------
 
 gboolean MockFalcon::on_ioctl(UMockdevIoctlBase*, UMockdevIoctlClient* client, gpointer self) {
@@ -359,6 +364,7 @@ void MockFalcon::command(const std::uint8_t* bytes) {
   seen_.lights = (packet[13] - 'A') & 0x0e;
   seen_.homing = ((packet[13] - 'A') & 1) != 0;
   ++seen_.commands;
+  if (listener_) listener_(seen_.motors);
   if (faults_.silent) return;
 
   std::vector<std::uint8_t> answer{'<'};

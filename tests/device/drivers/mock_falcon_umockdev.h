@@ -7,6 +7,7 @@
 #include <chrono>
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <list>
 #include <mutex>
 #include <string>
@@ -62,6 +63,8 @@ class MockFalcon {
     std::vector<int> chunks;  ///< bytes of each write while the firmware came
   };
   Seen seen() const;
+  /// Calls this with the motors of every command that comes, until the next listener.
+  void listen(std::function<void(const std::array<int, 3>&)> listener);
   static std::string serial() { return "FALCON07"; }
 
  private:
@@ -93,6 +96,7 @@ class MockFalcon {
   mutable std::mutex mutex_;
   FalconFaults faults_;
   Seen seen_;
+  std::function<void(const std::array<int, 3>&)> listener_;
   bool plugged_ = false;
   UMockdevIoctlClient* claimed_by_ = nullptr;
   std::list<Flying> flying_;
