@@ -16,7 +16,8 @@ constexpr auto kPeriod = 1ms;
 constexpr int kExchangeMs = 10;
 /// Without a new force for so long the servo is not there: no force.
 constexpr auto kWishHolds = 50ms;
-/// So many turns it takes until force is whole again after it was withheld: a turn is a millisecond, on a busy bus longer.
+/// So many turns it takes until force is whole again after it was withheld: a turn is a millisecond, on a busy bus
+/// longer.
 constexpr int kRampTurns = 100;
 /// Without a report for so long the fault is told; after the second time the Falcon is opened anew.
 constexpr auto kSilent = 50ms, kGiveUp = 1000ms;
@@ -50,8 +51,8 @@ std::vector<FoundDevice> find_falcon() {
       device.calibration = Calibration::needs_hand;
       device.problem = one.problem.what;
       device.mend = one.problem.mend;
+      if (device.problem.empty() || one.problem.ours) device.name = "falcon";
       if (device.problem.empty()) {
-        device.name = "falcon";
         try {
           if (falcon::read_firmware("").empty()) {
             device.problem =

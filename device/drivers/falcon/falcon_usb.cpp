@@ -6,6 +6,9 @@
 #include <cerrno>
 #include <chrono>
 #include <cstring>
+#include <map>
+#include <mutex>
+#include <utility>
 
 #include "device/drivers/falcon/falcon_protocol.h"
 #include "device/drivers/open_trouble.h"
@@ -49,6 +52,23 @@ struct DeviceList {
   ssize_t count = 0;
 };
 
+/// Where a device is plugged in, as long as it is.
+using Place = std::pair<int, int>;
+Place place_of(libusb_device* device) noexcept {
+  return {libusb_get_bus_number(device), libusb_get_device_address(device)};
+}
+
+/// Held while a Falcon is listed, opened or closed.
+std::mutex& falcon_lock() {
+  static std::mutex lock;
+  return lock;
+}
+/// What this program holds, with its serial number. Under falcon_lock().
+std::map<Place, std::string>& held_here() {
+  static std::map<Place, std::string> held;
+  return held;
+}
+
 /// Opens and claims; null and a problem where it cannot.
 libusb_device_handle* claimed(libusb_device* device, OpenProblem& problem) {
   libusb_device_handle* handle = nullptr;
@@ -65,6 +85,8 @@ libusb_device_handle* claimed(libusb_device* device, OpenProblem& problem) {
   return handle;
 }
 
+OpenProblem held_by_us() { return {true, true, "it is used by this program already", "end the trial that uses it"}; }
+
 std::string serial_of(libusb_device_handle* handle) {
   libusb_device_descriptor about{};
   if (libusb_get_device_descriptor(libusb_get_device(handle), &about) != LIBUSB_SUCCESS || about.iSerialNumber == 0)
@@ -79,11 +101,11 @@ std::string serial_of(libusb_device_handle* handle) {
 OpenProblem open_problem(int libusb_error) {
   if (libusb_error == LIBUSB_SUCCESS) return {};
   if (libusb_error == LIBUSB_ERROR_NO_DEVICE || libusb_error == LIBUSB_ERROR_NOT_FOUND)
-    return {false, "no Falcon is plugged in", "plug in its USB cable and its power supply"};
+    return {false, false, "no Falcon is plugged in", "plug in its USB cable and its power supply"};
   const OpenTrouble trouble = open_trouble(libusb_error == LIBUSB_ERROR_ACCESS ? EACCES
                                            : libusb_error == LIBUSB_ERROR_BUSY ? EBUSY
                                                                                : EIO);
-  return {true, trouble.problem, trouble.mend};
+  return {true, false, trouble.problem, trouble.mend};
 }
 
 /// The transfer that waits for what comes in. On its own, because it is left alive when the bus does not give it back.
@@ -114,11 +136,15 @@ FalconUsb::~FalconUsb() {
 
 std::vector<UsbFalcon> FalconUsb::list() {
   std::vector<UsbFalcon> found;
+  const std::lock_guard<std::mutex> alone(falcon_lock());
   const DeviceList all(context_);
   for (ssize_t i = 0; i < all.count; ++i) {
     if (!is_falcon(all.devices[i])) continue;
     UsbFalcon falcon;
-    if (libusb_device_handle* handle = claimed(all.devices[i], falcon.problem)) {
+    if (const auto held = held_here().find(place_of(all.devices[i])); held != held_here().end()) {
+      falcon.serial = held->second;
+      falcon.problem = held_by_us();
+    } else if (libusb_device_handle* handle = claimed(all.devices[i], falcon.problem)) {
       falcon.serial = serial_of(handle);
       libusb_release_interface(handle, kInterface);
       libusb_close(handle);
@@ -131,12 +157,21 @@ std::vector<UsbFalcon> FalconUsb::list() {
 OpenProblem FalconUsb::open() {
   close();
   OpenProblem problem = open_problem(LIBUSB_ERROR_NO_DEVICE);
-  const DeviceList all(context_);
-  for (ssize_t i = 0; i < all.count && handle_ == nullptr; ++i) {
-    if (is_falcon(all.devices[i])) handle_ = claimed(all.devices[i], problem);
+  {
+    const std::lock_guard<std::mutex> alone(falcon_lock());
+    const DeviceList all(context_);
+    for (ssize_t i = 0; i < all.count && handle_ == nullptr; ++i) {
+      if (!is_falcon(all.devices[i])) continue;
+      if (held_here().count(place_of(all.devices[i])) != 0) {
+        problem = held_by_us();
+      } else {
+        handle_ = claimed(all.devices[i], problem);
+      }
+    }
+    if (handle_ == nullptr) return problem;
+    serial_ = serial_of(handle_);
+    held_here().emplace(place_of(libusb_get_device(handle_)), serial_);
   }
-  if (handle_ == nullptr) return problem;
-  serial_ = serial_of(handle_);
   incoming_ = std::make_unique<Incoming>();
   if (incoming_->transfer == nullptr || !ask_incoming()) {
     close();
@@ -145,8 +180,7 @@ OpenProblem FalconUsb::open() {
   return {};
 }
 
-void FalconUsb::close() noexcept {
-  if (handle_ == nullptr) return;
+void FalconUsb::end_transfer() noexcept {
   if (incoming_ != nullptr && incoming_->under_way) {
     libusb_cancel_transfer(incoming_->transfer);
     const auto end = Clock::now() + std::chrono::milliseconds(kCancelMs);
@@ -157,6 +191,13 @@ void FalconUsb::close() noexcept {
     if (incoming_->completed == 0) incoming_.release();  // the bus may still write to it: better lost than torn
   }
   incoming_.reset();
+}
+
+void FalconUsb::close() noexcept {
+  if (handle_ == nullptr) return;
+  end_transfer();
+  const std::lock_guard<std::mutex> alone(falcon_lock());
+  held_here().erase(place_of(libusb_get_device(handle_)));
   libusb_release_interface(handle_, kInterface);
   libusb_close(handle_);
   handle_ = nullptr;

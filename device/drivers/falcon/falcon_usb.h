@@ -1,4 +1,5 @@
-// The Falcon's bus: finding, opening, and transfers that always come back. Used by one thread at a time.
+// The Falcon's bus: finding, opening, and transfers that always come back. Each is used by one thread at a time; one
+// that lists and one that opens or closes wait for each other, so that neither finds the device taken by the other.
 #pragma once
 
 #include <cstddef>
@@ -22,6 +23,7 @@ enum class Transfer {
 /// Why a Falcon cannot be opened: what, and how to mend it. Both are empty where it can.
 struct OpenProblem {
   bool there = true;  ///< false: none is plugged in
+  bool ours = false;  ///< this program holds it
   std::string what, mend;
 };
 /// For an error of libusb_open or libusb_claim_interface (0: none).
@@ -41,7 +43,8 @@ class FalconUsb {
   FalconUsb(const FalconUsb&) = delete;
   FalconUsb& operator=(const FalconUsb&) = delete;
 
-  /// Every Falcon there is; opens those it can for as long as it takes to ask for the serial number.
+  /// Every Falcon there is; opens those it can for as long as it takes to ask for the serial number. Those that this
+  /// program holds are told so and left alone.
   std::vector<UsbFalcon> list();
   /// Opens the first that is free; on failure tells why and stays closed.
   OpenProblem open();
@@ -60,6 +63,7 @@ class FalconUsb {
 
  private:
   struct Incoming;
+  void end_transfer() noexcept;
   bool ask_incoming() noexcept;
   Transfer taken(std::uint8_t* bytes, std::size_t& count) noexcept;
 

@@ -76,7 +76,16 @@ FoundDevice told(const HdError& error, const std::string& name) {
 
 }  // namespace
 
-std::vector<FoundDevice> ask_touch() {
+namespace {
+
+/// Held while devices are listed, or one is opened.
+std::mutex& touch_lock() {
+  static std::mutex lock;
+  return lock;
+}
+
+/// Under touch_lock().
+std::vector<FoundDevice> ask_each() {
   std::vector<FoundDevice> found = open_now();
   if (!found.empty()) return found;
   std::vector<std::string> names = names_set_up();
@@ -95,7 +104,22 @@ std::vector<FoundDevice> ask_touch() {
   return found;
 }
 
-HdDevice::HdDevice(const std::string& name) : scheduler_(Scheduler::shared()), opened_(scheduler_->open(name)) {
+Scheduler::Opened open_alone(Scheduler& scheduler, const std::string& name) {
+  const std::lock_guard<std::mutex> alone(touch_lock());
+  for (const Scheduler::Opened& one : scheduler.opened()) {
+    if (one.name == name) throw HdError("the device is used by this program already", "End the trial that uses it");
+  }
+  return scheduler.open(name);
+}
+
+}  // namespace
+
+std::vector<FoundDevice> ask_touch() {
+  const std::lock_guard<std::mutex> alone(touch_lock());
+  return ask_each();
+}
+
+HdDevice::HdDevice(const std::string& name) : scheduler_(Scheduler::shared()), opened_(open_alone(*scheduler_, name)) {
   wait_ready(*opened_.channel, 1000ms);
 }
 
@@ -112,14 +136,13 @@ DeviceReading HdDevice::read(double) noexcept {
 }
 
 std::vector<FoundDevice> find_touch() {
-  static std::mutex mutex;
   static std::vector<FoundDevice> last;
   static std::chrono::steady_clock::time_point asked;
-  const std::lock_guard<std::mutex> lock(mutex);
+  const std::lock_guard<std::mutex> alone(touch_lock());
   if (const auto open = open_now(); !open.empty()) return open;
   const auto now = std::chrono::steady_clock::now();
   if (last.empty() || now - asked >= kAskAgain) {
-    last = ask_touch();
+    last = ask_each();
     asked = std::chrono::steady_clock::now();
   }
   return last;

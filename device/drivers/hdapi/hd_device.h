@@ -33,7 +33,8 @@ class HdDevice final : public HapticDevice {
 };
 
 /// The devices that the vendor's set-up knows, or why there is none. Those that this program has open are told as they
-/// are, and nothing else is touched; otherwise each is opened for as long as it takes to ask.
+/// are, and nothing else is touched; otherwise each is opened for as long as it takes to ask. Who lists and who opens
+/// wait for each other: neither finds a device taken by the other.
 std::vector<FoundDevice> ask_touch();
 /// The same for a list that is shown anew every second: asks once in kAskAgain, and gives the last answer between.
 std::vector<FoundDevice> find_touch();

@@ -1,5 +1,7 @@
 // The Falcon's driver on the real libusb, against a mocked bus with a chip, a processor and a hand.
+#include <atomic>
 #include <random>
+#include <thread>
 
 #include "tests/device/allocation_guard.h"
 #include "tests/device/drivers/falcon_bed_umockdev.h"
@@ -279,13 +281,37 @@ TEST_F(FalconUmockdev, ItEndsWithoutForceWhateverHappens) {
   ends([&] { mock_->unplug(); });
 }
 
-TEST_F(FalconUmockdev, ASecondOneIsToldThatItIsTaken) {
+TEST_F(FalconUmockdev, OurOwnIsNoOtherPrograms) {
   open_homed();
   const auto found = find_falcon();
   ASSERT_EQ(found.size(), 1u);
-  EXPECT_NE(found[0].problem.find("another program"), std::string::npos);
-  expect_error({"another program"});
+  EXPECT_EQ(found[0].name, "falcon");
+  EXPECT_EQ(found[0].info.serial, MockFalcon::serial());
+  EXPECT_NE(found[0].problem.find("used by this program"), std::string::npos) << found[0].problem;
+  expect_error({"used by this program"});
   EXPECT_TRUE(ticks_until({1, 0, 0}, [&] { return device_->fault() == DeviceFault::none && !motors_zero(); }));
+  device_.reset();
+  write_file("falcon.bin", some_firmware());
+  EXPECT_EQ(find_falcon().at(0).problem, "");
+}
+
+/// The window lists once a second, on a thread of its own, while a trial opens what it lists.
+TEST_F(FalconUmockdev, ListingAndOpeningNeverMeet) {
+  mock_ = std::make_unique<MockFalcon>(bed_, std::vector<std::uint8_t>());
+  mock_->plug();
+  std::atomic<bool> stop{false};
+  std::atomic<int> lists{0}, strangers{0};
+  std::thread listing([&] {
+    for (; !stop; ++lists) {
+      for (const FoundDevice& one : find_falcon())
+        strangers += one.problem.find("another program holds") != std::string::npos;
+    }
+  });
+  EXPECT_TRUE(wait_for([&] { return lists > 0; }));
+  for (int i = 0; i < 30; ++i) EXPECT_EQ(opening_error(), "opened");
+  stop = true;
+  listing.join();
+  EXPECT_EQ(strangers, 0);
 }
 
 TEST_F(FalconUmockdev, ATickAllocatesNothing) {
