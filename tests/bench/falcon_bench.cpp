@@ -1,30 +1,15 @@
 // vallecula_falcon_bench [TICKS]: what one tick of the Falcon's driver costs the servo thread (read and write), what
 // its kinematics cost the driver's own thread, and how often a mocked Falcon is asked. Run it under umockdev-wrapper.
 #include <algorithm>
-#include <chrono>
-#include <cstdio>
 #include <cstdlib>
-#include <thread>
-#include <vector>
 
 #include "device/drivers/falcon/falcon_device.h"
+#include "tests/bench/tick_cost.h"
 #include "tests/device/drivers/mock_falcon_umockdev.h"
 
 namespace {
 
 using namespace vallecula::device;
-using Clock = std::chrono::steady_clock;
-
-double microseconds(Clock::duration d) { return std::chrono::duration<double, std::micro>(d).count(); }
-
-void tell(const char* what, std::vector<double>& cost) {
-  std::sort(cost.begin(), cost.end());
-  const auto at = [&](double share) {
-    return cost[static_cast<std::size_t>(share * static_cast<double>(cost.size() - 1))];
-  };
-  std::printf("%-34s median %6.2f us   p99 %6.2f us   p99.9 %6.2f us   max %7.2f us\n", what, at(0.5), at(0.99),
-              at(0.999), cost.back());
-}
 
 /// Encoders to position from a millimetre away, force to motors: what the driver's thread adds to the bus.
 void measure_kinematics(int ticks) {
@@ -51,20 +36,10 @@ bool measure_device(int ticks) {
     mock.plug();
     mock.home();
     FalconDevice falcon;
-    std::vector<double> cost;
     const long asked = mock.seen().commands;
-    auto next = Clock::now();
-    const auto first = next;
-    for (int i = 0; i < ticks; ++i) {
-      const auto begin = Clock::now();
-      const DeviceReading reading = falcon.read(0.001 * i);
-      falcon.write({0.1 * reading.position_m[0], 0.0, 0.5});
-      cost.push_back(microseconds(Clock::now() - begin));
-      next += std::chrono::milliseconds(1);
-      std::this_thread::sleep_until(next);
-    }
+    const auto first = Clock::now();
+    measure("falcon: read and write", falcon, ticks);
     const double seconds = 1e-6 * microseconds(Clock::now() - first);
-    tell("falcon: read and write", cost);
     std::printf("falcon: asked %.0f times a second (mocked bus)\n",
                 static_cast<double>(mock.seen().commands - asked) / seconds);
   }

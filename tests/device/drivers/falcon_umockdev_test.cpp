@@ -303,7 +303,8 @@ TEST_F(FalconUmockdev, ListingAndOpeningNeverMeet) {
   std::atomic<int> lists{0}, strangers{0};
   std::thread listing([&] {
     for (; !stop; ++lists) {
-      for (const FoundDevice& one : find_falcon()) strangers += one.problem.find("another program holds") != std::string::npos;
+      for (const FoundDevice& one : find_falcon())
+        strangers += one.problem.find("another program holds") != std::string::npos;
     }
   });
   EXPECT_TRUE(wait_for([&] { return lists > 0; }));
