@@ -247,7 +247,7 @@ std::map<std::string, Surface> surfaces_of(const Segmentation& s, const AnatomyF
   });
   say("face", 0.1);  // the fields were made before
   auto face = face_surface(s, f, [&](double done) { say("face", 0.1 + 0.8 * done); });
-  say("jaw and palate", 0.9);
+  say("airway", 0.9);  // and what else is not done yet
   auto out = others.get();
   out["face"] = std::move(face);
   say("jaw and palate", 1.0);

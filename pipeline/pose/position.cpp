@@ -214,10 +214,10 @@ PositionFacts put_into_position(Segmentation& s, const std::function<void(double
     s.epiglottis.vallecula = vallecula;
   }
   if (!hyoid_seen) given["hyoid"] = hyoid;
-  find_landmarks_again(s, given);
-
   s.pose.mouth_opened_deg = aim.jaw.angle_rad / kDegree;
   s.pose.extension_deg = aim.neck.angle_rad / kDegree;
+  find_landmarks_again(s, given);
+
   say(1.0);
   return facts;
 }

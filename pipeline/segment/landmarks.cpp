@@ -246,8 +246,8 @@ Vector3 eye_past(const Vector3& gum, const Vector3& glottis, double turn) {
 }
 
 /// The operator looks past the upper gum as steeply as it allows: 3.6 mm (term) clear of it, which is how the manikin's
-/// line of sight was designed (ANATOMY). Where a lip or a tooth stands before the gum, from where most can be seen; past a
-/// gum that a person placed (`gum_given`) as the rule has it.
+/// line of sight was designed (ANATOMY). Where the mouth was opened or the neck extended after the scan and a lip or a tooth stands before the
+/// gum, from where most can be seen; past a gum that a person placed (`gum_given`) as the rule has it.
 Vector3 operator_eye(Segmentation& s, const Vector3& gum, bool gum_given) {
   constexpr double kClearEnough = 0.8;
   constexpr double kStep = 0.25 * 3.14159265358979323846 / 180.0;
@@ -256,7 +256,7 @@ Vector3 operator_eye(Segmentation& s, const Vector3& gum, bool gum_given) {
   const double length = std::hypot(gum[1] - glottis[1], gum[2] - glottis[2]);
   const double turn = std::asin(std::clamp(3.6 * s.frame.scale / length, 0.0, 0.5));
   const auto planned = eye_past(gum, glottis, turn);
-  if (gum_given) return planned;
+  if (gum_given || (s.pose.mouth_opened_deg == 0.0 && s.pose.extension_deg == 0.0)) return planned;
   double most = free_share(s, planned);
   if (most >= kClearEnough) return planned;
   double chosen = turn;
