@@ -134,8 +134,11 @@ void ResultPage::show_figures(const TrialOutcome& outcome, const curricula::Scen
   add("Time to sight",
       score.time_to_trachea_visible_s < 0.0 ? QString("never") : number(score.time_to_trachea_visible_s, 1, "s"),
       "from " + number(scenario.sight_percent, 0, "%"), false, true);
-  add("Attempt", number(score.attempt_time_s, 1, "s"), "at most " + number(pass.attempt_time_s, 0, "s"), true,
-      score.attempt_time_s <= pass.attempt_time_s);
+  if (score.attempt_begun)
+    add("Attempt", number(score.attempt_time_s, 1, "s"), "at most " + number(pass.attempt_time_s, 0, "s"), true,
+        score.attempt_time_s <= pass.attempt_time_s);
+  else
+    add("Attempt", "no attempt", "-", false, true);
   add("Over the target", number(score.time_over_target_s, 1, "s"), "at most " + number(pass.time_over_target_s, 1, "s"),
       true, score.time_over_target_s <= pass.time_over_target_s);
   add("Over the device limit", number(score.time_over_force_limit_s, 1, "s"),

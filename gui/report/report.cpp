@@ -52,8 +52,9 @@ std::vector<Row> rows_of(const curricula::Score& score, const curricula::TrialLo
           "glottis_visible_max_percent", "at least"),
       {"Time to glottis in sight (" + number(scenario.sight_percent, 0) + " %)",
        seen ? number(score.time_to_trachea_visible_s, 1) + " s" : "never", "", ""},
-      row(score, "Attempt time, blade in to blade out",
-          score.attempt_begun ? number(score.attempt_time_s, 1) + " s" : "no attempt", "attempt_time_s", "at most"),
+      score.attempt_begun ? row(score, "Attempt time, blade in to blade out", number(score.attempt_time_s, 1) + " s",
+                                "attempt_time_s", "at most")
+                          : Row{"Attempt time, blade in to blade out", "no attempt", "-", ""},
       row(score, "Peak force on the tongue", force(score.peak_tongue_force_n, score.time_of_peak_tongue_force_s),
           "peak_tongue_force_n", "at most"),
       row(score, "Peak force on the gums", force(score.peak_gum_force_n, score.time_of_peak_gum_force_s),
