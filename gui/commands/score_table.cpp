@@ -26,6 +26,7 @@ void print_score(std::ostream& out, const curricula::Score& score, const curricu
   time_or("attempt time", score.attempt_begun, score.attempt_time_s, "no attempt");
   line("time over the training target", score.time_over_target_s, 2, "s");
   line("time over the device limit", score.time_over_force_limit_s, 2, "s");
+  if (!score.pauses.empty()) line("paused", score.paused_s, 2, "s, " + pauses_in_words(score));
   if (score.loop_rate_hz > 0.0) line("servo loop", score.loop_rate_hz, 1, "Hz");
   line("deadline misses", static_cast<double>(score.deadline_misses), 0,
        "of " + std::to_string(score.ticks) + " ticks");
