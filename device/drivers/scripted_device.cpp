@@ -87,6 +87,11 @@ DeviceFault ScriptedDevice::injected(double time_s) const noexcept {
   return DeviceFault::none;
 }
 
+int ScriptedDevice::faults_too_late() const noexcept {
+  return static_cast<int>(std::count_if(faults_.begin(), faults_.end(),
+                                        [this](const InjectedFault& f) { return f.from_s > trajectory_.end_s(); }));
+}
+
 void ScriptedDevice::give_way(double elapsed_s) noexcept {
   const double bent_n = hand_.stiffness_n_m * length(yield_);
   if (bent_n >= hand_.max_force_n && length(given_) > hand_.max_force_n) {

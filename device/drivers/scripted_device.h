@@ -74,6 +74,8 @@ class ScriptedDevice final : public HapticDevice {
   /// Force the motors give now, N; zero while a fault holds.
   const std::array<double, 3>& given_force_n() const noexcept { return given_; }
   const Trajectory& trajectory() const noexcept { return trajectory_; }
+  /// The script's faults that begin after its last keyframe: a trial ends there, so they never come.
+  int faults_too_late() const noexcept;
 
  private:
   static constexpr int kTremorWaves = 6;  ///< sines per axis: enough not to look periodic within a trial

@@ -16,15 +16,17 @@ void print_score(std::ostream& out, const curricula::Score& score, const curricu
   line("peak tongue force", score.peak_tongue_force_n, 2, "N");
   line("peak gum force", score.peak_gum_force_n, 2, "N");
   line("glottis seen at best", score.glottis_visible_max_percent, 1, "%");
-  if (score.time_to_trachea_visible_s >= 0.0) {
-    line("time to glottis in sight", score.time_to_trachea_visible_s, 2, "s");
-  } else {
-    out << "  " << std::left << std::setw(34) << "time to glottis in sight" << std::right << std::setw(9) << "never"
-        << "\n";
-  }
-  line("attempt time", score.attempt_time_s, 2, "s");
+  const auto time_or = [&](const std::string& name, bool exists, double time_s, const std::string& otherwise) {
+    if (exists)
+      line(name, time_s, 2, "s");
+    else
+      out << "  " << std::left << std::setw(33) << name << std::right << std::setw(10) << otherwise << "\n";
+  };
+  time_or("time to glottis in sight", score.time_to_trachea_visible_s >= 0.0, score.time_to_trachea_visible_s, "never");
+  time_or("attempt time", score.attempt_begun, score.attempt_time_s, "no attempt");
   line("time over the training target", score.time_over_target_s, 2, "s");
   line("time over the device limit", score.time_over_force_limit_s, 2, "s");
+  if (!score.pauses.empty()) line("paused", score.paused_s, 2, "s, " + pauses_in_words(score));
   if (score.loop_rate_hz > 0.0) line("servo loop", score.loop_rate_hz, 1, "Hz");
   line("deadline misses", static_cast<double>(score.deadline_misses), 0,
        "of " + std::to_string(score.ticks) + " ticks");

@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <thread>
 
+#include "device/drivers/scripted_device.h"
 #include "gui/commands/commands.h"
 #include "gui/commands/headless_application.h"
 #include "gui/commands/interruption.h"
@@ -93,6 +94,10 @@ int run_headless(const TrialSetup& setup, bool json) {
   const HeadlessApplication application;
   watch_for_interruption();
   TrialSession session(setup);
+  const auto* script = dynamic_cast<const device::ScriptedDevice*>(&session.device());
+  if (script != nullptr && script->faults_too_late() > 0)
+    spdlog::warn("{} of the script's faults would begin after its last row, where the trial ends: give it a later row",
+                 script->faults_too_late());
   spdlog::info("scene built; {} with {} begins", session.scenario().id, setup.device);
   session.start();
   const bool show_progress = isatty(STDERR_FILENO) != 0;

@@ -29,7 +29,9 @@ MouseIntroduction::MouseIntroduction(QWidget* parent) : QFrame(parent) {
       "<tr><td><b>Shift</b></td><td>held: all of it finer</td></tr>"
       "<tr><td><b>+ and -</b></td><td>the blade goes farther, or less far, for the same way of the mouse</td></tr>"
       "<tr><td><b>Arrows, PgUp, PgDn &nbsp;</b></td><td>move it without a mouse</td></tr>"
-      "<tr><td><b>Enter, Esc</b></td><td>start the trial, end it</td></tr></table>"
+      "<tr><td><b>Enter, Esc</b></td><td>start the trial, end it</td></tr>"
+      "<tr><td><b>R, Z</b></td><td>begin it again; change the view</td></tr></table>"
+      "<p>Enter closes this; Enter again starts the trial.</p>"
       "<p>A mouse cannot push back: the bars on the right show the force your blade puts on tongue and gum.<br>"
       "Lift, do not lever. The grey blade is your hand, where the blade could not follow it.</p>",
       this);

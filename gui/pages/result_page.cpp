@@ -10,6 +10,7 @@
 #include <QVBoxLayout>
 
 #include "gui/pages/advice.h"
+#include "gui/report/report.h"
 #include "gui/views/theme.h"
 
 namespace vallecula::gui {
@@ -134,13 +135,18 @@ void ResultPage::show_figures(const TrialOutcome& outcome, const curricula::Scen
   add("Time to sight",
       score.time_to_trachea_visible_s < 0.0 ? QString("never") : number(score.time_to_trachea_visible_s, 1, "s"),
       "from " + number(scenario.sight_percent, 0, "%"), false, true);
-  add("Attempt", number(score.attempt_time_s, 1, "s"), "at most " + number(pass.attempt_time_s, 0, "s"), true,
-      score.attempt_time_s <= pass.attempt_time_s);
+  if (score.attempt_begun)
+    add("Attempt", number(score.attempt_time_s, 1, "s"), "at most " + number(pass.attempt_time_s, 0, "s"), true,
+        score.attempt_time_s <= pass.attempt_time_s);
+  else
+    add("Attempt", "no attempt", "-", false, true);
   add("Over the target", number(score.time_over_target_s, 1, "s"), "at most " + number(pass.time_over_target_s, 1, "s"),
       true, score.time_over_target_s <= pass.time_over_target_s);
   add("Over the device limit", number(score.time_over_force_limit_s, 1, "s"),
       "at most " + number(pass.time_over_device_limit_s, 1, "s"), true,
       score.time_over_force_limit_s <= pass.time_over_device_limit_s);
+  if (!score.pauses.empty())
+    add("Paused", number(score.paused_s, 1, "s"), QString::fromStdString(pauses_in_words(score)), false, true);
   add("Loop", score.loop_rate_hz > 0.0 ? number(score.loop_rate_hz, 0, "Hz") : QString("no real time"),
       QString("%1 late, %2 steps dropped").arg(score.deadline_misses).arg(score.overruns), false, true);
   QString about = QString("Of %1 ticks. Late: forces written more than 1 ms after they were due. Dropped: ticks whose "

@@ -329,7 +329,10 @@ void TrialPage::show_buttons() {
 }
 
 void TrialPage::keyPressEvent(QKeyEvent* event) {
-  introduction_->dismiss();  // whoever presses keys knows them; the key does its work as well
+  const bool entered = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+  const bool only_read = entered && !introduction_->isHidden();  // Enter closes what was read, and begins nothing yet
+  introduction_->dismiss();  // whoever presses other keys knows them; those do their work as well
+  if (only_read) return;
   if (control_->steering() && control_->key(event, true)) return;
   switch (event->key()) {
     case Qt::Key_Return:

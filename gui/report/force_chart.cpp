@@ -23,6 +23,7 @@ const QColor kLimit(0xCC, 0x79, 0xA7);   // reddish purple
 const QColor kSight(0x56, 0xB4, 0xE9);   // sky blue
 const QColor kInk(0x22, 0x22, 0x22);
 const QColor kGrid(0xE3, 0xE3, 0xE3);
+const QColor kPause(0xD0, 0xD0, 0xD0);
 
 struct Series {
   std::vector<double> time_s, value;
@@ -121,6 +122,15 @@ class Panel {
     const QRectF box(left ? x(time_s) - width - 0.4 * em_ : x(time_s) + 0.4 * em_, frame_.top() + 0.1 * em_, width,
                      1.4 * em_);
     label(box, left, colour.darker(170), text);
+  }
+
+  /// Covers what was drawn there: nothing of it is the hand's doing.
+  void pause(double from_s, double to_s, const QString& text) {
+    const QRectF box(x(from_s), frame_.top(), x(to_s) - x(from_s), frame_.height());
+    painter_.fillRect(box, kPause);
+    if (painter_.fontMetrics().horizontalAdvance(text) > box.width()) return;
+    painter_.setPen(kInk);
+    painter_.drawText(box, Qt::AlignCenter, text);
   }
 
   void peak(double time_s, double value, const QColor& colour, const QString& text) {
@@ -226,7 +236,7 @@ QImage draw_force_chart(const curricula::TrialLog& log, const curricula::Scenari
   const auto attempt = [&](const Panel& panel) {
     if (score.attempt_time_s <= 0.0) return;
     const double from = panel.x(score.attempt_start_s);
-    const double to = panel.x(score.attempt_start_s + score.attempt_time_s);
+    const double to = panel.x(score.attempt_start_s + score.attempt_time_s + score.attempt_paused_s);
     painter.fillRect(QRectF(from, panel.frame().top(), to - from, panel.frame().height()), QColor(0xF6, 0xF4, 0xEC));
   };
   attempt(force);
@@ -237,16 +247,22 @@ QImage draw_force_chart(const curricula::TrialLog& log, const curricula::Scenari
   force.line(gum, QPen(kGum, em * 0.16));
   force.line(tongue, QPen(kTongue, em * 0.18));
   force.line(displayed, QPen(kDisplayed, em * 0.1, Qt::DotLine));
+  view.line(sight, QPen(kSight.darker(130), em * 0.16));
+  for (const curricula::Pause& pause : score.pauses) {
+    force.pause(pause.at_s, pause.at_s + pause.for_s, QStringLiteral("paused"));
+    view.pause(pause.at_s, pause.at_s + pause.for_s, QString());
+  }
   const double limit_n = log.header.device_limit_n, target_n = scenario.targets.tongue_force_n;
   force.level(limit_n, kLimit, Qt::DashLine, QStringLiteral("device limit %1 N").arg(number(limit_n, 1)),
               limit_n >= target_n);
   force.level(target_n, kTarget, Qt::DashDotLine,
               QStringLiteral("training target, tongue %1 N").arg(number(target_n, 1)), target_n > limit_n);
-  view.line(sight, QPen(kSight.darker(130), em * 0.16));
   view.level(scenario.sight_percent, kSight, Qt::DashLine,
              QStringLiteral("counts as in sight from %1 %").arg(number(scenario.sight_percent, 0)), true);
   if (score.time_to_trachea_visible_s >= 0.0) {
-    const double at_s = score.attempt_start_s + score.time_to_trachea_visible_s;
+    double at_s = score.attempt_start_s + score.time_to_trachea_visible_s;
+    for (const curricula::Pause& pause : score.pauses)  // the score's time leaves them out, the axis does not
+      if (pause.at_s >= score.attempt_start_s && pause.at_s <= at_s) at_s += pause.for_s;
     force.moment(at_s, kSight,
                  QStringLiteral("first sight, %1 s into the attempt").arg(number(score.time_to_trachea_visible_s, 1)));
     view.moment(at_s, kSight, QString());

@@ -2,7 +2,9 @@
 
 #include <QByteArray>
 #include <QString>
+#include <algorithm>
 #include <cstdio>
+#include <vector>
 
 #include "gui/session/files.h"
 #include "gui/session/results_folder.h"
@@ -41,7 +43,7 @@ std::string force(double peak_n, double at_s) {
   return number(peak_n, 2) + " N" + (peak_n > 0.0 ? ", at " + number(at_s, 1) + " s" : "");
 }
 
-std::vector<Row> rows_of(const curricula::Score& score, const curricula::TrialLog& log,
+std::vector<Row> figures(const curricula::Score& score, const curricula::TrialLog& log,
                          const curricula::Scenario& scenario) {
   const bool seen = score.time_to_trachea_visible_s >= 0.0;
   const auto other = [&](const std::string& name, int structure) {
@@ -52,8 +54,9 @@ std::vector<Row> rows_of(const curricula::Score& score, const curricula::TrialLo
           "glottis_visible_max_percent", "at least"),
       {"Time to glottis in sight (" + number(scenario.sight_percent, 0) + " %)",
        seen ? number(score.time_to_trachea_visible_s, 1) + " s" : "never", "", ""},
-      row(score, "Attempt time, blade in to blade out",
-          score.attempt_begun ? number(score.attempt_time_s, 1) + " s" : "no attempt", "attempt_time_s", "at most"),
+      score.attempt_begun ? row(score, "Attempt time, blade in to blade out", number(score.attempt_time_s, 1) + " s",
+                                "attempt_time_s", "at most")
+                          : Row{"Attempt time, blade in to blade out", "no attempt", "-", ""},
       row(score, "Peak force on the tongue", force(score.peak_tongue_force_n, score.time_of_peak_tongue_force_s),
           "peak_tongue_force_n", "at most"),
       row(score, "Peak force on the gums", force(score.peak_gum_force_n, score.time_of_peak_gum_force_s),
@@ -66,6 +69,14 @@ std::vector<Row> rows_of(const curricula::Score& score, const curricula::TrialLo
       row(score, "Time over the device limit (" + number(log.header.device_limit_n, 1) + " N)",
           number(score.time_over_force_limit_s, 2) + " s", "time_over_force_limit_s", "at most"),
   };
+}
+
+std::vector<Row> rows_of(const curricula::Score& score, const curricula::TrialLog& log,
+                         const curricula::Scenario& scenario) {
+  std::vector<Row> rows = figures(score, log, scenario);
+  if (!score.pauses.empty())
+    rows.push_back({"Paused, which counts for nothing", number(score.paused_s, 1) + " s", pauses_in_words(score), ""});
+  return rows;
 }
 
 std::string table(const std::vector<Row>& rows) {
@@ -90,6 +101,18 @@ figcaption, .foot { color: #555; font-size: .85rem; }
 )";
 
 }  // namespace
+
+std::string pauses_in_words(const curricula::Score& score) {
+  std::vector<std::string> kinds;
+  for (const curricula::Pause& pause : score.pauses) {
+    std::string kind = pause.fault.empty() ? "reason not recorded" : pause.fault;
+    std::replace(kind.begin(), kind.end(), '_', ' ');
+    if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end()) kinds.push_back(kind);
+  }
+  std::string words = std::to_string(score.pauses.size()) + (score.pauses.size() == 1 ? " time (" : " times (");
+  for (std::size_t i = 0; i < kinds.size(); ++i) words += (i == 0 ? "" : ", ") + kinds[i];
+  return words + ")";
+}
 
 std::string summary_sentence(const curricula::Score& score, const curricula::Scenario& scenario) {
   const bool seen = score.time_to_trachea_visible_s >= 0.0;
@@ -127,7 +150,8 @@ void write_report(const fs::path& folder, const curricula::TrialLog& log, const 
       "sight marked\" src=\"data:image/png;base64," +
       chart_base64 + "\">\n";
   html +=
-      "<p class=\"foot\">The shaded span is the attempt, blade into the mouth to blade out. Tongue and gum: force of "
+      "<p class=\"foot\">The shaded span is the attempt, blade into the mouth to blade out; grey is a pause, in which the "
+      "device could not be used. Tongue and gum: force of "
       "the "
       "tissue on the blade (model force). The dotted line is what the device was told to show. A peak is the largest "
       "single tick of 1 ms, unfiltered. Time over the device limit counts until a device that was lost has taken hold "

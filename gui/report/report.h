@@ -8,6 +8,9 @@
 
 namespace vallecula::gui {
 
+/// How often a trial was paused and for what, "2 times (unplugged, motor warm)". Only of a score with pauses.
+std::string pauses_in_words(const curricula::Score& score);
+
 /// One sentence for a person: passed or not, and the figures that matter most.
 std::string summary_sentence(const curricula::Score& score, const curricula::Scenario& scenario);
 

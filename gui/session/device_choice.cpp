@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 
 #include "curricula/trial_log.h"
 #include "device/drivers/mouse_device.h"
@@ -74,7 +75,13 @@ bool is_scripted(const std::string& name) {
 
 void check_device_name(const std::string& name) {
   const DeviceName given = split(name);
-  if (is_scripted_hand(given) || (given.kind == kRecorded && fits(kRecord, given))) return;
+  if (is_scripted_hand(given)) return;
+  if (given.kind == kRecorded && given.has_argument) {
+    std::error_code error;
+    if (fits(kRecord, given) || std::filesystem::is_directory(given.argument, error)) return;
+    throw UnknownDevice("device '" + name + "': no .vtrial file and no folder; take recorded:" + kRecord +
+                        " or the folder of a trial");
+  }
   for (const device::DeviceKind& kind : device::device_kinds()) {
     if (kind.kind == given.kind && fits(kind.argument, given)) return;
   }

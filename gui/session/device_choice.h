@@ -23,7 +23,8 @@ class UnknownDevice : public std::runtime_error {
 std::string device_names();
 /// Nobody's hand (a script or a record): it starts by itself and ends by itself.
 bool is_scripted(const std::string& name);
-/// Throws UnknownDevice when `name` is none of the forms that make_device takes. Reads no file.
+/// Throws UnknownDevice when `name` is none of the forms that make_device takes. Reads no file;
+/// a record is named by a file's ending or by a folder that is there.
 void check_device_name(const std::string& name);
 
 /// `name` is KIND[:ARG] with a kind of device::device_kinds(), or "scripted:expert", "scripted:novice",

@@ -47,6 +47,21 @@ TEST(DeviceChoice, AnUnknownNameIsAnsweredWithAllThereAre) {
   }
 }
 
+TEST(DeviceChoice, ARecordIsAFileOrTheFolderOfATrial) {
+  const Sandbox box;
+  EXPECT_NO_THROW(check_device_name("recorded:" + box.folder().string()));
+  EXPECT_NO_THROW(check_device_name("recorded:" + (box / "trial.vtrial").string()));
+  for (const std::string& name :
+       {std::string("recorded:"), "recorded:" + (box / "t1").string(), std::string("recorded:hand.csv")}) {
+    try {
+      check_device_name(name);
+      FAIL() << name;
+    } catch (const UnknownDevice& error) {
+      EXPECT_NE(std::string(error.what()).find("no .vtrial file and no folder"), std::string::npos) << error.what();
+    }
+  }
+}
+
 /// A planned hand and a hand from a file yield alike: 1 N moves either by the same third of a millimetre.
 TEST(DeviceChoice, EveryScriptedHandIsEquallyFirm) {
   const Sandbox box;

@@ -82,6 +82,40 @@ TEST(ForceChart, OneTickOfForceIsNotLostAndItsHeightIsItsForce) {
   EXPECT_NEAR(heights[2] - heights[0], 2.0 * heights[0], 12.0);
 }
 
+TEST(ForceChart, NoForceIsDrawnInAPause) {
+  const HeadlessApplication application;
+  curricula::TrialLog log = spike_log(4.0, 500);
+  for (std::size_t i = 9900; i < 10600; ++i) log.ticks[i].device_valid = false;  // a line's width to either side
+  curricula::Score score;
+  const auto height = [&] {
+    const auto [top, bottom] = blue_rows(draw_force_chart(log, plain_scenario(), score, 1600, 900), 90);
+    return bottom - top;
+  };
+  EXPECT_GT(height(), 100);
+  score.pauses = {{9.9, 0.7, "communication_lost"}};
+  EXPECT_LT(height(), 10) << "the base line alone";
+}
+
+TEST(Report, PausesAreToldWhereverAPersonReads) {
+  const HeadlessApplication application;
+  const Sandbox box;
+  const curricula::TrialLog log = spike_log(4.0, 500);
+  curricula::Score score;
+  write_force_chart(box / "force.png", log, plain_scenario(), score);
+  write_report(box.folder(), log, plain_scenario(), score);
+  EXPECT_EQ(text_of(box / "report.html").find("Paused"), std::string::npos) << "there was none";
+  score.paused_s = 7.5;
+  score.pauses = {{10.0, 2.5, "communication_lost"}, {20.0, 3.0, ""}, {25.0, 2.0, "communication_lost"}};
+  write_report(box.folder(), log, plain_scenario(), score);
+  const std::string words = "3 times (communication lost, reason not recorded)";
+  EXPECT_NE(text_of(box / "report.html").find("7.5 s</td><td>" + words), std::string::npos);
+  std::ostringstream table;
+  print_score(table, score, plain_scenario());
+  EXPECT_NE(table.str().find("7.50 s, " + words), std::string::npos) << table.str();
+  score.pauses.resize(1);
+  EXPECT_EQ(pauses_in_words(score), "1 time (communication lost)");
+}
+
 TEST(ForceChart, DrawsAnEmptyAndATinyTrial) {
   const HeadlessApplication application;
   curricula::TrialLog log;
@@ -121,6 +155,9 @@ TEST(Report, HoldsReasonsFiguresChartAndPicturesAndNothingFromOutside) {
   print_score(table, score, scenario);
   EXPECT_NE(table.str().find("simulation steps dropped                123 ("), std::string::npos) << table.str();
   EXPECT_NE(table.str().find("real-time set-up: servo: ordinary priority"), std::string::npos) << table.str();
+  // An attempt that never began has no time that could be short enough.
+  EXPECT_NE(page.find("no attempt</td><td>-</td>"), std::string::npos);
+  EXPECT_NE(table.str().find("attempt time                     no attempt\n"), std::string::npos) << table.str();
   EXPECT_EQ(page.find("operator-"), std::string::npos);
 
   const std::string marker = "data:image/png;base64,";

@@ -121,7 +121,7 @@ TEST_F(TrialPause, CommunicationLostInThePressGoesOnWithoutAJumpAndReplaysToTheB
 
   // The recorded hand does the same trial, pause and all.
   const curricula::TrialLog again =
-      curricula::read_trial_log(run(setup("recorded:" + outcome.log.string(), "again")).log);
+      curricula::read_trial_log(run(setup("recorded:" + outcome.log.parent_path().string(), "again")).log);
   EXPECT_EQ(again.header.device_kind, "recorded");
   ASSERT_GE(again.ticks.size(), log.ticks.size());
   for (std::size_t i = 0; i < log.ticks.size(); ++i)

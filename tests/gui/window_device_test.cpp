@@ -86,6 +86,28 @@ TEST_F(WindowDeviceRealTime, TheMouseIsExplainedUntilItIsKnown) {
   }
 }
 
+TEST_F(WindowDeviceRealTime, EnterClosesTheIntroductionBeforeItStartsATrial) {
+  MainWindow window;
+  window.show();
+  bool ready = false;
+  QObject::connect(&window, &MainWindow::prepared, [&] { ready = true; });
+  window.prepare(with("mouse"), false);
+  ASSERT_TRUE(wait_for([&] { return ready; }));
+  auto* introduction = window.trial_page().findChild<MouseIntroduction*>();
+  ASSERT_NE(introduction, nullptr);
+  ASSERT_TRUE(introduction->isVisible());
+  QKeyEvent enter(QEvent::KeyPress, Qt::Key_Return, Qt::NoModifier);
+  QApplication::sendEvent(&window.trial_page(), &enter);
+  EXPECT_FALSE(introduction->isVisible());
+  EXPECT_FALSE(window.trial_page().running()) << "the first Enter only closes it";
+  QApplication::sendEvent(&window.trial_page(), &enter);
+  EXPECT_TRUE(window.trial_page().running());
+  int finished = 0;
+  QObject::connect(&window, &MainWindow::trial_finished, [&](const TrialOutcome&) { ++finished; });
+  window.trial_page().end("ended by trainee");
+  ASSERT_TRUE(wait_for([&] { return finished > 0; }));
+}
+
 TEST_F(WindowDeviceRealTime, DeviceSettingsAreShownAndKept) {
   device::DeviceInfo mouse;
   mouse.kind = "mouse";

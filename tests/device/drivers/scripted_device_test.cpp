@@ -235,6 +235,8 @@ TEST(HandScript, TellsOfTheHandAndItsFaults) {
   EXPECT_EQ(read.faults[0].fault, DeviceFault::communication_lost);
   EXPECT_EQ(read.faults[0].from_s, 0.5);
   EXPECT_EQ(read.faults[1].for_s, 1.5);
+  EXPECT_EQ(ScriptedDevice(Trajectory(read.keyframes), read.hand, read.faults).faults_too_late(), 1)
+      << "the one at 2 s: the script ends at 1 s";
   for (const std::string bad : {"# fault sleepy 1 1", "# fault unplugged 1", "# fault unplugged x 1",
                                 "# fault none 1 1", "# fault unplugged -1 1", "# fault unplugged nan 1",
                                 "# hand stiffness 4", "# hand tremor_seed -1", "# hand max_force_n strong"}) {
