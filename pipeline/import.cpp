@@ -7,6 +7,7 @@
 #include <chrono>
 #include <sstream>
 
+#include "pipeline/dicom/file_list.h"
 #include "pipeline/exchange/landmark_file.h"
 #include "pipeline/mesh/anatomy_surfaces.h"
 #include "pipeline/mesh/generic_face.h"
@@ -293,6 +294,7 @@ ImportReport import_series(const ImportOptions& options, const ImportProgress& p
   import.read();
   import.segment();
   import.forget_scan();
+    status_of_place(options.series);  // before any progress is told
   import.position();
   import.mesh();
   import.check();
