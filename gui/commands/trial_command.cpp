@@ -16,6 +16,7 @@
 #include "gui/lab/number_text.h"
 #include "gui/session/device_choice.h"
 #include "gui/session/files.h"
+#include "gui/session/patient_fit.h"
 #include "gui/session/placed_tool.h"
 #include "gui/session/user_paths.h"
 
@@ -93,6 +94,7 @@ int run_headless(const TrialSetup& setup, bool json) {
   const HeadlessApplication application;
   watch_for_interruption();
   TrialSession session(setup);
+  for (const std::string& misfit : misfits(session.package(), session.scenario())) spdlog::warn("{}", misfit);
   spdlog::info("scene built; {} with {} begins", session.scenario().id, setup.device);
   session.start();
   const bool show_progress = isatty(STDERR_FILENO) != 0;
