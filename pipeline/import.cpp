@@ -7,6 +7,7 @@
 #include <chrono>
 #include <sstream>
 
+#include "pipeline/dicom/file_list.h"
 #include "pipeline/exchange/landmark_file.h"
 #include "pipeline/mesh/anatomy_surfaces.h"
 #include "pipeline/mesh/generic_face.h"
@@ -176,7 +177,12 @@ const PatientPackage& Import::package() const { return work_->package; }
 
 std::vector<QualityItem> Import::quality() const {
   auto items = work_->package.quality;
-  items.insert(items.end(), work_->played.begin(), work_->played.end());
+  auto played = work_->played;
+  // What playing found wrong is the verdict on the whole, and is read first.
+  const auto well = std::stable_partition(played.begin(), played.end(),
+                                          [](const QualityItem& item) { return item.judged && !item.ok; });
+  items.insert(items.begin(), played.begin(), well);
+  items.insert(items.end(), well, played.end());
   return items;
 }
 
@@ -288,6 +294,7 @@ ImportReport import_series(const ImportOptions& options, const ImportProgress& p
   guarded([&] {
     check_out(options.out, options.replace);
     check_count(options.tetrahedra);
+    status_of_place(options.series);  // before any progress is told
   });
   Import import(options, progress);
   import.read();

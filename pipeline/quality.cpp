@@ -105,9 +105,11 @@ void add_neighbours(const Segmentation& s, const PatientPackage& package, std::v
   items.push_back({"gap where the tongue is held", gap, "mm", gap < 0.8 * k, "19 of 20 nodes are nearer to what holds them"});
 }
 
+constexpr double kInfantBelow = 1.3;  ///< breadth of the skull over a term infant's
+
 /// The skull's breadth grows by a half in the first year and by little after the sixth.
 QualityItem size_item(double scale) {
-  if (scale < 1.3)
+  if (scale < kInfantBelow)
     return plain("head size", scale, "x term", "breadth of the skull over a term infant's: an infant's head");
   if (scale < 1.55) {
     return {"child size", scale, "x term", false,
@@ -155,7 +157,9 @@ std::vector<QualityItem> segmentation_quality(const Segmentation& s) {
   const bool open = !s.head.lips.empty();
   items.push_back(
       {"mouth open", std::nullopt, "", open,
-       open ? "the lips stand apart" : "the mouth is closed: good for pressing on the tongue, not for a view"});
+       !open                            ? "the mouth is closed: good for pressing on the tongue, not for a view"
+       : s.pose.mouth_opened_deg != 0.0 ? "the lips stand apart after the opening"
+                                        : "the lips stand apart"});
   const auto moved = [&](const char* name, double degrees, const char* how) {
     if (degrees != 0.0) items.push_back({name, degrees, "degrees", false, how});
   };
@@ -164,8 +168,8 @@ std::vector<QualityItem> segmentation_quality(const Segmentation& s) {
   moved("head extended", s.pose.extension_deg, "not extended in the scan: neck and larynx were turned under the head");
   const double gap = norm(Vector3(s.landmarks.at("upper_gum_midline")) - Vector3(s.landmarks.at("lower_gum_midline")));
   // CLINICAL.md; how far a mouth is open is the position's doing, so it is told and not judged.
-  items.push_back(
-      plain("gap between the gums", gap, "mm", "widest opening below one month of age: 22.0 mm (20.4 to 23.6)"));
+  items.push_back(plain("gap between the gums", gap, "mm",
+                        k < kInfantBelow ? "widest opening below one month of age: 22.0 mm (20.4 to 23.6)" : ""));
   items.push_back(plain("glottis area", s.airway.glottis.area_mm2, "mm2", ""));
   return items;
 }

@@ -22,19 +22,20 @@ QJsonObject json_of(const device::FoundDevice& found) {
   QJsonArray workspace;
   for (const double edge : info.workspace_m) workspace.append(1e3 * edge);
   const bool bounded = info.workspace_m[0] > 0.0;
+  const auto figure = [&found](const QJsonValue& value) { return found.figures_known ? value : QJsonValue(); };
   return {{"name", known(found.name)},
           {"usable", usable(found)},
           {"kind", text(info.kind)},
           {"model", text(info.model)},
           {"serial", known(info.serial)},
           {"driver", known(info.driver)},
-          {"rate_hz", info.rate_hz},
+          {"rate_hz", figure(info.rate_hz)},
           {"workspace_mm", bounded ? QJsonValue(workspace) : QJsonValue()},
-          {"peak_force_n", info.peak_force_n},
-          {"continuous_force_n", info.continuous_force_n > 0.0 ? info.continuous_force_n : info.peak_force_n},
-          {"sensed_dof", info.sensed_dof},
-          {"actuated_dof", info.actuated_dof},
-          {"calibration", calibration_word(found.calibration)},
+          {"peak_force_n", figure(info.peak_force_n)},
+          {"continuous_force_n", figure(info.continuous_force_n > 0.0 ? info.continuous_force_n : info.peak_force_n)},
+          {"sensed_dof", figure(info.sensed_dof)},
+          {"actuated_dof", figure(info.actuated_dof)},
+          {"calibration", figure(calibration_word(found.calibration))},
           {"problem", known(found.problem)},
           {"mend", known(found.mend)}};
 }

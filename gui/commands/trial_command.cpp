@@ -17,6 +17,7 @@
 #include "gui/lab/number_text.h"
 #include "gui/session/device_choice.h"
 #include "gui/session/files.h"
+#include "gui/session/patient_fit.h"
 #include "gui/session/placed_tool.h"
 #include "gui/session/user_paths.h"
 
@@ -98,6 +99,7 @@ int run_headless(const TrialSetup& setup, bool json) {
   if (script != nullptr && script->faults_too_late() > 0)
     spdlog::warn("{} of the script's faults would begin after its last row, where the trial ends: give it a later row",
                  script->faults_too_late());
+  for (const std::string& misfit : misfits(session.package(), session.scenario())) spdlog::warn("{}", misfit);
   spdlog::info("scene built; {} with {} begins", session.scenario().id, setup.device);
   session.start();
   const bool show_progress = isatty(STDERR_FILENO) != 0;

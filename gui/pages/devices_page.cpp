@@ -53,6 +53,7 @@ DevicesPage::DevicesPage(QWidget* parent, Finder find) : QWidget(parent), find_(
   about_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   about_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   auto* back = new QPushButton("Back", this);
+  back->setShortcut(Qt::Key_Escape);
   use_ = new QPushButton("Use this one", this);
   use_->setObjectName("primary");
   use_->setEnabled(false);

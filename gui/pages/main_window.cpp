@@ -18,6 +18,7 @@
 #include "gui/pages/trial_page.h"
 #include "gui/session/builtin_patient.h"
 #include "gui/session/device_choice.h"
+#include "gui/session/patient_fit.h"
 #include "gui/session/user_paths.h"
 #include "gui/session/user_settings.h"
 #include "gui/views/patient_look.h"
@@ -71,7 +72,7 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
     back_to_start();
   });
   connect(trial_, &TrialPage::finished, this, [this](const TrialOutcome& outcome) {
-    result_->show_outcome(outcome, scenario_, results_);
+    result_->show_outcome(outcome, scenario_, results_, misfits_);
     pages_->setCurrentWidget(result_);
     emit trial_finished(outcome);
   });
@@ -206,6 +207,7 @@ void MainWindow::prepare(TrialSetup setup, std::function<std::filesystem::path()
       },
       [this, start_at_once](Prepared ready) {
         scenario_ = ready.session->scenario();
+        misfits_ = misfits(ready.session->package(), scenario_);
         pages_->setCurrentWidget(trial_);
         try {
           trial_->open(ready.session, ready.look);

@@ -71,6 +71,7 @@ class MainWindow : public QMainWindow {
   QPointer<QThread> worker_;
   std::atomic<bool> cancelled_{false};
   curricula::Scenario scenario_;
+  std::vector<std::string> misfits_;  ///< of the patient and this scenario
   std::filesystem::path results_;
   std::function<void()> again_;
   bool has_start_ = false;

@@ -74,7 +74,7 @@ ResultPage::ResultPage(QWidget* parent) : QWidget(parent) {
 }
 
 void ResultPage::show_outcome(const TrialOutcome& outcome, const curricula::Scenario& scenario,
-                              const std::filesystem::path& folder) {
+                              const std::filesystem::path& folder, const std::vector<std::string>& misfits) {
   const auto& score = outcome.score;
   title_->setText(QString::fromStdString(scenario.title));
   verdict_->setText(score.passed ? "PASSED" : "NOT PASSED");
@@ -85,6 +85,8 @@ void ResultPage::show_outcome(const TrialOutcome& outcome, const curricula::Scen
   change_->setText(QString::fromStdString(what_to_change(score, scenario)));
   show_figures(outcome, scenario);
   QString list;
+  for (const auto& misfit : misfits)
+    list += "<li style='margin-bottom:5px'><b>" + QString::fromStdString(misfit).toHtmlEscaped() + "</b></li>";
   if (!outcome.fault.empty())
     list += "<li style='margin-bottom:5px'><b>A fault: " + QString::fromStdString(outcome.fault).toHtmlEscaped() + "</b></li>";
   for (const auto& reason : score.reasons)

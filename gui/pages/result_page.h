@@ -16,9 +16,9 @@ class ResultPage : public QWidget {
   Q_OBJECT
  public:
   explicit ResultPage(QWidget* parent = nullptr);
-  /// `folder`: where a person will find the results.
+  /// `folder`: where a person will find the results. `misfits`: why scenario and patient do not belong together.
   void show_outcome(const TrialOutcome& outcome, const curricula::Scenario& scenario,
-                    const std::filesystem::path& folder);
+                    const std::filesystem::path& folder, const std::vector<std::string>& misfits);
 
  signals:
   void again();

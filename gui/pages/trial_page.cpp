@@ -16,6 +16,7 @@
 #include "gui/pages/blade_control.h"
 #include "gui/pages/mouse_introduction.h"
 #include "gui/session/device_choice.h"
+#include "gui/session/patient_fit.h"
 #include "gui/session/user_settings.h"
 #include "gui/views/force_bars.h"
 #include "gui/views/operator_view.h"
@@ -167,7 +168,9 @@ void TrialPage::open(std::shared_ptr<TrialSession> session, std::shared_ptr<Pati
   introduction_->hide();
   if (mouse != nullptr) introduction_->show_if_wanted();
   show_help();
-  show_banner("");
+  QStringList warned;
+  for (const auto& misfit : misfits(session_->package(), scenario)) warned << QString::fromStdString(misfit);
+  show_banner(warned.join("\n"));
   show_buttons();
   timer_.start();
   setFocus();

@@ -5,6 +5,8 @@
 namespace vallecula::gui {
 namespace {
 
+const std::string kNotKnown = "not known";
+
 std::string with_unit(double value, int digits, const char* unit) {
   char text[64];
   std::snprintf(text, sizeof(text), "%.*f %s", digits, value, unit);
@@ -56,9 +58,9 @@ DeviceRow device_row(const device::FoundDevice& found) {
   row.name = found.name.empty() ? "-" : found.name;
   row.model = (info.model.empty() ? info.kind : info.model) + (info.serial.empty() ? "" : " (" + info.serial + ")");
   row.driver = info.driver.empty() ? "built in" : info.driver;
-  row.rate = with_unit(info.rate_hz, 0, "Hz");
-  row.workspace = workspace_of(info);
-  row.force = force_of(info);
+  row.rate = found.figures_known ? with_unit(info.rate_hz, 0, "Hz") : kNotKnown;
+  row.workspace = found.figures_known ? workspace_of(info) : kNotKnown;
+  row.force = found.figures_known ? force_of(info) : kNotKnown;
   row.calibration = calibration.text;
   if (!found.problem.empty())
     row.trouble = found.problem + (found.mend.empty() ? "" : "; " + found.mend);

@@ -35,6 +35,7 @@ constexpr std::array<std::array<double, 2>, 6> kApproaches = {
 // Shares of the progress, as the times lie: the scene is built first, and most glottises are seen in the first try
 // before its end.
 constexpr double kSceneShare = 0.25, kFirstShare = 0.9, kUsuallySeen = 0.85;
+const std::string kNotReady = "not ready for practice: ";
 constexpr double kLiftIsOver_s = 11.5;  ///< of the expert's plan: from here on the blade goes out
 constexpr std::int64_t kTicksBetweenSights = 20;
 
@@ -154,8 +155,8 @@ std::string in_the_way(const PatientPackage& package) {
   if (most == met.end()) return "";
   char text[160];
   const Vec3& where = most->second.second;
-  std::snprintf(text, sizeof text, "%s stands in the line of sight at %.0f, %.0f, %.0f mm", words_for(most->first),
-                where.x(), where.y(), where.z());
+  std::snprintf(text, sizeof text, "%s stands in the line of sight at %.0f, %.0f, %.0f mm (package frame, LPS)",
+                words_for(most->first), where.x(), where.y(), where.z());
   return text;
 }
 
@@ -208,7 +209,7 @@ std::vector<QualityItem> check_by_playing(PatientPackage& package, const std::fu
     scene = engine::build_scene(description);
   } catch (const std::exception& error) {
     return {
-        {"check by playing", std::nullopt, "", false, std::string("no scene can be built from it: ") + error.what()}};
+        {"check by playing", std::nullopt, "", false, kNotReady + "no scene can be built from it: " + error.what()}};
   }
   if (progress) progress(kSceneShare);
   const double past_anatomy = engine::LineOfSight(description.sight, description.soft.bodies).unobstructed();
@@ -240,10 +241,13 @@ std::vector<QualityItem> check_by_playing(PatientPackage& package, const std::fu
   char when[80];
   std::snprintf(when, sizeof when, "by the scripted expert with a %s blade, at %.1f s", scenario.blade.c_str(),
                 played.time_s);
-  return {{"glottis in sight at rest", 100.0 * played.at_rest, "%", hidden,
-           hidden ? "hidden by tongue and epiglottis, as it should be" : "expected to be hidden before the lift"},
-          {"glottis in sight when lifted", 100.0 * played.lifted, "%", seen,
-           seen ? when : reason(package, description, scenario, played, past_anatomy)}};
+  const QualityItem at_rest{
+      "glottis in sight at rest", 100.0 * played.at_rest, "%", hidden,
+      hidden ? "hidden by tongue and epiglottis, as it should be" : "expected to be hidden before the lift"};
+  const QualityItem lifted{"glottis in sight when lifted", 100.0 * played.lifted, "%", seen,
+                           seen ? when : kNotReady + reason(package, description, scenario, played, past_anatomy)};
+  if (seen) return {at_rest, lifted};
+  return {lifted, at_rest};  // the verdict first
 }
 
 }  // namespace vallecula::gui

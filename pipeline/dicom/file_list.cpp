@@ -50,16 +50,23 @@ std::string told_name(const fs::path& file) {
   return is_neutral_file_name(name) ? name : "(name withheld)";
 }
 
-FileList::FileList(const fs::path& place) {
+fs::file_status status_of_place(const fs::path& place) {
   std::error_code error;
   const auto status = fs::status(place, error);
-  if (error || !fs::exists(status)) throw SeriesError("series: there is no such folder or file; check the name");
+  if (error || !fs::exists(status))
+    throw SeriesError("series: the folder or file given does not exist; check the name");
+  return status;
+}
+
+FileList::FileList(const fs::path& place) {
+  const auto status = status_of_place(place);
   if (fs::is_regular_file(status)) {
     files_.push_back(place);
     return;
   }
   if (!fs::is_directory(status)) throw SeriesError("series: is neither a folder nor a file; name the series' folder");
   is_folder_ = true;
+  std::error_code error;
   fs::recursive_directory_iterator entry(place, fs::directory_options::skip_permission_denied, error);
   for (; !error && entry != fs::recursive_directory_iterator(); entry.increment(error)) {
     std::error_code ignored;

@@ -7,6 +7,9 @@
 
 namespace vallecula::pipeline {
 
+/// What lies at the place that a person gave. Throws SeriesError, without its name, when there is nothing.
+std::filesystem::file_status status_of_place(const std::filesystem::path& place);
+
 /// A file's own name often holds a patient's name, number or a UID. So a file is told by its place in the order of
 /// names ("file 12 of 90"); its name follows only when it is made of the usual words and small numbers (IM-0001-0012).
 class FileList {

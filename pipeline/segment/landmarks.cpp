@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <stdexcept>
 
 #include "pipeline/segment/free_line.h"
@@ -291,9 +292,12 @@ void find_landmarks(Segmentation& s, const std::map<std::string, Point>& given) 
   m["glottis_normal"] = s.airway.glottis.normal;
   m["carina"] = s.airway.carina;
   if (!s.airway.carina_seen) {
-    s.findings["carina"] = {
-        Origin::inferred,
-        "below the scan; continued along the trachea, 50.4 mm (term) below the cords scaled with the head"};
+    char how[160];
+    std::snprintf(how, sizeof how,
+                  "below the scan; continued along the trachea, in the scan %.1f mm below the cords (a term infant's "
+                  "50.4 mm, grown with the head)",
+                  norm(Vector3(s.airway.carina) - Vector3(glottis)));
+    s.findings["carina"] = {Origin::inferred, how};
   }
   if (s.epiglottis.seen) {
     m["vallecula"] = s.epiglottis.vallecula;

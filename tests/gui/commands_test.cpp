@@ -211,7 +211,10 @@ TEST(ImportCommand, WhatIsNoSeriesIsRefusedAndNothingIsLeft) {
   fs::create_directory(box / "letters");
   write_text(box / "letters" / "a.dcm", "not DICOM at all");
   const std::size_t before = box.names("").size();
-  expect_import_refused(box, box / "nowhere", "there is no such folder or file");
+  expect_import_refused(box, box / "nowhere", "the folder or file given does not exist");
+  EXPECT_EQ(box.run({"import", (box / "nowhere").string(), "--out", (box / "p.patient").string()}).err.find('%'),
+            std::string::npos)
+      << "no progress of what cannot begin";
   expect_import_refused(box, box / "empty", "empty");
   expect_import_refused(box, box / "letters", "file 1 of 1: is no DICOM file");
   EXPECT_EQ(box.names("").size(), before);

@@ -2,6 +2,7 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <algorithm>
 
 #include "tests/device/drivers/hid_umockdev.h"
 #include "tests/gui/program.h"
@@ -28,12 +29,23 @@ class DevicesCommandUmockdev : public device::HidUmockdev {
 };
 
 TEST_F(DevicesCommandUmockdev, TellsWhatIsPluggedInAndWhatItCanDo) {
-  EXPECT_TRUE(listed("spacemouse").isEmpty());
+  for (const char* kind : {"spacemouse", "falcon"}) {
+    const QJsonObject none = listed(kind);
+    EXPECT_EQ(none["problem"].toString(), "none plugged in") << kind;
+    EXPECT_TRUE(none["name"].isNull() && !none["usable"].toBool()) << kind;
+    for (const char* figure : {"rate_hz", "peak_force_n", "continuous_force_n", "workspace_mm", "calibration"})
+      EXPECT_TRUE(none.contains(figure) && none[figure].isNull()) << kind << ": " << figure << " is not known";
+  }
+  EXPECT_NE(box_.run({"devices"}).out.find("not known"), std::string::npos);
   device::MockUsb usb;
   usb.serial = "A17";
   plug_in(usb);
+  const QJsonArray all = listed();
   const QJsonObject found = listed("spacemouse");
   EXPECT_EQ(found["name"].toString(), "spacemouse");
+  EXPECT_EQ(std::count_if(all.begin(), all.end(),
+                          [](const auto& one) { return one.toObject()["kind"].toString() == "spacemouse"; }),
+            1);
   EXPECT_EQ(found["model"].toString(), "SpaceMouse Compact");
   EXPECT_EQ(found["serial"].toString(), "A17");
   EXPECT_EQ(found["driver"].toString(), "hidapi");

@@ -40,6 +40,9 @@ TEST(PlayCheck, AnEyeTooLowMeetsTheUpperLipAndANarrowMouthIsNamed) {
   ASSERT_NE(seen, nullptr);
   EXPECT_FALSE(seen->ok);
   EXPECT_NE(seen->note.find("a lip stands in the line of sight"), std::string::npos) << seen->note;
+  EXPECT_NE(seen->note.find("mm (package frame, LPS)"), std::string::npos) << seen->note;
+  EXPECT_EQ(seen->note.rfind("not ready for practice: ", 0), 0u) << seen->note;
+  EXPECT_EQ(seen, &items.front()) << "the verdict is read first";
 
   package.landmarks.at("lower_gum_midline") = package.landmarks.at("upper_gum_midline");
   package.landmarks.at("lower_gum_midline")[2] -= 4.0;

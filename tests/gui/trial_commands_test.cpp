@@ -132,6 +132,20 @@ TEST_F(TrialCommands, PredictionAndEnergyAreMeasuredOnATrial) {
   EXPECT_EQ(box_.run({"replay", (box_ / "out").string(), "--prediction", "--verify"}).exit_code, 2);
 }
 
+/// The patient of blocks measures 55.2 mm from gum to vallecula; the infant of 1.2 kg 50.3 mm x 0.72.
+TEST_F(TrialCommands, APatientOfAnotherSizeThanTheScenariosIsRemarkedBeforeTheTrial) {
+  EXPECT_EQ(box_.run(trial_arguments("fits")).err.find("times as large"), std::string::npos) << "10 % fit";
+  std::string text = text_of(curriculum_);
+  text.replace(text.find("weight_kg: 3.2"), 14, "weight_kg: 1.2");
+  write_text(curriculum_, text);
+  const Outcome outcome = box_.run(trial_arguments("out"));
+  EXPECT_EQ(outcome.exit_code, 0) << "a remark, not a refusal";
+  const auto at = outcome.err.find("1.5 times as large as the scenario's infant");
+  ASSERT_NE(at, std::string::npos) << outcome.err;
+  EXPECT_LT(at, outcome.err.find("begins"));
+  EXPECT_EQ(outcome.err.find("could not bring the glottis"), std::string::npos) << "its report says nothing of it";
+}
+
 TEST_F(TrialCommands, TwoTrialsAtFullSpeedAreTheSameToTheBit) {
   ASSERT_EQ(box_.run(trial_arguments("one")).exit_code, 0);
   ASSERT_EQ(box_.run(trial_arguments("two")).exit_code, 0);

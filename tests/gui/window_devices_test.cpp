@@ -194,6 +194,7 @@ TEST_F(WindowDevices, TheChosenOneIsPractisedWithAndRemembered) {
     keep_picture(window, "devices-window.png");
     button(window.devices_page(), "Back")->click();
     EXPECT_EQ(window.page_name(), "start");
+    EXPECT_EQ(button(window.devices_page(), "Back")->shortcut(), QKeySequence(Qt::Key_Escape));
     button(window.start_page(), "Devices ...")->click();
     emit window.devices_page().chosen(spacemouse("A17"));
     EXPECT_EQ(window.page_name(), "start");

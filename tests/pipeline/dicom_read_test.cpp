@@ -149,7 +149,7 @@ TEST_F(ReadSeries, BadFoldersSayWhatIsWrong) {
   std::ofstream(dir_ / "notes.txt") << "hello";
   expect_message("no DICOM images");
   fs::remove_all(dir_);
-  expect_message("no such folder or file; check the name");
+  expect_message("the folder or file given does not exist; check the name");
   std::ofstream(dir_) << "a file";
   expect_message("the file: is no DICOM file");
 }

@@ -69,6 +69,7 @@ FoundDevice told(const HdError& error, const std::string& name) {
   found.info.model = name.empty() ? "Touch, Touch X" : name;
   found.info.driver = "libHD.so";
   found.info.own_axes = true;
+  found.figures_known = false;
   found.problem = error.problem;
   found.mend = error.mend;
   return found;

@@ -64,9 +64,9 @@ Functions load_library(const std::vector<std::string>& paths) {
     tried += (tried.empty() ? "" : "; ") + told(path) + ": " + reason(path);
   }
   if (library == nullptr) {
-    throw HdError("the device's library libHD.so cannot be loaded; tried " + tried,
+    throw HdError("the device's library libHD.so cannot be loaded",
                   std::string("Install OpenHaptics and the Touch driver from 3D Systems, or let ") + kVariable +
-                      " name the library's file");
+                      " name the library's file (tried " + tried + ")");
   }
   Functions hd;
   std::string missing;

@@ -61,6 +61,7 @@ TEST_F(HdapiLibrary, NoLibraryNamesEveryPathTried) {
   const std::string error = error_of(paths);
   for (const std::string& path : paths) EXPECT_TRUE(says(error, path + ": not there")) << error;
   EXPECT_TRUE(says(error, "Install OpenHaptics")) << error;
+  EXPECT_LT(error.find("Install OpenHaptics"), error.find(paths[0])) << "the mend before what was tried: " << error;
   EXPECT_TRUE(says(error, "VALLECULA_LIBHD")) << error;
 }
 
