@@ -3,8 +3,10 @@
 
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 
+#include "engine/tube/intubation.h"
 #include "engine/types.h"
 
 namespace vallecula::engine {
@@ -115,6 +117,7 @@ struct SceneDescription {
   ToolDescription tool;
   SightDescription sight;
   HapticSettings haptics;
+  std::optional<IntubationDescription> intubation;  ///< none: laryngoscopy alone
   bool hold_volume = true;             ///< nearly incompressible tissue as a whole keeps its volume within 1 %
   double friction = 0.0;               ///< Coulomb's coefficient of the tool on the tissue
   Response response = Response::compliant;

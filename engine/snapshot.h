@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/tick_record.h"
+#include "engine/tube/rod.h"
 
 namespace vallecula::engine {
 
@@ -20,6 +21,10 @@ struct Snapshot {
   std::int64_t deadline_misses = 0;  ///< forces written more than 1 ms after they were due
   std::int64_t overruns = 0;         ///< ticks whose simulation step was not finished in time
   double loop_rate_hz = 0.0;         ///< servo rate over the last second
+  bool has_intubation = false;
+  IntubationRecord intubation;
+  std::array<Vec3, kTubeNodes> tube_axis{};        ///< of what the second hand holds, from the tip, m
+  std::array<Quat, kTubeSegments> tube_frames{};   ///< of its segments
   std::vector<float> soft_points;    ///< x y z (m) of every tissue node in the package's order; sized once
   std::vector<Vec3> body_displacement;  ///< of the tissue's sprung bodies: translation (m), or angle (rad) in x
   std::vector<Vec3> lip_displacement;   ///< of LipDescription's points, on top of the jaw's, m

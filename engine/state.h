@@ -15,6 +15,9 @@ namespace vallecula::engine {
 struct StepInput {
   Pose device;
   bool valid = true;
+  Pose second;               ///< of the second hand; read where the scene has an intubation
+  bool second_valid = true;
+  std::uint32_t actions = 0; ///< bits of Action
 };
 
 /// One step's result, as plain numbers.

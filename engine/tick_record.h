@@ -1,6 +1,7 @@
 // One servo tick as plain numbers: what the recorder writes to the trial log and `replay --verify` recomputes.
 #pragma once
 
+#include "engine/tube/intubation_record.h"
 #include "engine/types.h"
 
 namespace vallecula::engine {
@@ -40,6 +41,8 @@ struct TickRecord {
   bool has_sight = false;          ///< every 20 simulation steps
   double glottis_visible = 0.0;    ///< fraction of the glottic opening seen from the operator's eye, 0..1
   std::uint32_t faults = kFaultNone;
+  bool has_intubation = false;             ///< of the scene: the same in all ticks of a trial
+  IntubationRecord intubation;
 };
 
 }  // namespace vallecula::engine

@@ -9,6 +9,8 @@ struct PortInput {
   Pose pose;                   ///< device pose in patient axes, m
   std::uint32_t buttons = 0;
   bool valid = true;           ///< false: the device cannot be used now; the pose is its last known one
+  Pose second_pose;            ///< of the second hand, likewise; of no concern to a scene without an intubation
+  bool second_valid = true;
 };
 
 /// Called by the servo thread once a tick. Implementations neither block, allocate, log nor throw.
@@ -21,6 +23,8 @@ class HapticPort {
   virtual void see_tool(const Pose& tool) noexcept { (void)tool; }
   /// Force in world axes, N. Called once after every read.
   virtual void write(const Vec3& force_n) noexcept = 0;
+  /// Force on the second hand, N; after write() in a scene with an intubation.
+  virtual void write_second(const Vec3& force_n) noexcept { (void)force_n; }
 };
 
 }  // namespace vallecula::engine

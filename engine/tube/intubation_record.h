@@ -1,0 +1,72 @@
+// What the second half of the procedure takes in and leaves, one tick, as plain numbers: what is recorded and scored.
+#pragma once
+
+#include "engine/types.h"
+
+namespace vallecula::engine {
+
+/// What a hand asks for by keys or buttons; held down. Bits of StepInput::actions and TickRecord::buttons.
+enum Action : std::uint32_t {
+  kActionBreath = 1u << 16,   ///< a breath when it goes down, and 40 a minute while it is held: by mask, or through the
+                              ///< tube where it is in
+  kActionSuction = 1u << 17,  ///< with the catheter in the second hand
+  kActionPress = 1u << 18,    ///< the assistant presses on the larynx
+  kActionStyletOut = 1u << 19,  ///< once it goes down the stylet is out for good
+  kActionCatheter =
+      1u << 20,  ///< while set, the second hand has the catheter instead of the tube; changes outside the mouth only
+};
+
+/// Where the tip of what the second hand holds is.
+enum class TipPlace : std::uint8_t {
+  outside,
+  mouth,
+  larynx,
+  trachea,
+  main_bronchus,
+  oesophagus
+};  ///< larynx: from the inlet to the cricoid
+enum class InHand : std::uint8_t { tube_with_stylet, tube, catheter };
+
+/// Named faults of the second half, bits.
+enum IntubationFault : std::uint32_t {
+  kIntubationFaultNone = 0,
+  kIntubationFaultHand = 1u << 0,      ///< the second hand's device reports itself unusable: what it held stays
+  kIntubationFaultHandPose = 1u << 1,  ///< its pose was not finite or no rotation
+  kIntubationFaultTube = 1u << 2,      ///< the tube became non-finite and was put back to rest in the hand
+  kIntubationFaultInfant = 1u << 3,    ///< the infant or the cords became non-finite and are back at their start
+  kIntubationFaultForce = 1u << 4,     ///< the second hand's force was not finite; zero was sent
+};
+
+/// Of one tick, as plain numbers: what is recorded.
+struct IntubationRecord {
+  Pose hand_pose;  ///< second hand's device: where it grips; +x from the tip to the grip, +z concave
+  bool hand_valid = true;
+  InHand in_hand = InHand::tube;
+  Vec3 tip_m = Vec3::Zero();
+  Vec3 tip_direction = Vec3::UnitZ();  ///< unit, the way the tip points
+  TipPlace place = TipPlace::outside;
+  double past_cords_m =
+      0.0;  ///< of the tip along the airway from the cords, at most 0 above them; in the oesophagus from its mouth
+  double at_mouth_m = 0.0;            ///< the tube's mark at the mouth's front: its length inside; 0: outside
+  double buckled_m = 0.0;             ///< farthest of its axis from where it would be undeformed in the hand
+  Vec3 model_force_n = Vec3::Zero();  ///< on the second hand, world
+  Vec3 displayed_force_n = Vec3::Zero();
+  /// On the walls by part (AirwayPart's order), then surfaces above: pharynx and mouth, tongue, epiglottis, blade; sums
+  /// of magnitudes, N.
+  std::array<double, 11> loads_n{};
+  double tip_load_n = 0.0;         ///< along the tube, of what stands before its tip
+  std::uint8_t tip_against = 255;  ///< index into loads_n of the largest part of it; 255: nothing
+  double glottis_opening = 0.0;    ///< 0..1
+  bool spasm = false;
+  double secretions_ml = 0.0;
+  double sao2 = 0.0, spo2 = 0.0;  ///< 0..1; true, displayed
+  double heart_per_min = 0.0;
+  bool detector_yellow = false;
+  std::int32_t breaths_given = 0;
+  double given_per_min = 0.0;
+  std::uint32_t faults = kIntubationFaultNone;
+};
+constexpr int kAirwayParts = 7;
+enum TubeLoad : int { kLoadPharynx = kAirwayParts, kLoadTongue, kLoadEpiglottis, kLoadBlade, kTubeLoads };
+
+}  // namespace vallecula::engine
