@@ -7,24 +7,15 @@ namespace vallecula::engine {
 
 /// What a hand asks for by keys or buttons; held down. Bits of StepInput::actions and TickRecord::buttons.
 enum Action : std::uint32_t {
-  kActionBreath = 1u << 16,   ///< a breath when it goes down, and 40 a minute while it is held: by mask, or through the
-                              ///< tube where it is in
-  kActionSuction = 1u << 17,  ///< with the catheter in the second hand
-  kActionPress = 1u << 18,    ///< the assistant presses on the larynx
+  kActionBreath = 1u << 16,     ///< a breath as it goes down, 40 a minute while held: by mask, or by the tube if it is in
+  kActionSuction = 1u << 17,    ///< with the catheter in the second hand
+  kActionPress = 1u << 18,      ///< the assistant presses on the larynx
   kActionStyletOut = 1u << 19,  ///< once it goes down the stylet is out for good
-  kActionCatheter =
-      1u << 20,  ///< while set, the second hand has the catheter instead of the tube; changes outside the mouth only
+  kActionCatheter = 1u << 20,   ///< while set the second hand has the catheter; it changes outside the mouth only
 };
 
-/// Where the tip of what the second hand holds is.
-enum class TipPlace : std::uint8_t {
-  outside,
-  mouth,
-  larynx,
-  trachea,
-  main_bronchus,
-  oesophagus
-};  ///< larynx: from the inlet to the cricoid
+/// Where the tip of what the second hand holds is. `larynx`: from the inlet to the cricoid.
+enum class TipPlace : std::uint8_t { outside, mouth, larynx, trachea, main_bronchus, oesophagus };
 enum class InHand : std::uint8_t { tube_with_stylet, tube, catheter };
 
 /// Named faults of the second half, bits.
@@ -45,8 +36,8 @@ struct IntubationRecord {
   Vec3 tip_m = Vec3::Zero();
   Vec3 tip_direction = Vec3::UnitZ();  ///< unit, the way the tip points
   TipPlace place = TipPlace::outside;
-  double past_cords_m =
-      0.0;  ///< of the tip along the airway from the cords, at most 0 above them; in the oesophagus from its mouth
+  /// Of the tip along the airway from the cords, at most 0 above them; in the oesophagus from its mouth.
+  double past_cords_m = 0.0;
   double at_mouth_m = 0.0;            ///< the tube's mark at the mouth's front: its length inside; 0: outside
   double buckled_m = 0.0;             ///< farthest of its axis from where it would be undeformed in the hand
   Vec3 model_force_n = Vec3::Zero();  ///< on the second hand, world
