@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include "engine/contact/response.h"
 
@@ -11,6 +12,7 @@ namespace vallecula::engine {
 namespace {
 
 constexpr double kReach = 0.00012;    // m: contacts are set up this far ahead of touch, plus both sides' way in a tick
+constexpr double kSpacing = 0.0009;   // m: points that are no vertices are no nearer to each other
 constexpr double kTouching = 0.0001;  // m: within it a point counts as in contact and keeps its side
 constexpr double kLook = 0.003;      // m: parts of the tube farther from a cluster than this are not asked for in it
 constexpr double kSameSide = 0.3;     // cosine between the kept side and the way to the axis
@@ -156,20 +158,73 @@ bool meet(const Scene& scene, const TissueState& tissue, const Tube& tube, const
   return true;
 }
 
-float stiffness_of(const Scene& scene, const InnerSphere& sphere) {
-  return kStiffness / kContactAugmentation * scene.contact_stiffness * static_cast<float>(sphere.area);
+float stiffness_of(const Scene& scene, std::int32_t sphere) {
+  return kStiffness / kContactAugmentation * scene.contact_stiffness * scene.tube_areas[sphere];
 }
 
-/// Of `count` found the deepest `most`, again in the order of the spheres.
-void keep_deepest(std::vector<SoftContact>& found, int count, int most) {
-  const auto begin = found.begin();
-  std::nth_element(begin, begin + most, begin + count, [](const SoftContact& a, const SoftContact& b) {
-    return a.gap != b.gap ? a.gap < b.gap : a.sphere < b.sphere;
+/// What a spring is pressed by at the start of the step, m: what it kept of earlier ticks counts as depth.
+double pressed_depth(const Scene& scene, const SoftContactState& state, const SoftContact& at) {
+  return state.memory[at.sphere].multiplier / stiffness_of(scene, at.sphere) - at.gap;
+}
+
+/// Of `count` found the `most` that are pressed deepest, again in the order of the spheres. The others forget what they
+/// kept, so that the same ones stay chosen.
+void keep_deepest(const Scene& scene, int count, int most, SoftContactState& state) {
+  const auto begin = state.found.begin();
+  std::nth_element(begin, begin + most, begin + count, [&](const SoftContact& a, const SoftContact& b) {
+    const double depth_a = pressed_depth(scene, state, a), depth_b = pressed_depth(scene, state, b);
+    return depth_a != depth_b ? depth_a > depth_b : a.sphere < b.sphere;
   });
+  for (auto left = begin + most; left != begin + count; ++left) state.memory[left->sphere].multiplier = 0.0f;
   std::sort(begin, begin + most, [](const SoftContact& a, const SoftContact& b) { return a.sphere < b.sphere; });
 }
 
 }  // namespace
+
+std::vector<float> tube_contact_areas(const SphereTree& tree, const SoftSurface& surface,
+                                      const std::vector<Vec3>& nodes) {
+  std::vector<std::int32_t> order;  // vertices first: they carry the force
+  std::vector<Vec3> point(tree.spheres.size(), Vec3::Zero());
+  for (const bool vertices : {true, false})
+    for (std::size_t s = 0; s < tree.spheres.size(); ++s) {
+      const InnerSphere& sphere = tree.spheres[s];
+      if (sphere.core || (sphere.standoff == 0.0) != vertices) continue;
+      for (int k = 0; k < 3; ++k)
+        point[s] += sphere.surface_weight[k] * nodes[surface.triangles[sphere.triangle][k]];
+      order.push_back(static_cast<std::int32_t>(s));
+    }
+  using Cell = std::array<long long, 3>;
+  std::map<Cell, std::vector<std::int32_t>> taken;
+  const auto cell_of = [](const Vec3& p) {
+    return Cell{std::llround(p.x() / kSpacing), std::llround(p.y() / kSpacing), std::llround(p.z() / kSpacing)};
+  };
+  const auto nearest_taken = [&](std::int32_t s) {
+    std::int32_t nearest = -1;
+    double nearest_m = kSpacing;
+    const Cell at = cell_of(point[s]);
+    for (int n = 0; n < 27; ++n) {
+      const auto cell = taken.find(Cell{at[0] + n % 3 - 1, at[1] + n / 3 % 3 - 1, at[2] + n / 9 - 1});
+      if (cell == taken.end()) continue;
+      for (std::int32_t t : cell->second) {
+        const double away = (point[t] - point[s]).norm();
+        if (away >= nearest_m) continue;
+        nearest_m = away;
+        nearest = t;
+      }
+    }
+    return nearest;
+  };
+  std::vector<float> area(tree.spheres.size(), 0.0f);
+  for (std::int32_t s : order) {
+    const InnerSphere& sphere = tree.spheres[s];
+    const std::int32_t other = sphere.standoff == 0.0 ? -1 : nearest_taken(s);
+    area[other < 0 ? s : other] += static_cast<float>(sphere.area);
+    if (other < 0) taken[cell_of(point[s])].push_back(s);
+  }
+  for (std::size_t s = 0; s < area.size(); ++s)
+    if (!tree.spheres[s].touchable) area[s] = 0.0f;
+  return area;
+}
 
 SoftContactState::SoftContactState(const Scene& scene)
     : memory(scene.tree.spheres.size()),
@@ -240,8 +295,7 @@ int find_soft_contacts(const Scene& scene, const TissueState& tissue, const Rod&
     }
     all_clear = 0.0;
     for (int s = cluster.first; s < cluster.first + cluster.count; ++s) {
-      const InnerSphere& sphere = tree.spheres[s];
-      if (!sphere.touchable || sphere.core || state.travel < state.memory[s].next_check) continue;
+      if (scene.tube_areas[s] == 0.0f || state.travel < state.memory[s].next_check) continue;
       if (meet(scene, tissue, tube, near, near_count, approach, s, state, state.found[found])) ++found;
     }
   }
@@ -249,7 +303,7 @@ int find_soft_contacts(const Scene& scene, const TissueState& tissue, const Rod&
 
   const int most = std::clamp(capacity, 0, kMostTubeContacts);
   if (found > most) {
-    keep_deepest(state.found, found, most);
+    keep_deepest(scene, found, most, state);
     state.left_out = found - most;
   }
   state.count = std::min(found, most);
@@ -261,8 +315,8 @@ int find_soft_contacts(const Scene& scene, const TissueState& tissue, const Rod&
     c.node = at.segment;
     c.weight = at.weight;
     c.normal = at.normal;
-    c.stiffness_n_m = stiffness_of(scene, sphere);
-    c.depth_m = state.memory[at.sphere].multiplier / c.stiffness_n_m - at.gap;
+    c.stiffness_n_m = stiffness_of(scene, at.sphere);
+    c.depth_m = pressed_depth(scene, state, at);
     c.friction = friction;
     const auto& triangle = scene.surface.triangles[sphere.triangle];
     for (int k = 0; k < 3; ++k)

@@ -12,6 +12,12 @@
 
 namespace vallecula::engine {
 
+/// Per sphere of the tree the surface area its point answers for against the tube, m^2; 0: it is not asked. The blade's
+/// points lie a millimetre apart for its edges; a round tube does with fewer: the surface's vertices and, where these
+/// are far apart, points between.
+std::vector<float> tube_contact_areas(const SphereTree& tree, const SoftSurface& surface,
+                                      const std::vector<Vec3>& nodes);
+
 /// What a point of the tissue's surface remembers between ticks.
 struct SoftContactMemory {
   Vec3 side = Vec3::Zero();  ///< out of the tissue, world: last direction to the tube's axis that was no way through it
