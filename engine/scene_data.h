@@ -26,6 +26,7 @@ class Scene {
   RigidField rigid;              ///< empty (nothing inside) without rigid anatomy
   Lips lips;
   LineOfSight sight;
+  std::vector<float> tube_areas;   ///< per sphere of the tree (tube/soft_contacts.h)
   ProxySettings proxy;
   float contact_stiffness = 0.0f;  ///< N/m^3
   Vec3 centre = Vec3::Zero();      ///< of the tissue at rest: device poses are clamped to a ball around it

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/contact/response.h"
+#include "engine/tube/soft_contacts.h"
 
 namespace vallecula::engine {
 
@@ -114,7 +115,8 @@ SceneState::SceneState(const Scene& scene)
           std::max<std::size_t>(scene.model.rest.size(), scene.description.tool.surface.points.size()))) {}
 
 StepStatistics step_tissue(const Scene& scene, SceneState& state, const Pose& before,
-                           std::array<StructureLoad, kLoadedStructures>& loads, StageTimes& times) noexcept {
+                           std::array<StructureLoad, kLoadedStructures>& loads, StageTimes& times,
+                           SoftContactState* tube) noexcept {
   StageClock clock;
   if (state.placed && scene.description.collision == Collision::triangles)
     find_triangle_contacts(scene.triangles, scene.surface, scene.model, state.tissue, state.proxy.pose, before,
@@ -124,9 +126,16 @@ StepStatistics step_tissue(const Scene& scene, SceneState& state, const Pose& be
                   state.proxy.pose, before, scene.contact_stiffness,
                   static_cast<float>(scene.description.friction), state.contacts);
   clock.add_to(times.collision_s);
+  state.contacts.of_tube = tube ? tube->count : 0;
+  ContactConstraint* of_tube = state.contacts.constraints.data() + state.contacts.count;
+  if (tube) std::copy_n(tube->constraints.begin(), tube->count, of_tube);
   const StepStatistics statistics = respond(scene.description.response, scene.description.sphere_distances, scene.tree,
                                             scene.model, state.proxy.pose, state.tissue, state.contacts, times);
   clock = StageClock();
+  if (tube) {
+    std::copy_n(of_tube, tube->count, tube->constraints.begin());
+    keep_soft_contacts(*tube);
+  }
   collect_tissue_load(scene, state, loads);
   clock.add_to(times.response_s);
   return statistics;
