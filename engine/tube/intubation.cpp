@@ -28,7 +28,7 @@ double cords_share(const AirwayCourse& course) {
   return 0.0;
 }
 
-void check(const IntubationDescription& d, const std::vector<SprungBody>& bodies) {
+const IntubationDescription& checked(const IntubationDescription& d, const std::vector<SprungBody>& bodies) {
   if (d.glottis.relaxed != d.infant.premedicated)
     refuse(d.infant.premedicated ? "the infant has a muscle relaxant, its cords have none"
                                  : "the cords have a muscle relaxant, the infant has none");
@@ -36,8 +36,6 @@ void check(const IntubationDescription& d, const std::vector<SprungBody>& bodies
   if (!(d.press_n >= 0 && d.press_n <= kMostPress))
     refuse("a press on the larynx of 0 to 10 N is needed, not " + std::to_string(d.press_n) + " N");
   need_unit(d.press_direction, "the press' direction");
-  if (!d.mouth.allFinite()) refuse("the point of the mouth's front plane is not finite");
-  need_unit(d.mouth_inward, "the normal of the mouth's front plane");
   if (!(d.device_limit_n > 0) || !std::isfinite(d.device_limit_n))
     refuse("the limit of the second hand's device is " + std::to_string(d.device_limit_n) + " N; it must be above 0");
   if (!(d.mouth_gap_m >= 0) || !std::isfinite(d.mouth_gap_m))
@@ -52,6 +50,9 @@ void check(const IntubationDescription& d, const std::vector<SprungBody>& bodies
   if (d.course.larynx_body >= 0 &&
       bodies[static_cast<std::size_t>(d.course.larynx_body)].motion != SprungBody::Motion::translation)
     refuse("the larynx goes with body " + std::to_string(d.course.larynx_body) + ", which does not shift");
+  checked(d.glottis);
+  checked(d.secretions);
+  return d;
 }
 
 std::vector<std::array<int, 3>> sleeve_triangles() {
@@ -68,20 +69,19 @@ std::vector<std::array<int, 3>> sleeve_triangles() {
 }  // namespace
 
 Intubation::Intubation(const IntubationDescription& d, const std::vector<SprungBody>& bodies)
-    : description(d), sleeve(sleeve_triangles()) {
-  check(d, bodies);
-  checked(d.glottis);
-  checked(d.secretions);
-  infant = build_infant(d.infant);
+    : description(checked(d, bodies)),
+      infant(build_infant(d.infant)),
+      passage(d.course, d.glottis, d.mouth, d.mouth_inward),
+      sleeve(sleeve_triangles()),
+      catheter_(suction_catheter(d.catheter_outer_m)),
+      tube_outside_(d.tube),
+      catheter_outside_(catheter_) {
   const auto make = [this](InHand what, const TubeDesign& design, const Stylet* stylet) {
     rods_[static_cast<std::size_t>(what)].emplace(tube_rod(design, stylet, usual_grip_from_tip(design)));
   };
   make(InHand::tube, d.tube, nullptr);
   if (d.stylet) make(InHand::tube_with_stylet, d.tube, &*d.stylet);
-  if (d.catheter_outer_m > 0) {
-    catheter_ = suction_catheter(d.catheter_outer_m);
-    make(InHand::catheter, catheter_, nullptr);
-  }
+  if (d.catheter_outer_m > 0) make(InHand::catheter, catheter_, nullptr);
   larynx_share_ = d.course.larynx_body >= 0 ? cords_share(d.course) : 0.0;
 }
 

@@ -34,6 +34,12 @@ bool approach(const Pose& to, double most_m, double most_rad, Pose& from) {
   return false;
 }
 
+/// What the second hand holds hangs undeformed from its grip, and is in no canal.
+void put_to_rest(const Intubation& in, const Pose& grip, IntubationState& s) {
+  s.rod.set_rest(in.rod(s.in_hand), grip);
+  s.passage.set_rest();
+}
+
 /// Where the grip is to be in this step: the hand's place, or where it was left.
 Pose take_hand(const Scene& scene, const StepInput& input, IntubationState& s, std::uint32_t& faults) {
   const bool good = usable(input.second);
@@ -46,7 +52,7 @@ Pose take_hand(const Scene& scene, const StepInput& input, IntubationState& s, s
   const Pose hand = within_reach(scene, input.second);
   if (!s.placed) {
     s.placed = true;
-    s.rod.set_rest(scene.intubation->rod(s.in_hand), hand);
+    put_to_rest(*scene.intubation, hand, s);
   }
   if (!s.returning) return hand;
   Pose grip = s.rod.grip;
@@ -63,7 +69,7 @@ void take_tools(const Intubation& in, std::uint32_t actions, IntubationState& s)
   const bool exchange = wanted == InHand::catheter || s.in_hand == InHand::catheter;
   if (exchange && deep(in.description, s.rod.position[0]) >= 0) return;
   s.in_hand = wanted;
-  if (exchange) s.rod.set_rest(in.rod(wanted), s.rod.grip);
+  if (exchange) put_to_rest(in, s.rod.grip, s);
 }
 
 /// True in the step of a breath that is asked for.
@@ -113,19 +119,16 @@ void step_secretions(const Scene& scene, const IntubationRecord& r, std::uint32_
 
 /// Infant and cords: one step each; a breath asked for goes the way that is open.
 void step_patient(const Scene& scene, const SceneState& state, std::uint32_t actions, const StepResult& result,
-                  IntubationState& s, IntubationRecord& r) {
+                  const PassageLoads& loads, IntubationState& s, IntubationRecord& r) {
   const Intubation& in = *scene.intubation;
   const double dt = scene.model.step_s;
-  const auto& on = r.loads_n;
-  const auto part = [&on](AirwayPart p) { return on[static_cast<std::size_t>(p)]; };
 
   InfantInput input;
   input.tip = tube_tip(r);
   if (breath_due(actions, dt, s)) input.breath = way_of_breath(in.description, state, r);
   if (input.breath == Breath::tube) s.stylet_in = false;
   input.blade_load_n = load_on(result, Structure::epiglottis) + load_on(result, Structure::larynx);
-  input.tube_load_n = part(AirwayPart::vestibule) + part(AirwayPart::cords) + part(AirwayPart::subglottis) +
-                      part(AirwayPart::cricoid) + on[kLoadEpiglottis];
+  input.tube_load_n = loads.vagal_n;
   input.glottis_opening = s.glottis.opening;
   input.breathing = in.description.breathes;
   const InfantSigns signs = step(in.infant, s.infant, input, dt);
@@ -134,8 +137,7 @@ void step_patient(const Scene& scene, const SceneState& state, std::uint32_t act
   GlottisInput cords;
   cords.breathing = in.description.breathes;
   cords.breath_phase = signs.breath_phase;
-  cords.touched =
-      std::max({load_on(result, Structure::larynx), part(AirwayPart::vestibule), part(AirwayPart::cords)}) > kTouch;
+  cords.touched = loads.touches_cords || load_on(result, Structure::larynx) > kTouch;
   step(in.description.glottis, s.glottis, cords, dt);
   if ((signs.faults & kInfantFaultState) != 0 || (s.glottis.faults & kGlottisFaultState) != 0)
     r.faults |= kIntubationFaultInfant;
@@ -160,18 +162,6 @@ void press_larynx(const Scene& scene, std::uint32_t actions, IntubationState& s)
         scene.intubation->larynx_share() * s.press * d.press_n * d.press_direction;
 }
 
-/// How much of the tube lies beyond the mouth's front plane, from the tip to where its axis leaves it for good.
-double length_inside(const IntubationDescription& d, const Rod& rod, const RodState& s) {
-  for (int i = kTubeNodes - 1; i >= 0; --i) {
-    const double here = deep(d, s.position[i]);
-    if (here < 0) continue;
-    if (i == kTubeNodes - 1) return rod.description().length_m;
-    const double outside = deep(d, s.position[i + 1]);
-    return rod.segment_m() * (i + here / (here - outside));
-  }
-  return 0.0;
-}
-
 /// Farthest of the axis from where it would be undeformed in the hand.
 double buckled(const Rod& rod, const RodState& s) {
   const RodState rest(rod, s.grip);
@@ -180,18 +170,66 @@ double buckled(const Rod& rod, const RodState& s) {
   return std::sqrt(most);
 }
 
+PassageInput about_tube(const Scene& scene, const SceneState& state) {
+  PassageInput about;
+  const int larynx = scene.intubation->passage.larynx_body();
+  if (larynx >= 0) {
+    about.larynx_way = state.tissue.body_displacement[static_cast<std::size_t>(larynx)];
+    about.larynx_velocity = state.tissue.body_velocity[static_cast<std::size_t>(larynx)];
+  }
+  about.glottis_opening = state.intubation->glottis.opening;
+  about.rigid = &scene.rigid;
+  about.parts = &state.parts;
+  if (state.placed) about.blade = &scene.tool;
+  about.blade_pose = state.proxy.pose;
+  about.blade_velocity = state.proxy.velocity;
+  about.blade_spin = state.proxy.angular_velocity;
+  return about;
+}
+
+/// What the tube asks of blade and bodies in the next step.
+void keep_loads(const Scene& scene, const PassageLoads& loads, IntubationState& s) {
+  s.on_blade = loads.on_blade;
+  s.on_blade_stiffness = loads.on_blade_stiffness;
+  const auto add = [&s](int body, const Vec3& load, double stiffness) {
+    s.body_load[static_cast<std::size_t>(body)] += load;
+    s.body_load_stiffness[static_cast<std::size_t>(body)] += stiffness;
+  };
+  const int larynx = scene.intubation->passage.larynx_body();
+  // No direction resists more than the largest sum of a row.
+  if (larynx >= 0) add(larynx, loads.on_larynx, loads.on_larynx_stiffness.cwiseAbs().rowwise().sum().maxCoeff());
+  for (int p = 0; p < scene.rigid.part_count(); ++p)
+    add(scene.rigid.body_of(p), loads.on_part[static_cast<std::size_t>(p)],
+        loads.on_part_stiffness[static_cast<std::size_t>(p)]);
+}
+
 /// Brings what the hand holds through the step, and says where it is and what it presses on.
-void step_tool(const Scene& scene, const Pose& grip, IntubationState& s, IntubationRecord& r) {
+PassageLoads step_tool(const Scene& scene, const SceneState& state, const Pose& grip, IntubationState& s,
+                       IntubationRecord& r) {
   const Intubation& in = *scene.intubation;
   const Rod& rod = in.rod(s.in_hand);
-  const RodStep moved = step(rod, s.rod, grip, nullptr, 0, scene.model.step_s);
-  if ((moved.faults & kRodFaultState) != 0) r.faults |= kIntubationFaultTube;
+  const double dt = scene.model.step_s;
+  const PassageInput about = about_tube(scene, state);
+  const std::uint32_t faults =
+      find_contacts(in.passage, s.passage, in.outside(s.in_hand), rod, s.rod, about, dt, s.contacts);
+  if ((faults & kPassageFaultTube) != 0) r.faults |= kIntubationFaultTube;
+  if ((faults & kPassageFaultLarynx) != 0) r.faults |= kIntubationFaultInfant;
+  const RodStep moved = step(rod, s.rod, grip, s.contacts.contact.data(), s.contacts.count, dt);
+  if ((moved.faults & kRodFaultState) != 0) {
+    r.faults |= kIntubationFaultTube;
+    s.passage.set_rest();
+    s.contacts.clear();
+  }
+  const PassageLoads loads = read_loads(&scene.rigid, s.rod, about.blade_pose.position, s.contacts);
+  write_loads(loads, r);
   r.model_force_n = moved.on_hand.force;
   r.tip_m = s.rod.position[0];
   r.tip_direction = -(s.rod.rotation[0] * Vec3::UnitX());
-  r.place = deep(in.description, r.tip_m) < 0 ? TipPlace::outside : TipPlace::mouth;
-  r.at_mouth_m = length_inside(in.description, rod, s.rod);
+  r.place = place(in.passage, s.passage, s.rod);
+  r.past_cords_m = past_cords_m(in.passage, s.passage, s.rod, about.larynx_way);
+  r.at_mouth_m = at_mouth_m(in.passage, rod, s.rod);
   r.buckled_m = buckled(rod, s.rod);
+  return loads;
 }
 
 }  // namespace
@@ -212,10 +250,12 @@ void step_intubation(const Scene& scene, SceneState& state, const StepInput& inp
   const Pose grip = take_hand(scene, input, s, r.faults);
   take_tools(in, input.actions, s);
   r.in_hand = s.in_hand;
-  if (s.placed) step_tool(scene, grip, s, r);
+  PassageLoads loads;
+  if (s.placed) loads = step_tool(scene, state, grip, s, r);
+  keep_loads(scene, loads, s);
   step_secretions(scene, r, input.actions, s);
   r.secretions_ml = 1e6 * s.secretions_m3;
-  step_patient(scene, state, input.actions, result, s, r);
+  step_patient(scene, state, input.actions, result, loads, s, r);
   press_larynx(scene, input.actions, s);
   s.actions = input.actions;
 }

@@ -10,6 +10,7 @@
 #include "engine/scene.h"
 #include "engine/tube/intubation.h"
 #include "engine/tube/intubation_record.h"
+#include "engine/tube/passage.h"
 
 namespace vallecula::engine {
 
@@ -33,13 +34,20 @@ class Intubation {
   /// Of the larynx body's way, and of what is pressed on it there: the cords'.
   double larynx_share() const noexcept { return larynx_share_; }
 
+  /// The same, as walls and surfaces meet it.
+  const TubeOutside& outside(InHand what) const noexcept {
+    return what == InHand::catheter ? catheter_outside_ : tube_outside_;
+  }
+
   IntubationDescription description;
   Infant infant;
+  Passage passage;
   /// The rod's surface as the sight meets it: kTubeSides points about each node, in their order.
   std::vector<std::array<int, 3>> sleeve;
 
  private:
-  TubeDesign catheter_;
+  TubeDesign catheter_;  ///< where there is one
+  TubeOutside tube_outside_, catheter_outside_;
   std::array<std::optional<Rod>, 3> rods_;
   double larynx_share_ = 0.0;
 };
@@ -67,6 +75,8 @@ struct IntubationState {
   InHand in_hand;
   bool stylet_in;
   RodState rod;
+  PassageState passage;
+  TubeContacts contacts;        ///< of the last step
   bool placed = false;          ///< the first good pose has placed what the second hand holds
   bool returning = false;       ///< the hand was lost: the grip goes back to it slowly
   std::uint32_t actions = 0;    ///< of the last step
