@@ -61,7 +61,7 @@ Pose take_hand(const Scene& scene, const StepInput& input, IntubationState& s, s
 }
 
 /// What the hand holds: the stylet is drawn in the mouth as well, tube and catheter change places outside of it.
-void take_tools(const Intubation& in, std::uint32_t actions, IntubationState& s) {
+void take_tools(const Intubation& in, std::uint32_t actions, const Pose& grip, IntubationState& s) {
   if ((actions & kActionStyletOut) != 0) s.stylet_in = false;
   InHand wanted = s.stylet_in ? InHand::tube_with_stylet : InHand::tube;
   if ((actions & kActionCatheter) != 0 && in.has(InHand::catheter)) wanted = InHand::catheter;
@@ -69,7 +69,7 @@ void take_tools(const Intubation& in, std::uint32_t actions, IntubationState& s)
   const bool exchange = wanted == InHand::catheter || s.in_hand == InHand::catheter;
   if (exchange && deep(in.description, s.rod.position[0]) >= 0) return;
   s.in_hand = wanted;
-  if (exchange) put_to_rest(in, s.rod.grip, s);
+  if (exchange) put_to_rest(in, grip, s);
 }
 
 /// True in the step of a breath that is asked for.
@@ -248,7 +248,7 @@ void step_intubation(const Scene& scene, SceneState& state, const StepInput& inp
   std::fill(s.body_load.begin(), s.body_load.end(), Vec3::Zero());
   std::fill(s.body_load_stiffness.begin(), s.body_load_stiffness.end(), 0.0);
   const Pose grip = take_hand(scene, input, s, r.faults);
-  take_tools(in, input.actions, s);
+  take_tools(in, input.actions, grip, s);
   r.in_hand = s.in_hand;
   PassageLoads loads;
   if (s.placed) loads = step_tool(scene, state, grip, s, r);
