@@ -17,10 +17,10 @@ struct Wall {
 };
 constexpr Wall kVestibule{4e5, 2e-3, 1e7};
 constexpr Wall kCommissure{1e6, 5e-4, 3e7};    // the cords' front, and the arytenoids behind
-constexpr Wall kCricoid{3e6, 3e-4, 1.5e8};     // and the subglottis within it: a closed ring of cartilage
+constexpr Wall kCricoid{1.5e6, 3e-4, 1.5e8};   // and the subglottis within it: a closed ring of cartilage
 constexpr Wall kTrachea{3e5, 3e-4, 3e7};       // horseshoes, and between them membrane
 constexpr Wall kMembrane{1.5e5, 1e-3, 3e7};    // the trachea's back
-constexpr Wall kOesophagus{6e3, 5e-3, 1e6};    // presses with about 6 kPa on a 3.5 tube
+constexpr Wall kOesophagus{4e3, 5e-3, 1e6};    // presses with about 4 kPa on a 3.5 tube
 
 // The cords, per side: a soft edge, and muscles that hold them shut. Once parted by the tube's full width they are held
 // apart against the muscles' tone alone.
@@ -69,14 +69,6 @@ void enter(const Passage& p, const Vec3& larynx_way, const RodState& tube, doubl
     s.passed[0] = -1;
     return;
   }
-}
-
-/// Index of the last ring passed, of the first `rings` ones.
-std::int16_t passed_by(const Vec3& x, const Chain& chain, int rings, const Vec3& larynx_way, int before) {
-  int k = std::min(before, rings - 1);
-  while (k + 1 < rings && chain[static_cast<std::size_t>(k) + 1].beyond(x, larynx_way) >= 0) ++k;
-  while (k >= 0 && chain[static_cast<std::size_t>(k)].beyond(x, larynx_way) < 0) --k;
-  return static_cast<std::int16_t>(k);
 }
 
 int side_at_carina(const Passage& p, const Vec3& point) {
@@ -307,6 +299,13 @@ class Walls {
 
 }  // namespace
 
+int last_passed(const Vec3& x, const Chain& chain, int rings, const Vec3& larynx_way, int before) noexcept {
+  int k = std::min(before, rings - 1);
+  while (k + 1 < rings && chain[static_cast<std::size_t>(k) + 1].beyond(x, larynx_way) >= 0) ++k;
+  while (k >= 0 && chain[static_cast<std::size_t>(k)].beyond(x, larynx_way) < 0) --k;
+  return k;
+}
+
 void follow_canals(const Passage& p, const Vec3& larynx_way, const TubeOutside& outside, const RodState& tube,
                    double dt, PassageState& s) noexcept {
   if (s.inside == 0) enter(p, larynx_way, tube, dt, s);
@@ -318,7 +317,8 @@ void follow_canals(const Passage& p, const Vec3& larynx_way, const TubeOutside& 
   };
   const auto follow = [&](std::size_t node) {
     const int before = static_cast<int>(node) < s.inside ? s.passed[node] : -1;
-    s.passed[node] = passed_by(tube.position[node], p.chain(s.canal, s.side), rings(), larynx_way, before);
+    s.passed[node] = static_cast<std::int16_t>(
+        last_passed(tube.position[node], p.chain(s.canal, s.side), rings(), larynx_way, before));
   };
   follow(0);
   if (s.canal == Canal::airway && s.side < 0 && s.passed[0] == p.carina()) {

@@ -106,14 +106,15 @@ Passage::Chain made_chain(const std::vector<AirwayRing>& first, const std::vecto
   return all;
 }
 
-/// m along a chain from its first ring to the tip.
+/// m along a chain from its first ring to the tip, which may have gone on since it had passed that ring.
 double along_chain(const Passage::Chain& chain, int passed, const Vec3& tip, const Vec3& larynx_way) {
+  passed = std::max(0, last_passed(tip, chain, static_cast<int>(chain.size()), larynx_way, passed));
   const Passage::Ring& r = chain[static_cast<std::size_t>(passed)];
-  const double here = r.beyond(tip, larynx_way);
+  const double here = std::max(0.0, r.beyond(tip, larynx_way));
   if (passed + 1 == static_cast<int>(chain.size())) return r.from_start_m + here;
   const Passage::Ring& next = chain[static_cast<std::size_t>(passed) + 1];
   const double there = next.beyond(tip, larynx_way);
-  const double share = here > 0 ? std::min(1.0, here / std::max(here - there, 1e-9)) : 0.0;
+  const double share = std::min(1.0, here / std::max(here - there, 1e-9));
   return r.from_start_m + share * (next.from_start_m - r.from_start_m);
 }
 
@@ -236,11 +237,14 @@ double inside_canal_m(const Passage& passage, const PassageState& state, const R
                       const Vec3& larynx_way) noexcept {
   if (state.inside == 0) return 0.0;
   const Passage::Ring& first = passage.chain(state.canal, state.side).front();
-  const std::size_t last = static_cast<std::size_t>(state.inside) - 1;
-  if (state.inside == kTubeNodes) return rod.description().length_m;
-  const double in = std::max(0.0, first.beyond(tube.position[last], larynx_way));
-  const double out = std::max(0.0, -first.beyond(tube.position[last + 1], larynx_way));
-  return rod.segment_m() * (static_cast<double>(last) + in / std::max(in + out, 1e-9));
+  const auto beyond = [&](int node) { return first.beyond(tube.position[static_cast<std::size_t>(node)], larynx_way); };
+  int out = state.inside;  // what has come in or gone out since then is taken along
+  while (out > 0 && beyond(out - 1) < 0) --out;
+  while (out < kTubeNodes && beyond(out) >= 0) ++out;
+  if (out == 0) return 0.0;
+  if (out == kTubeNodes) return rod.description().length_m;
+  const double in_m = beyond(out - 1), out_m = -beyond(out);
+  return rod.segment_m() * (out - 1 + in_m / (in_m + out_m));
 }
 
 TipPlace place(const Passage& passage, const PassageState& state, const RodState& tube) noexcept {
