@@ -95,6 +95,7 @@ Scene::Scene(const SceneDescription& d)
       tube_areas(tube_contact_areas(tree, surface, d.soft.nodes)),
       proxy(proxy_settings(d)) {
   contact_stiffness = contact_stiffness_per_area(model, surface);
+  if (d.intubation) intubation.emplace(*d.intubation, d.soft.bodies);
   for (const Vec3& p : model.rest) centre += p / static_cast<double>(model.nodes);
 }
 
