@@ -293,6 +293,28 @@ TEST_F(CurriculumFile, TheShippedCourseGoesFromTermToPretermToDifficult) {
   for (const Scenario& s : c.scenarios) EXPECT_LT(s.pass.peak_tongue_force_n, 7.9);
 }
 
+TEST_F(CurriculumFile, TheShippedIntubationsGoThroughTheCoursesWithTubesByWeight) {
+  const Curriculum c = load_curriculum(fs::path(VALLECULA_SOURCE_DIR) / "curricula/courses/first-intubation.yaml");
+  ASSERT_EQ(c.scenarios.size(), 5u);
+  std::set<InfantCourse> courses;
+  for (const Scenario& s : c.scenarios) {
+    ASSERT_TRUE(s.intubation) << s.id;
+    courses.insert(s.intubation->course);
+    EXPECT_EQ(s.intubation->tube, s.manikin.weight_kg < 2.0 ? "3.0" : "3.5") << s.id;
+    EXPECT_EQ(s.intubation->pass.outcomes, std::vector<Outcome>{Outcome::good_depth}) << s.id;
+    EXPECT_TRUE(s.intubation->pass.co2_confirmed) << s.id;
+    EXPECT_LT(*s.intubation->pass.tube_force_n, 3.3) << s.id << ": no device here could exceed it";
+    EXPECT_GE(s.max_attempt_s, *s.intubation->pass.attempts * s.pass.attempt_time_s + 30.0)
+        << s.id << ": no time to ventilate between its attempts";
+    EXPECT_EQ(parse_scenario(s.yaml, "log").intubation->tube, s.intubation->tube) << s.id;
+  }
+  EXPECT_EQ(courses, (std::set<InfantCourse>{InfantCourse::premedicated_preterm, InfantCourse::term,
+                                             InfantCourse::delivery_room}));
+  EXPECT_GT(c.find("secretions")->intubation->secretions_ml, 0.0);
+  EXPECT_GT(c.find("secretions")->intubation->catheter_f, 0);
+  EXPECT_GT(c.find("laryngospasm")->intubation->laryngospasm_s, 0.0);
+}
+
 TEST_F(CurriculumFile, EveryMistakeNamesFileLineFieldValueAndWhatIsAllowed) {
   const struct {
     const char *from, *to;
