@@ -137,7 +137,7 @@ void step_patient(const Scene& scene, const SceneState& state, std::uint32_t act
   GlottisInput cords;
   cords.breathing = in.description.breathes;
   cords.breath_phase = signs.breath_phase;
-  cords.touched = loads.touches_cords || load_on(result, Structure::larynx) > kTouch;
+  cords.touched = std::max(loads.glottis_n, load_on(result, Structure::larynx)) > kTouch;
   step(in.description.glottis, s.glottis, cords, dt);
   if ((signs.faults & kInfantFaultState) != 0 || (s.glottis.faults & kGlottisFaultState) != 0)
     r.faults |= kIntubationFaultInfant;

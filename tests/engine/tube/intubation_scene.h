@@ -43,7 +43,7 @@ inline AirwayCourse straight_course() {
     const Vec3 along(std::sin(angle), 0, -std::cos(angle));
     for (int i = 0; i < 10; ++i) {
       AirwayRing ring;
-      ring.centre = carina + 0.002 * i * along;
+      ring.centre = carina + 0.002 * (i + 1) * along;
       ring.along = along;
       ring.left = Vec3(std::cos(angle), 0, std::sin(angle));
       ring.part = AirwayPart::main_bronchus;
@@ -91,6 +91,8 @@ inline Pose hand_of_tip(const Rod& rod, const Vec3& tip) {
   return hand;
 }
 const Vec3 kBeforeMouth(0.040, 0.015, 0.050);
+const Vec3 kInTrachea(0.040, 0.015, kCordsZ - 0.028), kInBronchus(0.040, 0.015, kCarinaZ - 0.014);
+const Vec3 kBeforeOesophagus(0.040, 0.027, 0.010), kInOesophagus(0.040, 0.027, -0.040);
 
 /// A scene brought through time by two hands; the blade is far from everything unless it is told.
 struct Trial {

@@ -117,6 +117,68 @@ TEST(Intubation, BreathsByMaskWhileTheMouthIsFree) {
   EXPECT_EQ(t.record.intubation.breaths_given, 15);
 }
 
+/// Both hands' way to where the tube ends, then `breaths` of 40 a minute through it.
+struct Ventilated {
+  double before = 0.0, after = 0.0;
+  IntubationRecord record;
+};
+Ventilated ventilate(const std::vector<Vec3>& way, int breaths, TipPlace place) {
+  Trial t(intubation_scene());
+  t.hold(20.0, way.front());
+  for (std::size_t i = 1; i < way.size(); ++i) t.go(way[i - 1], way[i]);
+  t.hold(0.2, way.back());
+  Ventilated v;
+  v.before = t.record.intubation.sao2;
+  EXPECT_EQ(t.record.intubation.place, place);
+  EXPECT_FALSE(t.record.intubation.detector_yellow);
+  v.record = t.hold(1.5 * breaths, way.back(), kActionBreath);
+  v.after = v.record.sao2;
+  EXPECT_EQ(v.record.breaths_given, breaths);
+  EXPECT_EQ(v.record.faults, 0u);
+  EXPECT_EQ(t.record.faults, 0u);
+  return v;
+}
+
+TEST(Intubation, ThroughATubeInTheTracheaTheInfantRecoversAndTheDetectorTurnsYellow) {
+  const Ventilated v = ventilate({kBeforeMouth, testing::kInTrachea}, 20, TipPlace::trachea);
+  EXPECT_GT(v.after, v.before + 0.05);
+  EXPECT_TRUE(v.record.detector_yellow);
+  EXPECT_NEAR(v.record.past_cords_m, 0.028, 0.001);
+  EXPECT_NEAR(v.record.at_mouth_m, testing::kMouthZ - testing::kInTrachea.z(), 0.001);
+}
+
+TEST(Intubation, InAMainBronchusHalfOfTheLungsIsReached) {
+  const Ventilated trachea = ventilate({kBeforeMouth, testing::kInTrachea}, 8, TipPlace::trachea);
+  const Ventilated bronchus = ventilate({kBeforeMouth, testing::kInBronchus}, 8, TipPlace::main_bronchus);
+  EXPECT_TRUE(bronchus.record.detector_yellow);
+  EXPECT_LT(bronchus.after - bronchus.before, trachea.after - trachea.before);
+}
+
+TEST(Intubation, InTheOesophagusNothingIsReachedAndTheDetectorStaysPurple) {
+  const Ventilated v =
+      ventilate({kBeforeMouth, testing::kBeforeOesophagus, testing::kInOesophagus}, 20, TipPlace::oesophagus);
+  EXPECT_LT(v.after, v.before - 0.05);
+  EXPECT_FALSE(v.record.detector_yellow);
+}
+
+// Between two attempts the mask brings the infant back, the tube being out.
+TEST(Intubation, BetweenAttemptsTheMaskBringsItBack) {
+  Trial t(intubation_scene());
+  t.hold(20.0, kBeforeMouth);
+  t.go(kBeforeMouth, testing::kBeforeOesophagus);
+  t.go(testing::kBeforeOesophagus, testing::kInOesophagus);
+  t.hold(9.0, testing::kInOesophagus, kActionBreath);
+  t.go(testing::kInOesophagus, testing::kBeforeOesophagus);
+  t.go(testing::kBeforeOesophagus, kBeforeMouth);
+  EXPECT_EQ(t.record.intubation.place, TipPlace::outside);
+  const double low = t.record.intubation.sao2;
+  t.hold(30.0, kBeforeMouth, kActionBreath);
+  EXPECT_GT(t.record.intubation.sao2, low + 0.1);
+  EXPECT_FALSE(t.record.intubation.detector_yellow);
+  t.go(kBeforeMouth, testing::kInTrachea);
+  EXPECT_EQ(t.hold(0.1, testing::kInTrachea).place, TipPlace::trachea);
+}
+
 TEST(Intubation, TubeAndCatheterChangeOutsideTheMouthOnlyAndTheStyletGoesForGood) {
   SceneDescription d = intubation_scene();
   d.intubation->stylet = Stylet{};
