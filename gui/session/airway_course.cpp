@@ -24,11 +24,13 @@ constexpr double kJoinedShare = 1.6;                      // of the area of the 
 constexpr double kFar = 1000.0;
 constexpr double kCricoidFrom = 4.5, kCricoidTo = 9.0;    // below the cords; nearer to them it is their slit that is cut
 constexpr double kCricoidStep = 0.5;                      // between the cuts of which it is the narrowest
-constexpr double kSpacing = 2.0, kMostSpacing = 3.5;      // of cuts; the second mm of any patient
+constexpr double kSpacing = 2.0;                          // of cuts
+constexpr double kLeastSpacing = 0.6, kMostSpacing = 3.5; // mm of any patient
 constexpr double kMarch = 1.0;                            // from one cut to the next while the way is sought
 constexpr double kBronchusWidth = 0.75;                   // of the trachea's (assumed)
 constexpr double kBronchusAngle[2] = {30.0 * M_PI / 180, 45.0 * M_PI / 180};  // right, left off the trachea (assumed)
 constexpr double kBronchusLength = 20.0, kLeastBronchus = 5.0;                // (assumed); less is not taken for seen
+constexpr double kMostAside = 7.0;                        // mm of any patient
 constexpr double kGulletFront = 0.5, kGulletSide = 3.0;   // collapsed (assumed)
 constexpr double kGulletWalls = 3.5;                      // from the trachea's lumen to the oesophagus' middle (assumed)
 constexpr double kGulletLength = 60.0;                    // as far as it is modelled (assumed)
@@ -236,11 +238,12 @@ void Finder::inlet() {
     area = next;
     own = above;
   }
-  if (own > 0.5 * top) rings.insert(rings.begin(), box_of(outline_at(0.5 * own), 0.5 * own, kFar));
-  if (own > 0) rings.insert(rings.begin(), box_of(outline_at(own), own, kFar));
+  if (own > 2 * kLeastSpacing) rings.insert(rings.begin(), box_of(outline_at(0.5 * own), 0.5 * own, kFar));
+  if (own > kLeastSpacing) rings.insert(rings.begin(), box_of(outline_at(own), own, kFar));
   if (own > top - 0.5 * step) return;
   const AirwayRing below = rings.front();
-  AirwayRing mouth = box_of(outline_at(top), top, std::max(below.to_left_m, below.to_right_m) + (top - own));
+  const double above = std::clamp(top, own + kLeastSpacing, own + kMostSpacing);
+  AirwayRing mouth = box_of(outline_at(above), above, std::max(below.to_left_m, below.to_right_m) + (above - own));
   mouth.to_back_m = below.to_back_m;
   mouth.to_front_m = std::max(mouth.to_front_m, 0.5 * below.to_front_m);
   mouth.to_left_m = std::max(mouth.to_left_m, below.to_left_m);
@@ -259,8 +262,10 @@ void Finder::bronchus(std::size_t side) {
   const double angle = kBronchusAngle[side], radius = narrow.to_left_m;
   const Vec3 away = (side == 0 ? -1.0 : 1.0) * last.left;
   const Vec3 along = std::cos(angle) * last.along + std::sin(angle) * away;
-  // Its axis leaves the trachea's above the carina, so that its inner wall goes through the carina.
-  const Vec3 start = last.centre - radius / std::sin(angle) * last.along + radius / std::tan(angle) * along;
+  // Its axis leaves the trachea's above the carina, so that its inner wall goes through the carina (but for grown-ups,
+  // whose branches the tube would not find), and is followed from just below the carina on.
+  const double above = std::min(radius / std::sin(angle), kMostAside / std::tan(angle));
+  const Vec3 start = last.centre - above * last.along + (above + 0.5 * size_) / std::cos(angle) * along;
 
   const double step = kMarch * size_, length = kBronchusLength * size_;
   const auto away_from_start = [&](const Vec3& at, const Vec3&) { return (at - start).norm() < length; };

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "engine/tube/passage.h"
 #include "gui/session/anatomy_motion.h"
 #include "gui/session/builtin_patient.h"
 #include "pipeline/manikin/manikin.h"
@@ -25,6 +26,7 @@ constexpr double kAreaOfCricoid = M_PI * 2.25 * 2.73;  // mm2 (ANATOMY: 19.3)
 /// Everything that the engine may rely on.
 void expect_sound(const engine::AirwayCourse& course, double size) {
   ASSERT_GE(course.airway.size(), 10u);
+  EXPECT_NO_THROW(engine::Passage(course, {}, Vec3::Zero(), Vec3::UnitZ())) << "the engine takes it";
   EXPECT_EQ(course.airway.front().part, AirwayPart::vestibule);
   int cords = 0, cricoids = 0;
   for (const auto* chain : {&course.airway, &course.bronchi[0], &course.bronchi[1], &course.oesophagus}) {
@@ -153,6 +155,7 @@ TEST(AirwayCourse, WhatIsNotImagedIsAssumedAndSaid) {
     EXPECT_NEAR(1e3 * first.to_left_m, 0.75 * 2.6, 0.03);
     // Its inner wall goes through the carina.
     const Vec3 off = last.centre - first.centre;
+    EXPECT_LT(off.dot(last.along), 0.0) << "it begins below";
     EXPECT_NEAR((off - off.dot(first.along) * first.along).norm(), first.to_left_m, 1e-5);
   }
   for (const AirwayRing& r : found.course.oesophagus) {
