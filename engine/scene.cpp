@@ -93,6 +93,7 @@ Scene::Scene(const SceneDescription& d)
       sight(d.sight, d.soft.bodies),
       proxy(proxy_settings(d)) {
   contact_stiffness = contact_stiffness_per_area(model, surface);
+  if (d.intubation) intubation.emplace(*d.intubation, d.soft.bodies);
   for (const Vec3& p : model.rest) centre += p / static_cast<double>(model.nodes);
 }
 

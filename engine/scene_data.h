@@ -10,6 +10,7 @@
 #include "engine/scene.h"
 #include "engine/sight/line_of_sight.h"
 #include "engine/tissue/tissue_model.h"
+#include "engine/tube/intubation_step.h"
 
 namespace vallecula::engine {
 
@@ -27,6 +28,7 @@ class Scene {
   Lips lips;
   LineOfSight sight;
   ProxySettings proxy;
+  std::optional<Intubation> intubation;
   float contact_stiffness = 0.0f;  ///< N/m^3
   Vec3 centre = Vec3::Zero();      ///< of the tissue at rest: device poses are clamped to a ball around it
 };

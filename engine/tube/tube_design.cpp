@@ -86,6 +86,15 @@ TubeDesign tube_design(const std::string& inner_diameter_mm) {
   throw std::invalid_argument("tube '" + inner_diameter_mm + "' is not known; there are 2.5, 3.0, 3.5 and 4.0 (mm)");
 }
 
+TubeDesign suction_catheter(double outer_diameter) {
+  TubeDesign catheter;
+  catheter.outer_diameter = outer_diameter;
+  catheter.inner_diameter = 2.0 / 3.0 * outer_diameter;
+  catheter.bend_radius = 0.5;  // as it comes from its pack (assumed)
+  catheter.bevel_rad = M_PI / 2;
+  return catheter;
+}
+
 double usual_grip_from_tip(const TubeDesign& tube) { return tube.length - kGripShortOfConnector; }
 
 RodDescription tube_rod(const TubeDesign& tube, const Stylet* stylet, double grip_from_tip) {
