@@ -5,6 +5,7 @@
 #include <string>
 
 #include "engine/contact/response.h"
+#include "engine/tube/soft_contacts.h"
 #include "engine/scene_data.h"
 
 namespace vallecula::engine {
@@ -91,6 +92,7 @@ Scene::Scene(const SceneDescription& d)
       rigid(rigid_field(d)),
       lips(d.lips, d.soft.bodies, d.step_s),
       sight(d.sight, d.soft.bodies),
+      tube_areas(tube_contact_areas(tree, surface, d.soft.nodes)),
       proxy(proxy_settings(d)) {
   contact_stiffness = contact_stiffness_per_area(model, surface);
   if (d.intubation) intubation.emplace(*d.intubation, d.soft.bodies);

@@ -10,7 +10,7 @@
 #include "engine/scene.h"
 #include "engine/sight/line_of_sight.h"
 #include "engine/tissue/tissue_model.h"
-#include "engine/tube/intubation_step.h"
+#include "engine/tube/intubation_data.h"
 
 namespace vallecula::engine {
 
@@ -27,6 +27,7 @@ class Scene {
   RigidField rigid;              ///< empty (nothing inside) without rigid anatomy
   Lips lips;
   LineOfSight sight;
+  std::vector<float> tube_areas;   ///< per sphere of the tree (tube/soft_contacts.h)
   ProxySettings proxy;
   std::optional<Intubation> intubation;
   float contact_stiffness = 0.0f;  ///< N/m^3
