@@ -204,7 +204,8 @@ void add_soft_contacts(const Scene& scene, const TissueState& tissue, const Pass
     tag.load = scene.description.soft.tet_structure[static_cast<std::size_t>(tet)] == Structure::epiglottis
                    ? kLoadEpiglottis
                    : kLoadTongue;
-    tag.before_tip = (at.segment + at.weight) * rod.segment_m() < rod.description().outer_radius_m;
+    tag.before_tip =
+        (at.segment + at.weight) * rod.segment_m() < rod.description().outer_radius_m + rod.segment_m() / 2;
   }
 }
 
