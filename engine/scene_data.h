@@ -10,7 +10,7 @@
 #include "engine/scene.h"
 #include "engine/sight/line_of_sight.h"
 #include "engine/tissue/tissue_model.h"
-#include "engine/tube/intubation_step.h"
+#include "engine/tube/intubation_data.h"
 
 namespace vallecula::engine {
 

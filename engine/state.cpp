@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "engine/contact/response.h"
-#include "engine/tube/soft_contacts.h"
 #include "engine/tube/secretions.h"
 
 namespace vallecula::engine {
@@ -141,7 +140,7 @@ SceneState::SceneState(const Scene& scene)
       sight(scene.sight.make_scratch(
           std::max({scene.model.rest.size(), scene.description.tool.surface.points.size(),
                     scene.intubation ? std::size_t{kTubeNodes * kTubeSides} : 0}))) {
-  if (scene.intubation) intubation.emplace(*scene.intubation, scene.model.bodies.size());
+  if (scene.intubation) intubation.emplace(scene);
 }
 
 Pose within_reach(const Scene& scene, const Pose& pose) noexcept {
@@ -213,7 +212,7 @@ StepResult step(const Scene& scene, SceneState& state, const StepInput& input) n
 
   StageTimes times;
   load_bodies(scene, state);
-  step_tissue(scene, state, before, result.loads, times);
+  step_tissue(scene, state, before, result.loads, times, state.intubation ? &state.intubation->soft : nullptr);
   scene.rigid.place(state.tissue.body_displacement, state.tissue.body_velocity, state.parts);
   if (state.placed && scene.rigid.part_count() > 0)  // as they press now that the bodies have given way
     rigid = rigid_contacts(scene.rigid, state.parts, scene.tool, scene.model.step_s, state.rigid_scan, state.proxy.pose);
@@ -229,6 +228,7 @@ StepResult step(const Scene& scene, SceneState& state, const StepInput& input) n
     state.rigid_scan.begin_anew(state.free_pose);
     state.parts = PartPoses{};
     state.lips.set_rest();
+    if (state.intubation) state.intubation->soft.forget();
     result.loads = {};
     rigid = RigidContacts{};
     result.faults |= kFaultTissue;

@@ -60,7 +60,6 @@ struct SceneState {
 
 constexpr std::int64_t kSightEverySteps = 20;
 
-struct SoftContactState;
 /// A usable pose as the scene takes it: a unit rotation, no farther than 1 m from the tissue.
 Pose within_reach(const Scene& scene, const Pose& pose) noexcept;
 

@@ -24,16 +24,16 @@ struct SphereContact {
 };
 
 /// Contacts between the tissue and the tube are at most so many at once.
-constexpr int kMostTubeContacts = 192;
+constexpr int kMostSoftContacts = 192;
 
 struct ContactState {
   /// For the sphere tree.
   explicit ContactState(const SphereTree& tree)
-      : memory(tree.spheres.size()), constraints(tree.spheres.size() + kMostTubeContacts),
+      : memory(tree.spheres.size()), constraints(tree.spheres.size() + kMostSoftContacts),
         cluster_check(tree.clusters.size(), 0.0), cluster_near(tree.clusters.size(), 0) {}
   /// For `vertices` surface vertices that give at most `most` constraints.
   ContactState(std::size_t vertices, std::size_t most)
-      : memory(vertices), of_spheres(false), constraints(most + kMostTubeContacts) {}
+      : memory(vertices), of_spheres(false), constraints(most + kMostSoftContacts) {}
 
   std::vector<SphereContact> memory;           ///< per sphere, or per surface vertex where triangles are tested
   bool of_spheres = true;                      ///< which of the two

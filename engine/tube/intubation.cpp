@@ -1,11 +1,9 @@
-#include "engine/tube/intubation.h"
-
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>
 
-#include "engine/tube/intubation_step.h"
+#include "engine/tube/intubation_data.h"
 #include "engine/tube/secretions.h"
 
 namespace vallecula::engine {
@@ -91,15 +89,5 @@ double press_for(const IntubationDescription& d, const std::vector<SprungBody>& 
   // The larynx goes share times the body's way, which is share times the force over the body's stiffness.
   return way_m * bodies[static_cast<std::size_t>(d.course.larynx_body)].stiffness / (share * share);
 }
-
-IntubationState::IntubationState(const Intubation& in, std::size_t bodies)
-    : in_hand(in.has(InHand::tube_with_stylet) ? InHand::tube_with_stylet : InHand::tube),
-      stylet_in(in.has(InHand::tube_with_stylet)),
-      rod(in.rod(in_hand), Pose{}),
-      glottis(start(in.description.glottis)),
-      infant(start(in.infant)),
-      secretions_m3(in.description.secretions.volume_m3),
-      body_load(bodies, Vec3::Zero()),
-      body_load_stiffness(bodies, 0.0) {}
 
 }  // namespace vallecula::engine

@@ -38,6 +38,7 @@ bool approach(const Pose& to, double most_m, double most_rad, Pose& from) {
 void put_to_rest(const Intubation& in, const Pose& grip, IntubationState& s) {
   s.rod.set_rest(in.rod(s.in_hand), grip);
   s.passage.set_rest();
+  s.soft.forget();
 }
 
 /// Where the grip is to be in this step: the hand's place, or where it was left.
@@ -187,6 +188,27 @@ PassageInput about_tube(const Scene& scene, const SceneState& state) {
   return about;
 }
 
+/// Those with tongue and epiglottis, behind the others.
+void add_soft_contacts(const Scene& scene, const TissueState& tissue, const PassageInput& about, IntubationState& s) {
+  const Rod& rod = scene.intubation->rod(s.in_hand);
+  const auto free = static_cast<std::size_t>(s.contacts.count);
+  const double from = inside_canal_m(scene.intubation->passage, s.passage, rod, s.rod, about.larynx_way);
+  s.contacts.count += find_soft_contacts(scene, tissue, rod, s.rod, from, about.friction, s.soft,
+                                         s.contacts.contact.data() + free, kMostTubeContacts - s.contacts.count);
+  for (int i = 0; i < s.soft.count; ++i) {
+    const SoftContact& at = s.soft.found[static_cast<std::size_t>(i)];
+    const int tet =
+        scene.surface.tet[static_cast<std::size_t>(scene.tree.spheres[static_cast<std::size_t>(at.sphere)].triangle)];
+    ContactTag& tag = s.contacts.tag[free + static_cast<std::size_t>(i)];
+    tag = ContactTag{};
+    tag.load = scene.description.soft.tet_structure[static_cast<std::size_t>(tet)] == Structure::epiglottis
+                   ? kLoadEpiglottis
+                   : kLoadTongue;
+    tag.before_tip =
+        (at.segment + at.weight) * rod.segment_m() < rod.description().outer_radius_m + rod.segment_m() / 2;
+  }
+}
+
 /// What the tube asks of blade and bodies in the next step.
 void keep_loads(const Scene& scene, const PassageLoads& loads, IntubationState& s) {
   s.on_blade = loads.on_blade;
@@ -214,12 +236,16 @@ PassageLoads step_tool(const Scene& scene, const SceneState& state, const Pose& 
       find_contacts(in.passage, s.passage, in.outside(s.in_hand), rod, s.rod, about, dt, s.contacts);
   if ((faults & kPassageFaultTube) != 0) r.faults |= kIntubationFaultTube;
   if ((faults & kPassageFaultLarynx) != 0) r.faults |= kIntubationFaultInfant;
+  const int first_soft = s.contacts.count;
+  add_soft_contacts(scene, state.tissue, about, s);
   const RodStep moved = step(rod, s.rod, grip, s.contacts.contact.data(), s.contacts.count, dt);
   if ((moved.faults & kRodFaultState) != 0) {
     r.faults |= kIntubationFaultTube;
     s.passage.set_rest();
+    s.soft.forget();
     s.contacts.clear();
   }
+  press_tissue(scene, s.rod, s.contacts.contact.data() + first_soft, s.soft);
   const PassageLoads loads = read_loads(&scene.rigid, s.rod, about.blade_pose.position, s.contacts);
   write_loads(loads, r);
   r.model_force_n = moved.on_hand.force;
@@ -233,6 +259,17 @@ PassageLoads step_tool(const Scene& scene, const SceneState& state, const Pose& 
 }
 
 }  // namespace
+
+IntubationState::IntubationState(const Scene& scene)
+    : in_hand(scene.intubation->has(InHand::tube_with_stylet) ? InHand::tube_with_stylet : InHand::tube),
+      stylet_in(scene.intubation->has(InHand::tube_with_stylet)),
+      rod(scene.intubation->rod(in_hand), Pose{}),
+      soft(scene),
+      glottis(start(scene.intubation->description.glottis)),
+      infant(start(scene.intubation->infant)),
+      secretions_m3(scene.intubation->description.secretions.volume_m3),
+      body_load(scene.model.bodies.size(), Vec3::Zero()),
+      body_load_stiffness(scene.model.bodies.size(), 0.0) {}
 
 void step_intubation(const Scene& scene, SceneState& state, const StepInput& input, StepResult& result) noexcept {
   const Intubation& in = *scene.intubation;

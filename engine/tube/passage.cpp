@@ -37,7 +37,8 @@ void check_ring(const AirwayRing& r, const std::string& name) {
 
 void check_way(const AirwayRing& before, const AirwayRing& after, double most, const std::string& name) {
   const Vec3 way = after.centre - before.centre;
-  if (!(way.norm() >= kLeastSpacing && way.norm() <= most))
+  constexpr double kRounding = 1e-6;  // m
+  if (!(way.norm() >= kLeastSpacing - kRounding && way.norm() <= most + kRounding))
     fault(name + " lies " + mm(way.norm()) + " from the one before it; " + mm(kLeastSpacing) + " to " + mm(most) +
           " are possible");
   if (!(way.dot(before.along) > 0) || !(way.dot(after.along) > 0))

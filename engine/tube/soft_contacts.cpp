@@ -222,7 +222,7 @@ std::vector<float> tube_contact_areas(const SphereTree& tree, const SoftSurface&
 SoftContactState::SoftContactState(const Scene& scene)
     : memory(scene.tree.spheres.size()),
       found(scene.tree.spheres.size()),
-      constraints(kMostTubeContacts),
+      constraints(kMostSoftContacts),
       cluster_check(scene.tree.clusters.size(), 0.0) {
   tube.fill(Vec3::Zero());
 }
@@ -299,7 +299,7 @@ int find_soft_contacts(const Scene& scene, const TissueState& tissue, const Rod&
   }
   state.nothing_before = state.travel + all_clear;
 
-  const int most = std::clamp(capacity, 0, kMostTubeContacts);
+  const int most = std::clamp(capacity, 0, kMostSoftContacts);
   if (found > most) {
     keep_deepest(scene, found, most, state);
     state.left_out = found - most;

@@ -56,11 +56,11 @@ struct SoftContactState {
   bool seen = false;                  ///< there was a last tick
 };
 
-/// Finds where the tube from `outside_from_m` along it (from the tip; what is nearer the tip lies in a canal) to the
-/// grip is in reach of the tissue. Writes at most `capacity` contacts for the rod's step to `out` and returns how many
-/// (also state.count), at most kMostTubeContacts; of more the deepest. The tip is taken as a half ball that ends where
-/// the tube does. A tube that is not finite meets nothing, nor do points of the tissue that are not. No allocation,
-/// lock, I/O or exception.
+/// Finds where the tube from `outside_from_m` along it (from the tip; what is nearer the tip lies in a canal) to the grip
+/// is in reach of the tissue. Writes at most `capacity` contacts for the rod's step to `out` and returns how many (also
+/// state.count), at most kMostSoftContacts; of more the deepest. The tip is taken as a half ball that ends where the tube
+/// does. A tube that is not finite meets nothing, nor do points of the tissue that are not. No allocation, lock, I/O or
+/// exception.
 int find_soft_contacts(const Scene& scene, const TissueState& tissue, const Rod& rod, const RodState& tube,
                        double outside_from_m, double friction, SoftContactState& state, RodContact* out,
                        int capacity) noexcept;

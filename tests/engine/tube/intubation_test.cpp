@@ -117,6 +117,34 @@ TEST(Intubation, BreathsByMaskWhileTheMouthIsFree) {
   EXPECT_EQ(t.record.intubation.breaths_given, 15);
 }
 
+// What the tube presses on the tongue with is what the hand feels, and the tongue gives way.
+TEST(Intubation, TheTonguePressedByTheTubeGivesWayAndBears) {
+  SceneDescription d = intubation_scene({10, 10, 5});
+  d.intubation->stylet = Stylet{};
+  d.intubation->stylet->bend_rad = 0;
+  Trial t(d);
+  const Vec3 above(0.015, 0.015, 0.020), pressed(0.015, 0.015, 0.012);  // the tongue's top is at 15 mm
+  t.hold(0.1, above);
+  EXPECT_EQ(t.record.intubation.loads_n[kLoadTongue], 0.0);
+  t.go(above, pressed);
+  const IntubationRecord& r = t.hold(1.0, pressed);
+  const double load = r.loads_n[kLoadTongue];
+  EXPECT_GT(load, 0.05);
+  // Its sides press on the round tip as well, and cancel.
+  EXPECT_GT(r.model_force_n.z(), 0.5 * load);
+  EXPECT_LT(r.model_force_n.z(), load);
+  EXPECT_NEAR(r.tip_load_n, r.model_force_n.z(), 0.2 * load);
+  EXPECT_EQ(r.tip_against, kLoadTongue);
+  double deepest = 0.0;
+  for (const Vec3& u : t.loop.state.tissue.displacement) deepest = std::max(deepest, -u.z());
+  EXPECT_GT(deepest, 0.001);
+  EXPECT_LT(deepest, 0.004);
+  EXPECT_EQ(t.record.faults | r.faults, 0u);
+  t.go(pressed, above);
+  t.hold(1.0, above);
+  for (const Vec3& u : t.loop.state.tissue.displacement) ASSERT_LT(u.norm(), 2e-5);
+}
+
 /// Both hands' way to where the tube ends, then `breaths` of 40 a minute through it.
 struct Ventilated {
   double before = 0.0, after = 0.0;

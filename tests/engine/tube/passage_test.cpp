@@ -245,6 +245,7 @@ TEST(Passage, IntoTheGulletAndNeverAcross) {
   Pose hand = tube.hand;
   hand.position.y() += 0.009;  // behind the larynx; 1 mm before the middle of the gullet's mouth
   hand.position.z() += 0.005;
+  tube.airway.state.set_rest(tube.airway.rod, hand);
   const Pushed p = push(tube.airway, hand, 0.060, 7.9);
   EXPECT_EQ(tube.airway.tip_place(), TipPlace::oesophagus);
   EXPECT_GT(p.past_cords_m, 0.035);  // there from its mouth
