@@ -17,7 +17,7 @@ struct Wall {
 };
 constexpr Wall kVestibule{4e5, 2e-3, 1e7};
 constexpr Wall kCommissure{1e6, 5e-4, 3e7};    // the cords' front, and the arytenoids behind
-constexpr Wall kCricoid{3e6, 3e-4, 1.5e8};     // and the subglottis within it: a closed ring of cartilage
+constexpr Wall kCricoid{1.5e6, 3e-4, 1.5e8};   // and the subglottis within it: a closed ring of cartilage
 constexpr Wall kTrachea{3e5, 3e-4, 3e7};       // horseshoes, and between them membrane
 constexpr Wall kMembrane{1.5e5, 1e-3, 3e7};    // the trachea's back
 constexpr Wall kOesophagus{6e3, 5e-3, 1e6};    // presses with about 6 kPa on a 3.5 tube
