@@ -5,8 +5,8 @@
 #include <string>
 
 #include "engine/contact/response.h"
-#include "engine/tube/soft_contacts.h"
 #include "engine/scene_data.h"
+#include "engine/tube/soft_contacts.h"
 
 namespace vallecula::engine {
 

@@ -14,13 +14,14 @@ namespace {
 constexpr double kReach = 0.00012;    // m: contacts are set up this far ahead of touch, plus both sides' way in a tick
 constexpr double kSpacing = 0.0009;   // m: points that are no vertices are no nearer to each other
 constexpr double kTouching = 0.0001;  // m: within it a point counts as in contact and keeps its side
-constexpr double kLook = 0.003;      // m: parts of the tube farther from a cluster than this are not asked for in it
+constexpr double kLook = 0.003;       // m: parts of the tube farther from a cluster than this are not asked for in it
 constexpr double kSameSide = 0.3;     // cosine between the kept side and the way to the axis
-// What is met when it is deep already (the tube was changed, or came out of a canal) is met from where it is and pressed
-// out by this much a tick: no blow.
-constexpr double kPressOut = 2e-5;    // m
-// Of what a surface node offers in a step (kContactAugmentation for the blade). Tube and tissue solve the spring in turns, so
-// it holds the tissue back as a mass of stiffness times h^2 would; softer than this points sink in while they are moved.
+// What is met when it is deep already (the tube was changed, or came out of a canal) is met from where it is and
+// pressed out by this much more a tick: no blow.
+constexpr float kPressOut = 5e-6f;  // m
+// Of what a surface node offers in a step (kContactAugmentation for the blade). Tube and tissue solve the spring in
+// turns, so it holds the tissue back as a mass of stiffness times h^2 would; softer than this points sink in while they
+// are moved.
 constexpr float kStiffness = 2.0f;
 constexpr float kStickStiffness = 100.0f;  // friction's share of the tissue's system is no stiffer than so many springs
 constexpr float kCarriedShare = 0.05f;     // as the blade's contacts (tissue_contact.cpp)
@@ -80,19 +81,12 @@ bool finite(const RodState& tube) {
   return std::isfinite(sum);
 }
 
-/// How far any point of the tube moved since the last tick, and takes down where it is now.
-double follow_tube(const RodState& tube, double outside_from_m, SoftContactState& state) {
+/// How far any point of the tube moved since the last tick.
+double way_of(const RodState& tube, const SoftContactState& state) {
   double most_squared = 0.0;
   for (int i = 0; i < kTubeNodes; ++i)
     most_squared = std::max(most_squared, (tube.position[i] - state.tube[i]).squaredNorm());
-  const double way = std::sqrt(most_squared) + std::max(0.0, state.outside_from_m - outside_from_m);
-  state.tube = tube.position;
-  state.outside_from_m = outside_from_m;
-  if (!state.seen) {
-    state.seen = true;
-    return 0.0;
-  }
-  return way;
+  return state.seen ? std::sqrt(most_squared) : 0.0;
 }
 
 /// Out of the tissue at a sphere's surface point, of any length: from its centre.
@@ -142,15 +136,15 @@ bool meet(const Scene& scene, const TissueState& tissue, const Tube& tube, const
       return false;
     }
     memory.side = to_axis;
-    memory.gap = 0.0f;
+    memory.let_in = static_cast<float>(std::max(0.0, sphere.standoff - gap - approach));
   } else if (to_axis.dot(memory.side) > kSameSide) {
     memory.side = to_axis;
   } else {
     gap = (contact.axis - point).dot(memory.side) - tube.radius;
   }
   gap -= sphere.standoff;
-  gap = std::max(gap, std::min(0.0, double(memory.gap)) - approach - kPressOut);
-  memory.gap = static_cast<float>(gap);
+  memory.let_in = std::max(0.0f, std::min(memory.let_in, static_cast<float>(-gap)) - kPressOut);
+  gap += memory.let_in;
   memory.touching = gap < kTouching || memory.multiplier > 0;
   contact.sphere = index;
   contact.gap = gap;
@@ -189,8 +183,7 @@ std::vector<float> tube_contact_areas(const SphereTree& tree, const SoftSurface&
     for (std::size_t s = 0; s < tree.spheres.size(); ++s) {
       const InnerSphere& sphere = tree.spheres[s];
       if (sphere.core || (sphere.standoff == 0.0) != vertices) continue;
-      for (int k = 0; k < 3; ++k)
-        point[s] += sphere.surface_weight[k] * nodes[surface.triangles[sphere.triangle][k]];
+      for (int k = 0; k < 3; ++k) point[s] += sphere.surface_weight[k] * nodes[surface.triangles[sphere.triangle][k]];
       order.push_back(static_cast<std::int32_t>(s));
     }
   using Cell = std::array<long long, 3>;
@@ -250,14 +243,18 @@ int find_soft_contacts(const Scene& scene, const TissueState& tissue, const Rod&
     state.forget();
     return 0;
   }
-  const double approach = follow_tube(tube_state, outside_from_m, state) + tissue.fastest_m;
-  if (!std::isfinite(approach)) {
+  const double approach = way_of(tube_state, state) + tissue.fastest_m;
+  const Tube tube = outside_part(rod, tube_state, outside_from_m);
+  if (!std::isfinite(approach) || tube.begin == kTubeSegments) {
     state.forget();
     return 0;
   }
-  state.travel += approach;
+  // What came out of a canal lies no farther from what was outside than it is long.
+  state.travel += approach + std::max(0.0, state.outside_from_m - outside_from_m);
+  state.tube = tube_state.position;
+  state.outside_from_m = outside_from_m;
+  state.seen = true;
   if (state.travel < state.nothing_before) return 0;
-  const Tube tube = outside_part(rod, tube_state, outside_from_m);
   const SphereTree& tree = scene.tree;
 
   double all_clear = 1e9;
@@ -274,7 +271,8 @@ int find_soft_contacts(const Scene& scene, const TissueState& tissue, const Rod&
       low = low.cwiseMin(p);
       high = high.cwiseMax(p);
     }
-    // How far the tube is from the cluster, and its segments that can be in reach before the cluster is looked at again.
+    // How far the tube is from the cluster, and its segments that can be in reach before the cluster is looked at
+    // again.
     double clear = distance_of_boxes(tube.low, tube.high, low, high) - kReach - approach;
     int near[kTubeSegments], near_count = 0;
     if (!(clear > 0)) {
@@ -362,7 +360,8 @@ void press_tissue(const Scene& scene, const RodState& tube, const RodContact* in
 void keep_soft_contacts(SoftContactState& state) noexcept {
   for (int i = 0; i < state.count; ++i) {
     SoftContactMemory& memory = state.memory[state.found[i].sphere];
-    memory.multiplier += kCarriedShare * (state.constraints[i].multiplier - memory.multiplier) - kLeak * memory.multiplier;
+    memory.multiplier +=
+        kCarriedShare * (state.constraints[i].multiplier - memory.multiplier) - kLeak * memory.multiplier;
   }
 }
 
