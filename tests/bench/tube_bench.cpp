@@ -136,13 +136,13 @@ void measure_on_tongue(const char* what, double press, int ticks) {
   SceneState state(*scene), alone(*scene);
   SoftContactState soft(*scene);
   RodState tube(rod, hand_at(0));
-  std::vector<RodContact> contacts(kMostTubeContacts);
+  std::vector<RodContact> contacts(kMostSoftContacts);
   std::vector<double> find, rods, tissue, bare;
   double pressing = 0.0, force = 0.0;
   for (int n = 0; n < ticks; ++n) {
     const auto begin = Clock::now();
     const int count =
-        find_soft_contacts(*scene, state.tissue, rod, tube, 0.0, 0.1, soft, contacts.data(), kMostTubeContacts);
+        find_soft_contacts(*scene, state.tissue, rod, tube, 0.0, 0.1, soft, contacts.data(), kMostSoftContacts);
     const auto found = Clock::now();
     step(rod, tube, hand_at(0.001 * n), contacts.data(), count, 0.001);
     const auto moved = Clock::now();
