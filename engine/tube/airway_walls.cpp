@@ -15,7 +15,7 @@ using Chain = Passage::Chain;
 struct Wall {
   double soft, give, hard;
 };
-constexpr Wall kVestibule{4e5, 2e-3, 1e7};
+constexpr Wall kVestibule{4e5, 1.5e-3, 3e7};
 constexpr Wall kCommissure{1e6, 5e-4, 3e7};    // the cords' front, and the arytenoids behind
 constexpr Wall kCricoid{1.5e6, 3e-4, 1.5e8};   // and the subglottis within it: a closed ring of cartilage
 constexpr Wall kTrachea{3e5, 3e-4, 3e7};       // horseshoes, and between them membrane
@@ -206,7 +206,9 @@ class Walls {
     const double here = beyond(k, node), there = beyond(k, node + 1), whole = here - there;
     const At a = at(node, std::abs(whole) > 1e-9 ? std::clamp(here / whole, 0.0, 1.0) : 0.0);
     const Vec3 offset = a.point - centre(k);
-    const double frontward = offset.dot(r.front), length = r.before_m + share * r.after_m;
+    const double frontward = offset.dot(r.front);
+    // Of the entrance's rim no more than what of the tube is in.
+    const double length = (k == 0 ? std::min(r.before_m, a.from_tip_m) : r.before_m) + share * r.after_m;
     const double cosine = a.towards.dot(r.cut.along);
     const double along = std::copysign(std::max(std::abs(cosine), kLeastAlong), cosine);
     const bool cords = r.cut.part == AirwayPart::cords;

@@ -16,6 +16,7 @@ constexpr double kLeastSpacing = 0.0005, kMostSpacing = 0.004;
 constexpr std::size_t kMostRings = 400;
 constexpr double kMostBranch = 0.010;         // m, from the carina to a bronchus' first ring: it begins aside
 constexpr double kCordsHalfThickness = 0.001;  // m (assumed)
+constexpr double kRim = 0.002;                 // m, of the fold about an entrance (assumed)
 
 [[noreturn]] void fault(const std::string& what) { throw std::invalid_argument("airway: " + what); }
 
@@ -102,6 +103,7 @@ Passage::Chain made_chain(const std::vector<AirwayRing>& first, const std::vecto
       }
       all.push_back(r);
     }
+  all.front().before_m = kRim;
   for (Passage::Ring& r : all)
     if (r.cut.part == AirwayPart::cords) r.before_m = r.after_m = kCordsHalfThickness;
   return all;

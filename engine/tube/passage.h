@@ -56,8 +56,8 @@ class Passage {
     AirwayRing cut;  ///< its axes made exact
     Vec3 front;
     double from_start_m = 0.0;  ///< along the chain's centres, from its first ring
-    /// Of the canal's length, m, what this ring's wall stands for: half the way to either neighbour; of the cords a fixed
-    /// thickness.
+    /// Of the canal's length, m, what this ring's wall stands for: half the way to either neighbour; of the cords and of an
+    /// entrance's rim a fixed thickness.
     double before_m = 0.0, after_m = 0.0;
 
     Vec3 centre(const Vec3& larynx_way) const { return cut.centre + cut.larynx_share * larynx_way; }

@@ -70,10 +70,10 @@ inline AirwayCourse straight_airway(const AirwaySizes& a = {}) {
 /// reckoned by hand.
 inline RodDescription stiff_rod(const TubeDesign& tube, double length_m = 0.12) {
   RodDescription d = tube_rod(tube, nullptr, length_m);
-  for (RodSection& s : d.section) s = {1.0, 1.0, 0.0};
+  for (RodSection& s : d.section) s = {100.0, 100.0, 0.0};
   d.stretching_n = 2e4;
-  d.grip_n_m = 1e5;
-  d.grip_nm_rad = 100.0;
+  d.grip_n_m = 1e6;
+  d.grip_nm_rad = 1e4;
   return d;
 }
 

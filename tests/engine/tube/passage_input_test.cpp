@@ -52,7 +52,8 @@ TEST(PassageInput, ADescriptionThatIsNoAirwayIsRefusedByName) {
       {[](AirwayCourse& c) { c.airway.erase(c.airway.begin() + 20, c.airway.begin() + 24); }, "lies 5.000000 mm from"},
       {[](AirwayCourse& c) { c.airway[21].centre = c.airway[20].centre; }, "lies 0.000000 mm from"},
       {[](AirwayCourse& c) { c.airway[21].centre.z() += 0.002; }, "ring 21 does not lie beyond"},
-      {[](AirwayCourse& c) { c.bronchi[0][0].centre.x() = -0.02; }, "right main bronchus's ring 0 lies"}};
+      {[](AirwayCourse& c) { for (AirwayRing& r : c.bronchi[0]) r.centre.x() -= 0.02; },
+       "right main bronchus's ring 0 lies"}};
   for (const Case& c : cases) {
     const std::string said = refusal(c.spoil);
     EXPECT_NE(said.find(c.named), std::string::npos) << "\"" << said << "\" does not say: " << c.named;
@@ -137,9 +138,8 @@ TEST(PassageInput, NoHandPushesATubeThroughAWall) {
   EXPECT_GT(inside, 4000);
   EXPECT_GT(deep, 1000);
   EXPECT_GT(most_force, 3.0);
+  EXPECT_GT(gullet, 0);
   RecordProperty("farthest_um", static_cast<int>(1e6 * most));
-  std::printf("axis outside %.3f mm at most, force %.1f N at most, ticks inside %d, deep %d, gullet %d\n", 1e3 * most, most_force,
-              inside, deep, gullet);
 }
 
 TEST(PassageInput, ATickAllocatesNothingAndIsTheSameToTheBit) {
@@ -148,6 +148,7 @@ TEST(PassageInput, ATickAllocatesNothingAndIsTheSameToTheBit) {
   const Rod rod(d);
   WildHand hands(rod, 2), again(rod, 2);
   TubeInAirway a(straight_airway(), design, d, hands.next()), b(straight_airway(), design, d, again.next());
+  int most_contacts = 0;
   for (int n = 0; n < 1500; ++n) {
     const Pose hand = hands.next(), same = again.next();
     const long before = allocations;
@@ -156,10 +157,11 @@ TEST(PassageInput, ATickAllocatesNothingAndIsTheSameToTheBit) {
     b.step(same);
     ASSERT_EQ(std::memcmp(a.state.position.data(), b.state.position.data(), sizeof a.state.position), 0) << n;
     ASSERT_EQ(a.contacts->count, b.contacts->count);
+    most_contacts = std::max(most_contacts, a.contacts->count);
     ASSERT_EQ(a.in.passed, b.in.passed);
     ASSERT_EQ(std::memcmp(a.loads.loads_n.data(), b.loads.loads_n.data(), sizeof a.loads.loads_n), 0);
   }
-  EXPECT_GT(a.contacts->count, 0);
+  EXPECT_GT(most_contacts, 20);
 }
 
 TEST(PassageInput, WhatIsNoNumberIsLeftOutAndNamed) {
