@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 
 #include "engine/contact/response.h"
 
@@ -12,7 +11,6 @@ namespace vallecula::engine {
 namespace {
 
 constexpr double kReach = 0.00012;    // m: contacts are set up this far ahead of touch, plus both sides' way in a tick
-constexpr double kSpacing = 0.0009;   // m: points that are no vertices are no nearer to each other
 constexpr double kTouching = 0.0001;  // m: within it a point counts as in contact and keeps its side
 constexpr double kLook = 0.003;       // m: parts of the tube farther from a cluster than this are not asked for in it
 constexpr double kSameSide = 0.3;     // cosine between the kept side and the way to the axis
@@ -174,50 +172,6 @@ void keep_deepest(const Scene& scene, int count, int most, SoftContactState& sta
 }
 
 }  // namespace
-
-std::vector<float> tube_contact_areas(const SphereTree& tree, const SoftSurface& surface,
-                                      const std::vector<Vec3>& nodes) {
-  std::vector<std::int32_t> order;  // vertices first: they carry the force
-  std::vector<Vec3> point(tree.spheres.size(), Vec3::Zero());
-  for (const bool vertices : {true, false})
-    for (std::size_t s = 0; s < tree.spheres.size(); ++s) {
-      const InnerSphere& sphere = tree.spheres[s];
-      if (sphere.core || (sphere.standoff == 0.0) != vertices) continue;
-      for (int k = 0; k < 3; ++k) point[s] += sphere.surface_weight[k] * nodes[surface.triangles[sphere.triangle][k]];
-      order.push_back(static_cast<std::int32_t>(s));
-    }
-  using Cell = std::array<long long, 3>;
-  std::map<Cell, std::vector<std::int32_t>> taken;
-  const auto cell_of = [](const Vec3& p) {
-    return Cell{std::llround(p.x() / kSpacing), std::llround(p.y() / kSpacing), std::llround(p.z() / kSpacing)};
-  };
-  const auto nearest_taken = [&](std::int32_t s) {
-    std::int32_t nearest = -1;
-    double nearest_m = kSpacing;
-    const Cell at = cell_of(point[s]);
-    for (int n = 0; n < 27; ++n) {
-      const auto cell = taken.find(Cell{at[0] + n % 3 - 1, at[1] + n / 3 % 3 - 1, at[2] + n / 9 - 1});
-      if (cell == taken.end()) continue;
-      for (std::int32_t t : cell->second) {
-        const double away = (point[t] - point[s]).norm();
-        if (away >= nearest_m) continue;
-        nearest_m = away;
-        nearest = t;
-      }
-    }
-    return nearest;
-  };
-  std::vector<float> area(tree.spheres.size(), 0.0f);
-  for (std::int32_t s : order) {
-    const InnerSphere& sphere = tree.spheres[s];
-    const std::int32_t other = sphere.standoff == 0.0 ? -1 : nearest_taken(s);
-    area[other < 0 ? s : other] += static_cast<float>(sphere.area);
-    if (other < 0) taken[cell_of(point[s])].push_back(s);
-  }
-  for (std::size_t s = 0; s < area.size(); ++s)
-    if (!tree.spheres[s].touchable) area[s] = 0.0f;
-  return area;
-}
 
 SoftContactState::SoftContactState(const Scene& scene)
     : memory(scene.tree.spheres.size()),

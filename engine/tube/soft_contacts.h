@@ -12,12 +12,6 @@
 
 namespace vallecula::engine {
 
-/// Per sphere of the tree the surface area its point answers for against the tube, m^2; 0: it is not asked. The blade's
-/// points lie a millimetre apart for its edges; a round tube does with fewer: the surface's vertices and, where these
-/// are far apart, points between.
-std::vector<float> tube_contact_areas(const SphereTree& tree, const SoftSurface& surface,
-                                      const std::vector<Vec3>& nodes);
-
 /// What a point of the tissue's surface remembers between ticks.
 struct SoftContactMemory {
   Vec3 side = Vec3::Zero();  ///< out of the tissue, world: last direction to the tube's axis that was no way through it
@@ -40,7 +34,7 @@ struct SoftContact {
 /// All there is of the tube's contacts with the tissue between two steps.
 struct SoftContactState {
   explicit SoftContactState(const Scene& scene);
-  void forget() noexcept;  ///< as before the first tick
+  void forget() noexcept;  ///< as before the first tick: when tissue or tube were put back to rest
 
   std::vector<SoftContactMemory> memory;       ///< per sphere of the tree
   std::vector<SoftContact> found;              ///< the first `count` are this tick's, in the order of the spheres
