@@ -1,6 +1,6 @@
 // vallecula_tube_bench [TICKS]: what a tick of the tube costs, alone, pressed against something along its whole length,
-// with a stylet within, in an airway (finding its contacts with walls, a pharynx and a blade, the rod, the loads, the
-// cords), and what it adds to a tick of a tongue that it lies on.
+// with a stylet within, and in an airway: finding its contacts with walls, a pharynx and a blade, the rod, the loads, the
+// cords; and what it adds to a tick of a tongue that it lies on.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -177,11 +177,11 @@ int main(int argc, char** argv) {
   measure("tube 3.5, 60 contacts", nullptr, 60, ticks);
   measure("tube 3.5, stylet", &stylet, 0, ticks);
   measure("tube 3.5, stylet, 60 contacts", &stylet, 60, ticks);
-  measure_in_airway("tube 3.5 in the airway", 0.001, Canal::airway, nullptr, ticks);
-  measure_in_airway("rings 0.5 mm apart, stylet", 0.0005, Canal::airway, &stylet, ticks);
-  measure_in_airway("tube 3.5 in the gullet", 0.001, Canal::oesophagus, nullptr, ticks);
   measure_on_tongue("tube 20 mm above the tongue", -0.02, ticks);
   measure_on_tongue("tube lying on the tongue", 0.0005, ticks);
   measure_on_tongue("tube pressed 3 mm into it", 0.003, ticks);
+  measure_in_airway("tube 3.5 in the airway", 0.001, Canal::airway, nullptr, ticks);
+  measure_in_airway("rings 0.5 mm apart, stylet", 0.0005, Canal::airway, &stylet, ticks);
+  measure_in_airway("tube 3.5 in the gullet", 0.001, Canal::oesophagus, nullptr, ticks);
   return 0;
 }

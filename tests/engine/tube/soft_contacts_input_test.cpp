@@ -97,7 +97,7 @@ TEST(SoftContactInput, TheBladesContactsStayWhatTheyAre) {
     RodState tube(rod, along_y(0.02, 0.055, 0.08));
     SceneState with(*scene), without(*scene);
     SoftContactState soft(*scene);
-    std::vector<RodContact> contacts(kMostTubeContacts);
+    std::vector<RodContact> contacts(kMostSoftContacts);
     Wrench last;
     for (int n = 0; n < 150; ++n) {
       Pose blade;
@@ -109,7 +109,7 @@ TEST(SoftContactInput, TheBladesContactsStayWhatTheyAre) {
         std::array<StructureLoad, kLoadedStructures> loads{};
         StageTimes times;
         if (state == &with) {
-          find_soft_contacts(*scene, with.tissue, rod, tube, 0.0, 0.1, soft, contacts.data(), kMostTubeContacts);
+          find_soft_contacts(*scene, with.tissue, rod, tube, 0.0, 0.1, soft, contacts.data(), kMostSoftContacts);
           press_tissue(*scene, tube, contacts.data(), soft);
         }
         step_tissue(*scene, *state, n == 0 ? blade : before, loads, times, state == &with ? &soft : nullptr);
@@ -158,7 +158,7 @@ TEST(SoftContactInput, WhatIsNotFiniteIsLeftOut) {
   lost.position[3].y() = nan;
   const auto found = [&](const TissueState& tissue, const RodState& tube, double from) {
     const int count =
-        find_soft_contacts(*scene, tissue, rod, tube, from, 0.1, mouth.soft, mouth.contacts.data(), kMostTubeContacts);
+        find_soft_contacts(*scene, tissue, rod, tube, from, 0.1, mouth.soft, mouth.contacts.data(), kMostSoftContacts);
     for (int i = 0; i < count; ++i) {
       EXPECT_TRUE(std::isfinite(mouth.contacts[i].depth_m));
       EXPECT_TRUE(mouth.contacts[i].normal.allFinite() && mouth.contacts[i].surface_velocity.allFinite());

@@ -76,7 +76,7 @@ inline Pose along_y(double x, double hand_y, double z) {
 /// A scene with a tube in it, tick by tick.
 struct Mouth {
   Mouth(const Scene& scene, const Rod& rod, const Pose& hand)
-      : scene(scene), rod(rod), state(scene), soft(scene), tube(rod, hand), contacts(kMostTubeContacts) {}
+      : scene(scene), rod(rod), state(scene), soft(scene), tube(rod, hand), contacts(kMostSoftContacts) {}
 
   void tick(const Pose& hand) noexcept {
     count =
@@ -98,7 +98,7 @@ struct Mouth {
   RodState tube;
   std::vector<RodContact> contacts;
   double outside_from_m = 0.0, friction = 0.1;
-  int capacity = kMostTubeContacts, count = 0;
+  int capacity = kMostSoftContacts, count = 0;
   Wrench on_hand;
   SoftLoads load;
   Vec3 on_tube = Vec3::Zero();
