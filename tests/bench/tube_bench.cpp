@@ -1,6 +1,6 @@
 // vallecula_tube_bench [TICKS]: what a tick of the tube costs, alone, pressed against something along its whole length,
-// with a stylet within, and in an airway: finding its contacts with walls, a pharynx and a blade, the rod, the loads, the
-// cords.
+// with a stylet within, and in an airway: finding its contacts with walls, a pharynx and a blade, the rod, the loads,
+// the cords.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -57,7 +57,8 @@ void measure(const char* what, const Stylet* stylet, int contact_count, int tick
   print(what, cost, sum / ticks);
 }
 
-/// A usual tube goes to and fro in an airway of `spacing` between rings, beside a blade and between the walls of a mouth.
+/// A usual tube goes to and fro in an airway of `spacing` between rings, beside a blade and between the walls of a
+/// mouth.
 void measure_in_airway(const char* what, double spacing, Canal canal, const Stylet* stylet, int ticks) {
   testing::AirwaySizes sizes;
   sizes.spacing = spacing;
