@@ -1,8 +1,8 @@
 // A tube within a canal: which nodes are in, and what the rings' walls push with.
 //
 // A wall is a spring per length of canal, soft mucosa and beyond its give the cartilage. Rings are the nodes of a
-// trapezoidal rule along the canal; the interval that the tip stands in ends at the tip, where the ring is interpolated.
-// So no contact begins with a jump, and forces do not depend on how closely the rings follow each other.
+// trapezoidal rule along the canal; the interval that the tip stands in ends at the tip, where the ring is
+// interpolated. So no contact begins with a jump, and forces do not depend on how closely the rings follow each other.
 #pragma once
 
 #include "engine/tube/passage.h"

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kLeastSpacing = 0.0005, kMostSpacing = 0.004;
 constexpr std::size_t kMostRings = 400;
-constexpr double kMostBranch = 0.010;         // m, from the carina to a bronchus' first ring: it begins aside
+constexpr double kMostBranch = 0.010;          // m, from the carina to a bronchus' first ring: it begins aside
 constexpr double kCordsHalfThickness = 0.001;  // m (assumed)
 constexpr double kRim = 0.002;                 // m, of the fold about an entrance (assumed)
 
@@ -70,7 +70,8 @@ void check(const AirwayCourse& c) {
     cords += part == AirwayPart::cords;
     trachea += part == AirwayPart::trachea;
     if (part > AirwayPart::trachea || (n > 0 && part < c.airway[n - 1].part))
-      fault("the part of " + ring_name("the airway", n) + " is out of order: from the inlet to the carina there are "
+      fault("the part of " + ring_name("the airway", n) +
+            " is out of order: from the inlet to the carina there are "
             "vestibule, cords, subglottis, cricoid, trachea");
   }
   if (cords != 1) fault("it has " + std::to_string(cords) + " rings at the cords; it needs one");
@@ -136,8 +137,8 @@ TubeOutside::Reach TubeOutside::reach(const Vec3& u, double s) const noexcept {
   constexpr double kSteepest = 3.0;  // a chord's ends part infinitely fast at the very point
   Reach reach{radius_, 0.0};
   if (s < bevel_length_) {
-    // Disc with what lies short of the chord `towards` cut off: where u's own point of the rim is gone, a corner reaches
-    // farthest.
+    // Disc with what lies short of the chord `towards` cut off: where u's own point of the rim is gone, a corner
+    // reaches farthest.
     const double along = u.dot(point_side_), towards = radius_ - std::max(0.0, s) * steepness_;
     if (radius_ * along < towards) {
       const double across = std::sqrt(std::max(0.0, 1 - along * along - u.x() * u.x()));
@@ -223,7 +224,8 @@ std::uint32_t find_contacts(const Passage& passage, PassageState& state, const T
     input.glottis_opening = 1.0;
     faults |= kPassageFaultLarynx;
   }
-  if (input.blade && (!usable(input.blade_pose) || !input.blade_velocity.allFinite() || !input.blade_spin.allFinite())) {
+  if (input.blade &&
+      (!usable(input.blade_pose) || !input.blade_velocity.allFinite() || !input.blade_spin.allFinite())) {
     input.blade = nullptr;
     faults |= kPassageFaultBlade;
   }

@@ -60,7 +60,8 @@ void measure(const char* what, const Stylet* stylet, int contact_count, int tick
   print(what, cost, sum / ticks);
 }
 
-/// A usual tube goes to and fro in an airway of `spacing` between rings, beside a blade and between the walls of a mouth.
+/// A usual tube goes to and fro in an airway of `spacing` between rings, beside a blade and between the walls of a
+/// mouth.
 void measure_in_airway(const char* what, double spacing, Canal canal, const Stylet* stylet, int ticks) {
   testing::AirwaySizes sizes;
   sizes.spacing = spacing;

@@ -52,7 +52,9 @@ TEST(PassageInput, ADescriptionThatIsNoAirwayIsRefusedByName) {
       {[](AirwayCourse& c) { c.airway.erase(c.airway.begin() + 20, c.airway.begin() + 24); }, "lies 5.000000 mm from"},
       {[](AirwayCourse& c) { c.airway[21].centre = c.airway[20].centre; }, "lies 0.000000 mm from"},
       {[](AirwayCourse& c) { c.airway[21].centre.z() += 0.002; }, "ring 21 does not lie beyond"},
-      {[](AirwayCourse& c) { for (AirwayRing& r : c.bronchi[0]) r.centre.x() -= 0.02; },
+      {[](AirwayCourse& c) {
+         for (AirwayRing& r : c.bronchi[0]) r.centre.x() -= 0.02;
+       },
        "right main bronchus's ring 0 lies"}};
   for (const Case& c : cases) {
     const std::string said = refusal(c.spoil);
@@ -64,14 +66,16 @@ TEST(PassageInput, ADescriptionThatIsNoAirwayIsRefusedByName) {
 /// A hand that wanders about the airway, pushes, turns and draws back; the same for the same seed.
 class WildHand {
  public:
-  WildHand(const Rod& rod, std::uint64_t seed) : start_(hand_with_tip_at(rod, Vec3(0, 0, 0.002))) { draw_.state = seed; }
+  WildHand(const Rod& rod, std::uint64_t seed) : start_(hand_with_tip_at(rod, Vec3(0, 0, 0.002))) {
+    draw_.state = seed;
+  }
 
   Pose next() {
     if (left_ <= 0) {
       left_ = draw_.between(50, 300);
       from_ = at_;
       to_ = {draw_.between(-0.02, 0.02), draw_.between(-0.02, 0.02), draw_.between(-0.08, 0.01),
-             draw_.between(-0.5, 0.5), draw_.between(-0.5, 0.5), draw_.between(-2.0, 2.0)};
+             draw_.between(-0.5, 0.5),   draw_.between(-0.5, 0.5),   draw_.between(-2.0, 2.0)};
       ticks_ = left_;
     }
     left_ -= 1;
@@ -90,11 +94,13 @@ class WildHand {
   std::array<double, 6> at_{}, from_{}, to_{};
 };
 
-/// How far the tube's axis lies outside a ring's outline where it crosses the ring's plane; the farthest of all.
+/// How far the tube's axis lies outside a ring's outline where it crosses the ring's plane; the farthest of all, where
+/// the tube is whole (beside the bevel its axis is not in it).
 double farthest_outside(const TubeInAirway& a) {
   double most = -1.0;
   const Passage::Chain& chain = a.passage.chain(a.in.canal, a.in.side);
-  for (int i = 0; i + 1 < a.in.inside; ++i)
+  const int whole = static_cast<int>(std::ceil(a.outside.bevel_length() / a.rod.segment_m()));
+  for (int i = whole; i + 1 < a.in.inside; ++i)
     for (int k = a.in.passed[static_cast<std::size_t>(i) + 1] + 1; k <= a.in.passed[static_cast<std::size_t>(i)]; ++k) {
       const Passage::Ring& r = chain[static_cast<std::size_t>(k)];
       const Vec3 &deep = a.state.position[static_cast<std::size_t>(i)],
@@ -146,7 +152,7 @@ TEST(PassageInput, ATickAllocatesNothingAndIsTheSameToTheBit) {
   const TubeDesign design = tube_design("3.5");
   const RodDescription d = tube_rod(design, nullptr, 0.1);
   const Rod rod(d);
-  WildHand hands(rod, 2), again(rod, 2);
+  WildHand hands(rod, 4), again(rod, 4);
   TubeInAirway a(straight_airway(), design, d, hands.next()), b(straight_airway(), design, d, again.next());
   int most_contacts = 0;
   for (int n = 0; n < 1500; ++n) {

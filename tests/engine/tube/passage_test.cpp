@@ -12,12 +12,12 @@ namespace {
 
 using namespace testing;  // airways.h
 
-constexpr double kStart = 0.002;   // m above the inlet
-constexpr double kSpeed = 0.01;    // m/s, of a hand that pushes
+constexpr double kStart = 0.002;  // m above the inlet
+constexpr double kSpeed = 0.01;   // m/s, of a hand that pushes
 
 struct Pushed {
-  double most_n = 0.0;         ///< back along the tube, on the hand
-  double past_cords_m = 0.0;   ///< in the end
+  double most_n = 0.0;        ///< back along the tube, on the hand
+  double past_cords_m = 0.0;  ///< in the end
 };
 
 /// The hand goes down by `way` and then holds still for a moment; it stops at `limit_n`, as a hand does.
@@ -35,7 +35,9 @@ Pushed push(TubeInAirway& a, const Pose& hand, double way, double limit_n) {
 }
 
 /// Held a centimetre before the lips when it is as deep as the rule of CLINICAL has it (weight + 6 cm).
-double grip_of(const TubeDesign& tube) { return tube.inner_diameter < 0.003 ? 0.08 : tube.inner_diameter < 0.0035 ? 0.09 : 0.10; }
+double grip_of(const TubeDesign& tube) {
+  return tube.inner_diameter < 0.003 ? 0.08 : tube.inner_diameter < 0.0035 ? 0.09 : 0.10;
+}
 
 /// A usual tube that points straight down the airway.
 struct UsualTube {
@@ -66,14 +68,15 @@ AirwaySizes with_cricoid(double diameter_m) {
   return a;
 }
 
-// CLINICAL's table of tubes by weight; the cricoids of smaller infants are assumed to be to theirs as 5.0 mm is to a 3.5.
+// CLINICAL's table of tubes by weight; the cricoids of smaller infants are assumed to be to theirs as 5.0 mm is to
+// a 3.5.
 TEST(Passage, TheTableOfSizes) {
   struct Row {
     double cricoid_m;
     const char *smaller, *right, *larger;
   };
-  for (const Row& row : {Row{0.0036, nullptr, "2.5", "3.0"}, Row{0.0042, "2.5", "3.0", "3.5"},
-                         Row{0.0050, "3.0", "3.5", "4.0"}}) {
+  for (const Row& row :
+       {Row{0.0036, nullptr, "2.5", "3.0"}, Row{0.0042, "2.5", "3.0", "3.5"}, Row{0.0050, "3.0", "3.5", "4.0"}}) {
     const Stylet stylet = straight_stylet();
     for (const Stylet* with : {static_cast<const Stylet*>(nullptr), &stylet}) {
       if (row.smaller) {
@@ -115,9 +118,9 @@ TEST(Passage, ATubeThatJamsBuckles) {
   double aside = 0.0;
   RodState hanging(tube.airway.rod, tube.airway.state.grip);
   for (int i = 0; i < kTubeNodes; ++i)
-    aside = std::max(aside, (tube.airway.state.position[static_cast<std::size_t>(i)] -
-                             hanging.position[static_cast<std::size_t>(i)])
-                                .norm());
+    aside = std::max(
+        aside, (tube.airway.state.position[static_cast<std::size_t>(i)] - hanging.position[static_cast<std::size_t>(i)])
+                   .norm());
   EXPECT_GT(aside, 0.015);
 }
 
@@ -188,9 +191,9 @@ TEST(Passage, DownTheAirwayAndOutAgain) {
   EXPECT_GT(tube.airway.past_cords(), 0.050);
   EXPECT_LT(tube.airway.past_cords(), 0.065);
   go(-0.070, 0.075);
-  const std::vector<TipPlace> and_out = {TipPlace::outside, TipPlace::mouth,   TipPlace::larynx,
+  const std::vector<TipPlace> and_out = {TipPlace::outside, TipPlace::mouth,         TipPlace::larynx,
                                          TipPlace::trachea, TipPlace::main_bronchus, TipPlace::trachea,
-                                         TipPlace::larynx,  TipPlace::mouth,   TipPlace::outside};
+                                         TipPlace::larynx,  TipPlace::mouth,         TipPlace::outside};
   EXPECT_EQ(seen, and_out);
   EXPECT_EQ(tube.airway.in.inside, 0);
   EXPECT_EQ(tube.airway.contacts->count, 0);
@@ -206,7 +209,7 @@ TEST(Passage, KnowsHowDeepItIs) {
     a.step(hand_above(Vec3(0, 0, z), d.length_m));
     const double tip = a.state.position[0].z();
     EXPECT_NEAR(at_mouth_m(a.passage, a.rod, a.state), 0.06 - tip, 2e-5);  // the mouth's front is at z = 60 mm
-    if (a.in.inside == 0) continue;  // it is let in with the next tick
+    if (a.in.inside == 0) continue;                                        // it is let in with the next tick
     EXPECT_NEAR(a.past_cords(), -tip - 0.007, 1e-9);
     EXPECT_NEAR(inside_canal_m(a.passage, a.in, a.rod, a.state, Vec3::Zero()), -tip, 2e-5);
   }

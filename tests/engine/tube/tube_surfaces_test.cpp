@@ -29,9 +29,7 @@ RigidField wall(Structure structure, const std::vector<SprungBody>& bodies = {})
 
 struct AtWall {
   explicit AtWall(const char* size)
-      : design(tube_design(size)),
-        d(stiff_rod(design, 0.08)),
-        airway(straight_airway(), design, d, hand(0.0)) {}
+      : design(tube_design(size)), d(stiff_rod(design, 0.08)), airway(straight_airway(), design, d, hand(0.0)) {}
   /// The axis at x, the tip 25 mm above the inlet.
   Pose hand(double x) const { return hand_above(Vec3(x, 0, 0.025), 0.08); }
   /// Brings the axis to x within 100 ticks and leaves it there.
@@ -67,7 +65,7 @@ TEST(TubeSurfaces, AWallPushesByLengthAndDepth) {
           const RodContact& c = a.airway.contacts->contact[static_cast<std::size_t>(i)];
           f += c.force;
           EXPECT_LT(c.depth_m, 0.00045);
-          EXPECT_LT(c.force.norm() * std::abs(c.normal.x() + 1.0), 1e-3);  // what pushes pushes away from it
+          EXPECT_LT(c.force.norm() * std::abs(c.normal.x() + 1.0), 0.05);  // away from it, but at its edge
         }
         return f;
       }();
@@ -94,7 +92,8 @@ TEST(TubeSurfaces, LipsYieldMoreThanCheek) {
   double at_lip = 0.0, in_cheek = 0.0;
   for (int i = 0; i < a.airway.contacts->count; ++i) {
     const RodContact& c = a.airway.contacts->contact[static_cast<std::size_t>(i)];
-    const double z = frame_at(a.airway.rod, a.airway.state, (c.node + c.weight) * a.airway.rod.segment_m()).position.z();
+    const double z =
+        frame_at(a.airway.rod, a.airway.state, (c.node + c.weight) * a.airway.rod.segment_m()).position.z();
     if (z > 0.06 && z < 0.075) at_lip = std::max(at_lip, c.force.norm());
     if (z > 0.035 && z < 0.05) in_cheek = std::max(in_cheek, c.force.norm());
   }
@@ -119,9 +118,9 @@ TEST(TubeSurfaces, AMovingPartCarriesTheTubeAndBearsIt) {
   EXPECT_EQ(a.airway.loads.on_larynx, Vec3::Zero());
   // The body steps aside by 1 mm, the part by half of that: nothing touches.
   field.place({Vec3(0.001, 0, 0)}, {Vec3::Zero()}, parts);
-  a.airway.step(a.hand(touching + 0.0004));
-  const RodStep free = a.airway.step(a.hand(touching + 0.0004));
-  EXPECT_NEAR(free.on_hand.force.x(), 0.0, 0.02);
+  RodStep free;
+  for (int n = 0; n < 100; ++n) free = a.airway.step(a.hand(touching + 0.0004));
+  EXPECT_NEAR(free.on_hand.force.x(), 0.0, 1e-3);
 }
 
 TEST(TubeSurfaces, TheBladeIsMetAndMeetsBack) {
