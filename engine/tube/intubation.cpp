@@ -53,6 +53,19 @@ const IntubationDescription& checked(const IntubationDescription& d, const std::
   return d;
 }
 
+IntubationRecord record_at_start(const IntubationDescription& d, const Infant& infant) {
+  IntubationRecord r;
+  const InfantState s = start(infant);
+  r.in_hand = d.stylet ? InHand::tube_with_stylet : InHand::tube;
+  r.glottis_opening = start(d.glottis).opening;
+  r.spasm = start(d.glottis).spasm;
+  r.secretions_ml = 1e6 * d.secretions.volume_m3;
+  r.sao2 = s.oxygen.arterial;
+  r.spo2 = s.oximeter.percent / 100.0;
+  r.heart_per_min = s.heart.per_min;
+  return r;
+}
+
 std::vector<std::array<int, 3>> sleeve_triangles() {
   std::vector<std::array<int, 3>> triangles;
   for (int i = 0; i + 1 < kTubeNodes; ++i)
@@ -70,6 +83,7 @@ Intubation::Intubation(const IntubationDescription& d, const std::vector<SprungB
     : description(checked(d, bodies)),
       infant(build_infant(d.infant)),
       passage(d.course, d.glottis, d.mouth, d.mouth_inward),
+      at_start(record_at_start(d, infant)),
       sleeve(sleeve_triangles()),
       catheter_(suction_catheter(d.catheter_outer_m)),
       tube_outside_(d.tube),

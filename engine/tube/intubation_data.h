@@ -35,6 +35,7 @@ class Intubation {
   IntubationDescription description;
   Infant infant;
   Passage passage;
+  IntubationRecord at_start;  ///< what there is to record before the first step: infant, cords, secretions
   /// The rod's surface as the sight meets it: kTubeSides points about each node, in their order.
   std::vector<std::array<int, 3>> sleeve;
 

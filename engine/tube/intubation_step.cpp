@@ -261,8 +261,8 @@ PassageLoads step_tool(const Scene& scene, const SceneState& state, const Pose& 
 }  // namespace
 
 IntubationState::IntubationState(const Scene& scene)
-    : in_hand(scene.intubation->has(InHand::tube_with_stylet) ? InHand::tube_with_stylet : InHand::tube),
-      stylet_in(scene.intubation->has(InHand::tube_with_stylet)),
+    : in_hand(scene.intubation->at_start.in_hand),
+      stylet_in(in_hand == InHand::tube_with_stylet),
       rod(scene.intubation->rod(in_hand), Pose{}),
       soft(scene),
       glottis(start(scene.intubation->description.glottis)),

@@ -31,8 +31,8 @@ struct IntubationState {
   bool stylet_in;
   RodState rod;
   PassageState passage;
-  SoftContactState soft;      ///< of the tube with tongue and epiglottis
-  TubeContacts contacts;      ///< of the last step
+  SoftContactState soft;        ///< of the tube with tongue and epiglottis
+  TubeContacts contacts;        ///< of the last step
   bool placed = false;          ///< the first good pose has placed what the second hand holds
   bool returning = false;       ///< the hand was lost: the grip goes back to it slowly
   std::uint32_t actions = 0;    ///< of the last step

@@ -190,7 +190,7 @@ PortInput tour(const Scene& scene, std::int64_t n) {
 
 /// What a run of it met: so that none passes by touching nothing.
 struct Met {
-  double cords_n = 0.0, hand_n = 0.0, opening_low = 1.0, opening_high = 0.0;
+  double cords_n = 0.0, hand_n = 0.0, opening_low = 1.0, opening_high = 0.0, least_spo2 = 1.0;
   std::uint32_t faults = 0;
   std::int64_t late = 0;
   std::int32_t breaths = 0;
@@ -199,10 +199,9 @@ struct Met {
     const IntubationRecord& r = record.intubation;
     cords_n = std::max(cords_n, r.loads_n[static_cast<std::size_t>(AirwayPart::cords)]);
     hand_n = std::max(hand_n, r.displayed_force_n.norm());
-    if (record.step_used >= 0) {
-      opening_low = std::min(opening_low, r.glottis_opening);
-      opening_high = std::max(opening_high, r.glottis_opening);
-    }
+    opening_low = std::min(opening_low, r.glottis_opening);
+    opening_high = std::max(opening_high, r.glottis_opening);
+    least_spo2 = std::min(least_spo2, r.spo2);
     faults |= r.faults;
     late += (record.faults & kFaultOverrun) != 0;
     breaths = std::max(breaths, r.breaths_given);
@@ -213,6 +212,7 @@ struct Met {
     EXPECT_GT(hand_n, 0.1);
     EXPECT_LT(opening_low, 0.3);
     EXPECT_GT(opening_high, 0.5);
+    EXPECT_GT(least_spo2, 0.85);  // before the first step has finished as well
     EXPECT_EQ(faults, static_cast<std::uint32_t>(kIntubationFaultHand | kIntubationFaultHandPose));
     EXPECT_EQ(breaths, 1);
     EXPECT_TRUE(held[0] && held[1] && held[2]);
