@@ -120,7 +120,7 @@ void step_secretions(const Scene& scene, const IntubationRecord& r, std::uint32_
 
 /// Infant and cords: one step each; a breath asked for goes the way that is open.
 void step_patient(const Scene& scene, const SceneState& state, std::uint32_t actions, const StepResult& result,
-                  const PassageLoads& loads, IntubationState& s, IntubationRecord& r) {
+                  const PassageLoads& loads, IntubationState& s, std::uint32_t& fault, const IntubationRecord& r) {
   const Intubation& in = *scene.intubation;
   const double dt = scene.model.step_s;
 
@@ -132,25 +132,27 @@ void step_patient(const Scene& scene, const SceneState& state, std::uint32_t act
   input.tube_load_n = loads.vagal_n;
   input.glottis_opening = s.glottis.opening;
   input.breathing = in.description.breathes;
-  const InfantSigns signs = step(in.infant, s.infant, input, dt);
-  s.breath_phase = signs.breath_phase;
+  s.signs = step(in.infant, s.infant, input, dt);
 
   GlottisInput cords;
   cords.breathing = in.description.breathes;
-  cords.breath_phase = signs.breath_phase;
+  cords.breath_phase = s.signs.breath_phase;
   cords.touched = std::max(loads.glottis_n, load_on(result, Structure::larynx)) > kTouch;
   step(in.description.glottis, s.glottis, cords, dt);
-  if ((signs.faults & kInfantFaultState) != 0 || (s.glottis.faults & kGlottisFaultState) != 0)
-    r.faults |= kIntubationFaultInfant;
+  if ((s.signs.faults & kInfantFaultState) != 0 || (s.glottis.faults & kGlottisFaultState) != 0)
+    fault |= kIntubationFaultInfant;
+}
 
+void write_signs(const IntubationState& s, IntubationRecord& r) {
+  r.secretions_ml = 1e6 * s.secretions_m3;
   r.glottis_opening = s.glottis.opening;
   r.spasm = s.glottis.spasm;
-  r.sao2 = signs.sao2;
-  r.spo2 = signs.spo2;
-  r.heart_per_min = signs.heart_per_min;
-  r.detector_yellow = signs.detector == DetectorColour::yellow;
+  r.sao2 = s.signs.sao2;
+  r.spo2 = s.signs.spo2;
+  r.heart_per_min = s.signs.heart_per_min;
+  r.detector_yellow = s.signs.detector == DetectorColour::yellow;
   r.breaths_given = s.infant.breaths_given;
-  r.given_per_min = signs.given_per_min;
+  r.given_per_min = s.signs.given_per_min;
 }
 
 /// The assistant's force on the larynx for the next step of its body.
@@ -290,11 +292,17 @@ void step_intubation(const Scene& scene, SceneState& state, const StepInput& inp
   PassageLoads loads;
   if (s.placed) loads = step_tool(scene, state, grip, s, r);
   keep_loads(scene, loads, s);
-  step_secretions(scene, r, input.actions, s);
-  r.secretions_ml = 1e6 * s.secretions_m3;
-  step_patient(scene, state, input.actions, result, loads, s, r);
-  press_larynx(scene, input.actions, s);
-  s.actions = input.actions;
+  if (s.started && !(input.valid && input.second_valid)) {
+    // A trial without one of its hands stands still, and the infant with it: nobody could help it meanwhile.
+    press_larynx(scene, s.actions, s);
+  } else {
+    s.started = true;
+    step_secretions(scene, r, input.actions, s);
+    step_patient(scene, state, input.actions, result, loads, s, r.faults, r);
+    press_larynx(scene, input.actions, s);
+    s.actions = input.actions;
+  }
+  write_signs(s, r);
 }
 
 }  // namespace vallecula::engine

@@ -39,7 +39,8 @@ struct IntubationState {
   double until_breath_s = 0.0;  ///< while they are asked for
   GlottisState glottis;
   InfantState infant;
-  double breath_phase = 0.0;  ///< of the infant's own breathing, after the last step
+  InfantSigns signs;          ///< as the last step left them
+  bool started = false;       ///< the infant has taken a step
   double secretions_m3;
   double press = 0.0;  ///< share of the assistant's force, 0..1
 

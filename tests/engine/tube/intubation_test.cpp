@@ -87,6 +87,25 @@ TEST(Intubation, ApnoeaIsTheInfantsOwn) {
             alone.infant.oxygen.first_mmhg[0] > 0 ? start(alone.infant).oxygen.arterial : 0.0);
 }
 
+TEST(Intubation, WhileEitherHandIsLostTheInfantStandsStill) {
+  Trial t(intubation_scene()), whole(intubation_scene());
+  t.hold(20, kBeforeMouth);
+  for (const bool second : {false, true}) {
+    const IntubationRecord before = t.record.intubation;
+    ASSERT_LT(before.sao2, 0.97);
+    for (int n = 0; n < 5000; ++n) {
+      PortInput in = t.hands(kBeforeMouth, kActionBreath);  // nobody is there to give it
+      (second ? in.second_valid : in.valid) = false;
+      const IntubationRecord& r = t.tick(in);
+      ASSERT_EQ(r.sao2, before.sao2);
+      ASSERT_EQ(r.heart_per_min, before.heart_per_min);
+      ASSERT_EQ(r.breaths_given, 0);
+    }
+  }
+  // And goes on where it was.
+  EXPECT_EQ(t.hold(10, kBeforeMouth).sao2, whole.hold(30, kBeforeMouth).sao2);
+}
+
 TEST(Intubation, BreathsByMaskWhileTheMouthIsFree) {
   Trial t(intubation_scene());
   t.hold(20.0, kBeforeMouth);
