@@ -23,12 +23,11 @@ using engine::Vec3;
 // s; the blade's hand is as high as it lifts at kSeen, the tube's then sets out.
 constexpr double kSeen = 10.0, kIntoMouth = 11.0, kBeforeInlet = 12.2, kAtInlet = 13.2;
 constexpr double kStep = 0.1;             // s between keyframes
-constexpr double kGulletPast = 0.006, kGulletDeep = 0.025;  // m beyond its mouth: stylet out, and the tip's last place (term)
+constexpr double kGulletDeep = 0.025;      // m beyond its mouth: the tip's last place (term)
 constexpr double kGivenUp = 13.0;         // s: until then the view is looked at
 constexpr double kRolled = 0.43;          // of the concave side to the right: from the corner of the mouth the way turns back
 constexpr double kLook = 0.5;             // s before the tube is pushed on
 constexpr double kPushSpeed = 0.008;      // m/s along the tube
-constexpr double kStyletPast = 0.004;     // m beyond the cricoid at which the stylet is drawn
 constexpr double kStyletTakes = 0.6;      // s
 constexpr double kBladeOutAfter = 0.6;    // s that the tube is held before the blade goes
 constexpr double kWithdrawal = 4.5;       // s that the blade takes (expert_laryngoscopy)
@@ -133,17 +132,13 @@ class Planner {
     const Way way(course.airway, course.bronchi[0], kLarynxLifted * 1e-3 * frame_.size * frame_.lift);
     std::size_t cords = 0;
     while (course.airway[cords].part != AirwayPart::cords) ++cords;
-    std::size_t cricoid = cords;
-    while (course.airway[cricoid].part != AirwayPart::cricoid) ++cricoid;
     const double to_cords = way.to_ring(cords), to_carina = way.to_ring(course.airway.size() - 1);
-    const double stylet_out = way.to_ring(cricoid) + kStyletPast;
     go(kIntoMouth, at_lips());
     go(kBeforeInlet, {way.at(0) + 1e-3 * frame_.size * (8 * frame_.sight - 1.5 * frame_.left), mouth_});
     go(kAtInlet, {way.at(0), mouth_});
     go(time_s_ + kLook, aim_);
-    along(way, 0.0, stylet_out);
+    along(way, 0.0, to_cords + share * (to_carina - to_cords) + beyond_m);
     draw_stylet();
-    along(way, stylet_out, to_cords + share * (to_carina - to_cords) + beyond_m);
     return confirmed();
   }
 
@@ -154,9 +149,8 @@ class Planner {
     go(kBeforeInlet, {frame_.at(12, -10, -1), mouth_});
     go(kAtInlet, {frame_.at(2, -12, 0), mouth_});
     go(kAtInlet + kLook, {way.at(0), mouth_});
-    along(way, 0.0, kGulletPast);
+    along(way, 0.0, kGulletDeep * frame_.size);
     draw_stylet();
-    along(way, kGulletPast, kGulletDeep * frame_.size);
     return confirmed();
   }
 
