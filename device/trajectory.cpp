@@ -116,12 +116,15 @@ std::vector<Keyframe> read_trajectory_csv(const std::filesystem::path& file) {
   }
   std::ifstream in(file);
   if (!in) throw DeviceError("trajectory " + file.string() + ": cannot be opened; check the name and the permission");
+  return read_trajectory_csv(in, file.string());
+}
 
+std::vector<Keyframe> read_trajectory_csv(std::istream& in, const std::string& name) {
   std::vector<Keyframe> rows;
   std::size_t width = 0;
   std::string line;
   for (int number = 1; std::getline(in, line); ++number) {
-    const std::string where = "trajectory " + file.string() + ", line " + std::to_string(number) + ": ";
+    const std::string where = "trajectory " + name + ", line " + std::to_string(number) + ": ";
     const std::string_view text = trimmed(line);
     if (text.empty() || text.front() == '#') continue;
     if (rows.empty() && width == 0 && names_columns(text)) {
@@ -155,9 +158,9 @@ std::vector<Keyframe> read_trajectory_csv(const std::filesystem::path& file) {
     if (rows.size() == kMaxRows) throw DeviceError(where + "more than " + std::to_string(kMaxRows) + " rows");
     rows.push_back({v[0], {v[1], v[2], v[3]}, {v[4], v[5], v[6], v[7]}});
   }
-  if (in.bad()) throw DeviceError("trajectory " + file.string() + ": could not be read to its end");
+  if (in.bad()) throw DeviceError("trajectory " + name + ": could not be read to its end");
   if (rows.empty()) {
-    throw DeviceError("trajectory " + file.string() + ": holds no rows; expected t,x,y,z[,qw,qx,qy,qz] in s and m");
+    throw DeviceError("trajectory " + name + ": holds no rows; expected t,x,y,z[,qw,qx,qy,qz] in s and m");
   }
   return rows;
 }

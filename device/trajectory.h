@@ -2,7 +2,9 @@
 #pragma once
 
 #include <filesystem>
+#include <iosfwd>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "device/haptic_device.h"
@@ -46,5 +48,7 @@ class Trajectory {
 /// names, blank lines and lines starting with # are skipped. Every row has the same number of columns. At most a
 /// million rows. Throws DeviceError naming file and line.
 std::vector<Keyframe> read_trajectory_csv(const std::filesystem::path& file);
+/// The same from text that is named so in errors.
+std::vector<Keyframe> read_trajectory_csv(std::istream& text, const std::string& name);
 
 }  // namespace vallecula::device

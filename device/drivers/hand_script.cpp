@@ -53,9 +53,16 @@ void set_hand(const std::vector<std::string>& words, const std::string& where, H
 }  // namespace
 
 HandScript read_hand_script(const std::filesystem::path& file) {
-  HandScript script;
-  script.keyframes = read_trajectory_csv(file);
+  read_trajectory_csv(file);  // says what is wrong with a file that is none
   std::ifstream in(file);
+  return read_hand_script(in, file.string());
+}
+
+HandScript read_hand_script(std::istream& in, const std::string& name) {
+  HandScript script;
+  script.keyframes = read_trajectory_csv(in, name);
+  in.clear();
+  in.seekg(0);
   std::string line;
   for (int number = 1; std::getline(in, line); ++number) {
     const std::size_t mark = line.find_first_not_of(" \t");
@@ -63,7 +70,7 @@ HandScript read_hand_script(const std::filesystem::path& file) {
     std::istringstream text(line.substr(mark + 1));
     std::vector<std::string> words;
     for (std::string word; text >> word;) words.push_back(word);
-    const std::string where = "trajectory " + file.string() + ", line " + std::to_string(number) + ": ";
+    const std::string where = "trajectory " + name + ", line " + std::to_string(number) + ": ";
     if (!words.empty() && words[0] == "fault") script.faults.push_back(fault_of(words, where));
     if (!words.empty() && words[0] == "hand") set_hand(words, where, script.hand);
   }

@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <filesystem>
+#include <iosfwd>
 #include <vector>
 
 #include "device/trajectory.h"
@@ -52,6 +53,8 @@ struct HandScript {
 };
 /// Throws DeviceError naming file and line.
 HandScript read_hand_script(const std::filesystem::path& file);
+/// The same from text that is named so in errors.
+HandScript read_hand_script(std::istream& text, const std::string& name);
 
 class ScriptedDevice final : public HapticDevice {
  public:

@@ -28,7 +28,7 @@ namespace fs = std::filesystem;
 namespace {
 
 struct TrialOptions {
-  std::string patient, scenario, curriculum, device, out, tool, tool_unit = "mm", tool_tip, tool_handle, tool_face;
+  std::string patient, scenario, curriculum, device, second, out, tool, tool_unit = "mm", tool_tip, tool_handle, tool_face;
   bool headless = false, as_fast_as_possible = false, json = false;
 };
 
@@ -135,6 +135,10 @@ void add_trial_command(CLI::App& app, int& exit_code) {
       ->required();
   command->add_option("--curriculum", options->curriculum, "Curriculum file (the shipped one if left out)");
   command->add_option("--device", options->device, device_names() + " (t,x,y,z[,qw,qx,qy,qz]; s, m)")->required();
+  command->add_option("--second", options->second,
+                      std::string("In a scenario with a tube, the device of the hand that has it: as --device, or ") +
+                          kSameDevice + " (the one device takes blade and tube in turn; so if left out, unless the "
+                          "script or record of --device has two hands)");
   command->add_flag("--headless", options->headless, "No window; scripted and recorded hands only");
   command->add_flag("--asap", options->as_fast_as_possible, "Headless only: as fast as it goes instead of 1 kHz");
   command
@@ -155,6 +159,7 @@ void add_trial_command(CLI::App& app, int& exit_code) {
   command->add_flag("--json", options->json, "Print the score as JSON (headless)");
   command->callback([options, &exit_code] {
     check_device_name(options->device);
+    check_second_name(options->second);
     if (options->as_fast_as_possible && !options->headless) {
       throw CLI::ValidationError("--asap", "works with --headless only: a person needs real time");
     }
@@ -163,10 +168,15 @@ void add_trial_command(CLI::App& app, int& exit_code) {
                                                  "' is held by a person, who must see the scene in real time: leave "
                                                  "out --headless");
     }
+    if (options->headless && !options->second.empty() && options->second != kSameDevice &&
+        !is_scripted(options->second)) {
+      throw CLI::ValidationError("--second", "'" + options->second + "' is held by a person: leave out --headless");
+    }
     TrialSetup setup;
     name_scenario(*options, setup);
     setup.patient = options->patient;
     setup.device = options->device;
+    setup.second = options->second;
     setup.out = options->out;
     setup.tool = own_tool(*options);
     setup.realtime = !options->as_fast_as_possible;

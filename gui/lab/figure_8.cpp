@@ -15,7 +15,7 @@
 #include "gui/lab/tongue_rig.h"
 #include "gui/pages/key_moments.h"
 #include "gui/session/device_choice.h"
-#include "gui/session/device_port.h"
+#include "gui/session/hands_port.h"
 #include "gui/session/scene_from_package.h"
 #include "gui/views/operator_view.h"
 #include "gui/views/patient_look.h"
@@ -124,12 +124,12 @@ struct Record {
 /// A whole scripted trial as fast as it goes; `each` sees every kChunk-th snapshot.
 Record play(const FigureSetting& setting, const engine::SceneDescription& wanted, const std::string& hand,
             const LipTouch& lips, const std::function<void(const engine::Snapshot&)>& each) {
-  const std::unique_ptr<device::HapticDevice> device = make_device(hand, setting.package, setting.scenario);
+  const std::unique_ptr<device::HapticDevice> device = make_device(hand, {setting.package, setting.scenario, nullptr});
   engine::SceneDescription description = wanted;
   const device::GuardSettings settings = device::guard_for(device->info());
   if (settings.limits.peak_force_n > 0) description.haptics.device_limit_n = device::largest_model_force_n(settings);
   device::GuardedDevice guard(*device, settings);
-  DevicePort port(guard);
+  HandsPort port(guard);
   engine::Runner runner(engine::build_scene(description), port);
   Record record;
   double now_s = 0.0;

@@ -37,6 +37,9 @@ constexpr double kGulletLength = 60.0;                    // as far as it is mod
 constexpr double kGulletMouth = 3.0, kGulletMouthSide = 5.0;  // half widths of its mouth where none is seen (assumed)
 constexpr double kGulletBelow = 3.0, kGulletReach = 15.0;  // of the cricoid, and behind the airway: where it is looked for
 constexpr double kGulletSettles = 10.0;                   // below its mouth it lies behind the trachea
+// mm that the smoothed surface of a round lumen lies within its wall: of nine manikins of 0.7 to 4.2 kg on voxels of 0.4
+// and 0.5 mm the trachea's was 0.066 (0.052 to 0.078) mm within.
+constexpr double kWithin = 0.066;
 constexpr double kMetres = 0.001;
 
 Vec3 landmark(const pipeline::PatientPackage& package, const char* name) {
@@ -61,8 +64,8 @@ AirwayRing ring(const Outline& outline, const Across& frame, AirwayPart part) {
   r.centre = outline.centre;
   r.along = frame.along;
   r.left = frame.left;
-  r.to_left_m = r.to_right_m = outline.half_left;
-  r.to_front_m = r.to_back_m = outline.half_front;
+  r.to_left_m = r.to_right_m = outline.half_left + kWithin;
+  r.to_front_m = r.to_back_m = outline.half_front + kWithin;
   r.part = part;
   return r;
 }
@@ -180,7 +183,6 @@ void Finder::trachea() {
   }
   if (!(cricoid > 0))
     throw std::runtime_error("patient '" + package_.name + "': no cut of its airway lies below the cords; import it again");
-  found_.cricoid_area_m2 = narrowest * kMetres * kMetres;
 
   std::vector<AirwayRing>& rings = found_.course.airway;
   rings.push_back(cords());
@@ -198,6 +200,7 @@ void Finder::trachea() {
   stretch(0.0, cricoid, AirwayPart::subglottis);
   rings.back().part = AirwayPart::cricoid;
   const AirwayRing ring_of_cricoid = rings.back();
+  found_.cricoid_area_m2 = M_PI * ring_of_cricoid.to_left_m * ring_of_cricoid.to_front_m * kMetres * kMetres;
   for (AirwayRing& r : rings) {
     if (r.part != AirwayPart::subglottis) continue;
     r.to_left_m = r.to_right_m = std::max(r.to_left_m, ring_of_cricoid.to_left_m);

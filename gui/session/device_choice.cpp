@@ -5,18 +5,22 @@
 #include <filesystem>
 
 #include "curricula/trial_log.h"
+#include "device/drivers/hand_pair.h"
 #include "device/drivers/mouse_device.h"
 #include "device/drivers/recorded_device.h"
 #include "device/drivers/scripted_device.h"
 #include "device/factory.h"
+#include "engine/tube/intubation_record.h"
 #include "gui/session/operator_axes.h"
 #include "gui/session/scripted_hands.h"
+#include "gui/session/scripted_pairs.h"
 
 namespace vallecula::gui {
 
 namespace {
 
-/// Hands planned from the patient's landmarks: the only devices the factory cannot make, for it knows no patient.
+/// Hands planned from the patient's landmarks: the only devices the factory cannot make, for it knows no patient. The
+/// expert is a pair where the scenario has a tube; the pairs but for it need one.
 constexpr std::array<const char*, 3> kScriptedHands = {"expert", "novice", "press"};
 constexpr const char* kScripted = "scripted";
 /// Nor does it know a trial's log.
@@ -34,9 +38,21 @@ DeviceName split(const std::string& name) {
   return {name.substr(0, colon), name.substr(colon + 1), true};
 }
 
+template <class Names>
+bool among(const Names& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+bool is_scripted_pair(const DeviceName& device) {
+  return device.kind == kScripted && among(kScriptedPairs, device.argument);
+}
+
 bool is_scripted_hand(const DeviceName& device) {
-  return device.kind == kScripted &&
-         std::find(kScriptedHands.begin(), kScriptedHands.end(), device.argument) != kScriptedHands.end();
+  return is_scripted_pair(device) || (device.kind == kScripted && among(kScriptedHands, device.argument));
+}
+
+bool is_pair_file(const DeviceName& device) {
+  return device.kind == kScripted && !is_scripted_hand(device) && device::is_hand_pair(device.argument);
 }
 
 /// Whether `given` has the form of `wanted`, the factory's word for an argument: "" nothing, "FILE.csv" that ending,
@@ -58,6 +74,8 @@ std::string device_names() {
   for (const device::DeviceKind& kind : device::device_kinds()) {
     if (kind.kind == kScripted) {
       for (const char* hand : kScriptedHands) names.push_back(std::string(kScripted) + ":" + hand);
+      for (const char* pair : kScriptedPairs)
+        if (!among(kScriptedHands, pair)) names.push_back(std::string(kScripted) + ":" + pair);
     }
     names.push_back(device::form_of(kind));
   }
@@ -88,17 +106,57 @@ void check_device_name(const std::string& name) {
   throw UnknownDevice("there is no device '" + name + "'; take " + device_names());
 }
 
+void check_second_name(const std::string& name) {
+  if (!name.empty() && name != kSameDevice) check_device_name(name);
+}
+
 namespace {
 
-std::unique_ptr<device::HapticDevice> recorded_hand(const std::string& file) {
-  const curricula::TrialLog log = curricula::read_trial_log(file);
+/// The blade's hand of a trial, or the tube's; none where it had no tube.
+std::unique_ptr<device::HapticDevice> recorded_hand(const curricula::TrialLog& log, bool second) {
+  if (second && !log.header.has_intubation) return nullptr;
   std::vector<device::TimedReading> readings(log.ticks.size());
   for (std::size_t i = 0; i < readings.size(); ++i) {
     const curricula::LogTick& tick = log.ticks[i];
-    readings[i] = {tick.time_s,
-                   {tick.device_pose.position_m, tick.device_pose.rotation_wxyz, tick.buttons, tick.device_valid}};
+    const curricula::LogPose& pose = second ? tick.intubation.hand_pose : tick.device_pose;
+    const bool valid = second ? tick.intubation.hand_valid : tick.device_valid;
+    readings[i] = {tick.time_s, {pose.position_m, pose.rotation_wxyz, second ? 0 : tick.buttons, valid}};
   }
-  return std::make_unique<device::RecordedDevice>(std::move(readings), log.header.device_limit_n);
+  double limit_n = log.header.device_limit_n;
+  if (second) limit_n = log.header.settings.at("second_device_limit_n");
+  return std::make_unique<device::RecordedDevice>(std::move(readings), limit_n);
+}
+
+SecondHand recorded_second(const std::string& file) {
+  const curricula::TrialLog log = curricula::read_trial_log(file);
+  SecondHand hand{recorded_hand(log, true), {}};
+  if (!hand.device) return hand;
+  std::vector<device::TimedActions> changes;
+  for (const curricula::LogTick& tick : log.ticks) {
+    const std::uint32_t asked = tick.buttons & engine::kAllActions;
+    if (changes.empty() || changes.back().bits != asked) changes.push_back({tick.time_s, asked});
+  }
+  hand.actions = device::ActionPlan(std::move(changes));
+  return hand;
+}
+
+std::unique_ptr<device::HapticDevice> scripted(const device::HandScript& script) {
+  return std::make_unique<device::ScriptedDevice>(device::Trajectory(script.keyframes), script.hand, script.faults);
+}
+
+std::unique_ptr<device::HapticDevice> scripted(device::Trajectory trajectory) {
+  return std::make_unique<device::ScriptedDevice>(std::move(trajectory), device::firm_hand());
+}
+
+std::unique_ptr<device::HapticDevice> from_factory(const DeviceName& name, const device::Keyframe& start) {
+  std::unique_ptr<device::HapticDevice> made = device::make_device(name.kind, name.argument);
+  if (auto* mouse = dynamic_cast<device::MouseDevice*>(made.get())) mouse->place(start.position_m, start.rotation_wxyz);
+  return made;
+}
+
+[[noreturn]] void refuse_pair(const std::string& name, const curricula::Scenario& scenario) {
+  throw std::runtime_error("device '" + name + "' is a pair of hands, and scenario '" + scenario.id +
+                           "' has no tube for the second; choose a scenario with an intubation");
 }
 
 }  // namespace
@@ -108,33 +166,64 @@ device::Keyframe starting_pose(const pipeline::PatientPackage& package, const cu
   return expert.at(expert.start_s());
 }
 
+device::Keyframe starting_tube_pose(const pipeline::PatientPackage& package,
+                                    const engine::IntubationDescription& intubation) {
+  const device::Trajectory expert = scripted_pair("expert", package, {}, intubation).tube;
+  return expert.at(expert.start_s());
+}
+
 std::unique_ptr<device::GuardedDevice> guard_device(device::HapticDevice& device, const device::GuardSettings& settings,
                                                     const pipeline::PatientPackage& package,
-                                                    const curricula::Scenario& scenario) {
+                                                    const device::Keyframe& start) {
   auto guard = std::make_unique<device::GuardedDevice>(device, settings);
   if (!device.info().own_axes) return guard;
   const OperatorAxes axes = operator_axes(package);
   guard->set_view_axes({axes.right.x(), axes.right.y(), axes.right.z()}, {axes.up.x(), axes.up.y(), axes.up.z()});
-  const device::Keyframe start = starting_pose(package, scenario);
   guard->begin_at(start.position_m, start.rotation_wxyz);
   return guard;
 }
 
-std::unique_ptr<device::HapticDevice> make_device(const std::string& name, const pipeline::PatientPackage& package,
-                                                  const curricula::Scenario& scenario) {
+std::unique_ptr<device::HapticDevice> make_device(const std::string& name, const PlannedOn& planned) {
   check_device_name(name);
   const DeviceName given = split(name);
+  const auto& [package, scenario, intubation] = planned;
+  if (intubation != nullptr && is_scripted_pair(given))
+    return scripted(scripted_pair(given.argument, package, scenario, *intubation).blade);
   if (is_scripted_hand(given)) {
-    return std::make_unique<device::ScriptedDevice>(scripted_hand(given.argument, package, scenario),
-                                                    device::firm_hand());
+    if (!among(kScriptedHands, given.argument)) refuse_pair(name, scenario);
+    return scripted(scripted_hand(given.argument, package, scenario));
   }
-  if (given.kind == kRecorded) return recorded_hand(given.argument);
-  std::unique_ptr<device::HapticDevice> made = device::make_device(given.kind, given.argument);
-  if (auto* mouse = dynamic_cast<device::MouseDevice*>(made.get())) {
-    const device::Keyframe start = starting_pose(package, scenario);
-    mouse->place(start.position_m, start.rotation_wxyz);
+  if (is_pair_file(given)) {
+    if (intubation == nullptr) refuse_pair(name, scenario);
+    return scripted(device::read_hand_pair(given.argument).blade);
   }
-  return made;
+  if (given.kind == kRecorded) return recorded_hand(curricula::read_trial_log(given.argument), false);
+  return from_factory(given, starting_pose(package, scenario));
+}
+
+SecondHand make_second_hand(const std::string& name, const std::string& first, const PlannedOn& planned) {
+  check_second_name(name);
+  if (name == kSameDevice) return {};
+  const DeviceName given = split(name.empty() ? first : name);
+  const auto& [package, scenario, intubation] = planned;
+  if (is_scripted_pair(given)) {
+    ScriptedPair pair = scripted_pair(given.argument, package, scenario, *intubation);
+    return {scripted(std::move(pair.tube)), std::move(pair.actions)};
+  }
+  if (is_pair_file(given)) {
+    device::HandPair pair = device::read_hand_pair(given.argument);
+    return {scripted(pair.tube), std::move(pair.actions)};
+  }
+  if (given.kind == kRecorded) {
+    SecondHand hand = recorded_second(given.argument);
+    if (!hand.device && !name.empty())
+      throw std::runtime_error("device '" + name + "': that trial had no second hand; take one of a trial with a tube");
+    return hand;
+  }
+  if (name.empty()) return {};
+  if (is_scripted_hand(given))
+    throw UnknownDevice("device '" + name + "' holds a blade; take a pair's name, a file or another device");
+  return {from_factory(given, starting_tube_pose(package, *intubation)), {}};
 }
 
 }  // namespace vallecula::gui

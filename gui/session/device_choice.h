@@ -7,8 +7,10 @@
 #include <string>
 
 #include "curricula/scenario.h"
+#include "device/action_plan.h"
 #include "device/guarded_device.h"
 #include "device/trajectory.h"
+#include "engine/tube/intubation.h"
 #include "pipeline/package/patient_package.h"
 
 namespace vallecula::gui {
@@ -27,17 +29,40 @@ bool is_scripted(const std::string& name);
 /// a record is named by a file's ending or by a folder that is there.
 void check_device_name(const std::string& name);
 
-/// `name` is KIND[:ARG] with a kind of device::device_kinds(), or "scripted:expert", "scripted:novice",
-/// "scripted:press", or "recorded:TRIAL.vtrial", the hand of that trial. Throws UnknownDevice, or std::runtime_error
+/// What a hand that is no person's is planned on. Whatever is given must outlive its use.
+struct PlannedOn {
+  const pipeline::PatientPackage& package;
+  const curricula::Scenario& scenario;
+  const engine::IntubationDescription* intubation;  ///< null: a scenario without
+};
+
+/// `name` is KIND[:ARG] with a kind of device::device_kinds(), or "scripted:" and a hand planned from the patient (of a
+/// pair the blade's), or "recorded:TRIAL.vtrial", the hand of that trial. Throws UnknownDevice, or std::runtime_error
 /// naming the file at fault.
-std::unique_ptr<device::HapticDevice> make_device(const std::string& name, const pipeline::PatientPackage& package,
-                                                  const curricula::Scenario& scenario);
-/// The guard on a device; one with axes of its own begins where a person's hand does, in the operator's view. The
-/// device must outlive it. Throws std::runtime_error naming a landmark that is missing.
+std::unique_ptr<device::HapticDevice> make_device(const std::string& name, const PlannedOn& planned);
+
+/// The tube's hand, and what is asked for besides.
+struct SecondHand {
+  std::unique_ptr<device::HapticDevice> device;  ///< null: the blade's device in turn
+  device::ActionPlan actions;
+};
+/// The one device takes blade and tube in turn.
+constexpr const char* kSameDevice = "same";
+/// `name` as make_device's, of a script or record its second hand; or kSameDevice; or empty: that of the script or
+/// record `first` where it has one, else kSameDevice. For scenarios with an intubation.
+SecondHand make_second_hand(const std::string& name, const std::string& first, const PlannedOn& planned);
+/// Throws UnknownDevice when `name` is none that make_second_hand takes.
+void check_second_name(const std::string& name);
+
+/// The guard on a device; one with axes of its own begins at `start`, in the operator's view. The device must outlive
+/// it. Throws std::runtime_error naming a landmark that is missing.
 std::unique_ptr<device::GuardedDevice> guard_device(device::HapticDevice& device, const device::GuardSettings& settings,
                                                     const pipeline::PatientPackage& package,
-                                                    const curricula::Scenario& scenario);
+                                                    const device::Keyframe& start);
 /// Where a person's hand begins: as the scripted expert does, in front of the mouth, blade ready.
 device::Keyframe starting_pose(const pipeline::PatientPackage& package, const curricula::Scenario& scenario);
+/// And the tube's grip: to the right of it.
+device::Keyframe starting_tube_pose(const pipeline::PatientPackage& package,
+                                    const engine::IntubationDescription& intubation);
 
 }  // namespace vallecula::gui

@@ -15,7 +15,7 @@
 #include "engine/tool/miller_blade.h"
 #include "gui/session/anatomy_motion.h"
 #include "gui/session/device_choice.h"
-#include "gui/session/device_port.h"
+#include "gui/session/hands_port.h"
 #include "gui/session/scene_from_package.h"
 #include "gui/session/scripted_hands.h"
 
@@ -62,9 +62,9 @@ struct Played {
 
 Played play(const PatientPackage& package, const std::shared_ptr<const engine::Scene>& scene,
             const curricula::Scenario& scenario, const std::function<void(double)>& progress) {
-  const auto device = make_device("scripted:expert", package, scenario);
+  const auto device = make_device("scripted:expert", {package, scenario, nullptr});
   device::GuardedDevice guard(*device, device::guard_for(device->info()));
-  DevicePort port(guard);
+  HandsPort port(guard);
   engine::Runner runner(scene, port);
   Played played;
   bool first = true;

@@ -50,6 +50,9 @@ RecordedScene recorded_scene(const curricula::TrialLog& log, const fs::path& log
   scene.description = scene_from_package(package, scenario);
   if (const auto tool = tool_of_trial(header, log_file)) use_own_tool(*tool, scene.description);
   scene.description.haptics.device_limit_n = header.device_limit_n;  // the device's, not the scenario's
+  const auto second_limit = header.settings.find("second_device_limit_n");
+  if (scene.description.intubation && second_limit != header.settings.end())
+    scene.description.intubation->device_limit_n = second_limit->second;
   const std::map<std::string, double> settings = settings_of(scene.description);
   for (const auto& [setting, value] : settings) {
     const auto recorded = header.settings.find(setting);

@@ -7,6 +7,7 @@
 
 #include "engine/mesh/soft_mesh.h"
 #include "engine/mesh/triangle_bvh.h"
+#include "gui/session/operator_frame.h"
 
 namespace vallecula::gui {
 
@@ -18,7 +19,6 @@ using engine::Vec3;
 using pipeline::PatientPackage;
 
 constexpr double kMetres = 0.001;
-constexpr double kTermSize = 0.0503;  // m, upper gum to vallecula of the term manikin
 
 Vec3 landmark(const PatientPackage& package, const char* name) {
   const auto found = package.landmarks.find(name);
@@ -26,25 +26,6 @@ Vec3 landmark(const PatientPackage& package, const char* name) {
     throw std::runtime_error("patient '" + package.name + "': it has no landmark '" + name + "'; import it again");
   return Vec3(found->second[0], found->second[1], found->second[2]) * kMetres;
 }
-
-/// The operator's own axes in a patient, origin at the glottis: `sight` towards the eye, `lift` across it towards the
-/// tongue (the way a right lift goes: CLINICAL.md, along the handle), `left` to the patient's left.
-struct OperatorFrame {
-  explicit OperatorFrame(const PatientPackage& package) {
-    origin = landmark(package, "glottis_centre");
-    left = Vec3::UnitX();
-    const Vec3 to_eye = landmark(package, "operator_eye") - origin;
-    sight = (to_eye - to_eye.x() * left).normalized();
-    lift = left.cross(sight);
-    size = (landmark(package, "vallecula") - landmark(package, "upper_gum_midline")).norm() / kTermSize;
-  }
-  /// Millimetres of a term infant along sight, lift and left, scaled to this one.
-  Vec3 at(double along_sight, double along_lift, double to_left) const {
-    return origin + kMetres * size * (along_sight * sight + along_lift * lift + to_left * left);
-  }
-  Vec3 origin, sight, lift, left;
-  double size = 1.0;
-};
 
 /// A keyframe with the blade's tip at `tip` and the blade passing through `through` (towards the handle), its tongue side
 /// turned to the tongue.
@@ -91,6 +72,8 @@ const std::vector<Waypoint> kExpert = {
     {14.0, {30, -11, -4.5}, {50, 4, -5.5}}, {14.8, {44, -1, -7.5}, {56, 8, -7.5}},
     {16.0, {80, 20, -9.5}, {110, 42, -9.5}},
 };
+
+constexpr double kLiftHeldUntil = 11.5;  // s, of kExpert
 
 /// The plan with the tip where this patient's approach has it: from the way into the vallecula to the end of the lift.
 std::vector<Waypoint> adapted(std::vector<Waypoint> plan, const pipeline::Approach& approach) {
@@ -209,6 +192,14 @@ pipeline::Approach usual_approach(const PatientPackage& package) {
   const double lift = vallecula.dot(frame.lift) - kValleculaLift;
   if (std::hypot(along, lift) < kElsewhere) return package.approach;
   return {along, lift};
+}
+
+device::Trajectory expert_laryngoscopy(const PatientPackage& package, double hold_until_s) {
+  std::vector<Waypoint> plan = adapted(kExpert, package.approach);
+  const double longer = hold_until_s - kLiftHeldUntil;
+  for (Waypoint& w : plan)
+    if (w.time_s >= kLiftHeldUntil) w.time_s += std::max(0.0, longer);
+  return follow(OperatorFrame(package), plan);
 }
 
 device::Trajectory scripted_hand(const std::string& kind, const PatientPackage& package, const curricula::Scenario&) {

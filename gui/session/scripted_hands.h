@@ -16,6 +16,9 @@ namespace vallecula::gui {
 device::Trajectory scripted_hand(const std::string& kind, const pipeline::PatientPackage& package,
                                  const curricula::Scenario& scenario);
 
+/// The expert's, with the lift held until a time (s; 11.5 or later) and the withdrawal after it.
+device::Trajectory expert_laryngoscopy(const pipeline::PatientPackage& package, double hold_until_s);
+
 /// The package's own approach; where none was found yet and the vallecula lies clearly elsewhere before the glottis than
 /// in the manikin, on which the expert's plan was made (a grown-up's lies farther off), one that brings the tip there.
 pipeline::Approach usual_approach(const pipeline::PatientPackage& package);

@@ -12,8 +12,6 @@
 #include "engine/haptics/runner.h"
 #include "gui/report/force_chart.h"
 #include "gui/report/report.h"
-#include "gui/session/device_choice.h"
-#include "gui/session/device_port.h"
 #include "gui/session/fault_report.h"
 #include "gui/session/files.h"
 #include "gui/session/log_conversion.h"
@@ -21,8 +19,8 @@
 #include "gui/session/placed_tool.h"
 #include "gui/session/results_folder.h"
 #include "gui/session/scene_from_package.h"
+#include "gui/session/two_hands.h"
 #include "gui/session/user_paths.h"
-#include "gui/session/user_settings.h"
 
 namespace vallecula::gui {
 
@@ -52,7 +50,6 @@ struct TrialSession::Impl {
   ~Impl();
 
   void make_runner();
-  std::unique_ptr<device::HapticDevice> new_device() const;
   std::string keep_fault(const fs::path& file) const;
   void start();
   void stop();
@@ -75,10 +72,7 @@ struct TrialSession::Impl {
   std::string package_sha256;
   std::string tool_ply;  ///< of a tool of its own: the bytes of its file; else empty
   ResultsFolder results;
-  std::unique_ptr<device::HapticDevice> device;
-  device::GuardSettings guarding;
-  std::unique_ptr<device::GuardedDevice> guard;
-  std::unique_ptr<DevicePort> port;
+  std::unique_ptr<TwoHands> hands;
   std::unique_ptr<engine::Runner> runner;
   std::unique_ptr<curricula::TrialLogWriter> writer;
   std::thread worker;  ///< real time: empties the ring; else: runs the scene as well
@@ -107,10 +101,8 @@ TrialSession::Impl::Impl(const TrialSetup& given)
     use_own_tool(*setup.tool, description);
     tool_ply = tool_to_ply(*setup.tool);
   }
-  device = new_device();
-  guarding = guard_settings(device->info());
-  if (guarding.limits.peak_force_n > 0.0)
-    description.haptics.device_limit_n = device::largest_model_force_n(guarding);
+  const HandsSetup held{setup.device, setup.second, setup.own_device, setup.own_second_device};
+  hands = std::make_unique<TwoHands>(held, package, scenario, description);
   { const curricula::Records opens(records_database()); }  // a database that cannot be used is named before the trial
   scene = engine::build_scene(description);
   make_runner();
@@ -131,10 +123,6 @@ TrialSession::Impl::~Impl() {
   }
 }
 
-std::unique_ptr<device::HapticDevice> TrialSession::Impl::new_device() const {
-  return setup.own_device ? setup.own_device() : make_device(setup.device, package, scenario);
-}
-
 /// Writes the ticks that led to a fault of the runner that was stopped; the sentence that tells of it, or nothing.
 std::string TrialSession::Impl::keep_fault(const fs::path& file) const {
   const std::vector<engine::TickRecord> ticks = runner->ticks_before_fault();
@@ -145,12 +133,7 @@ std::string TrialSession::Impl::keep_fault(const fs::path& file) const {
 
 void TrialSession::Impl::make_runner() {
   runner.reset();
-  if (guard)
-    guard->begin_anew();
-  else
-    guard = guard_device(*device, guarding, package, scenario);
-  port = std::make_unique<DevicePort>(*guard);
-  runner = std::make_unique<engine::Runner>(scene, *port);
+  runner = std::make_unique<engine::Runner>(scene, hands->begin());
 }
 
 curricula::LogHeader TrialSession::Impl::header() const {
@@ -166,12 +149,13 @@ curricula::LogHeader TrialSession::Impl::header() const {
   header.scenario_yaml = scenario.yaml;
   header.scenario_sha256 = sha256_of_bytes(scenario.yaml);
   if (!tool_ply.empty()) header.tool_sha256 = sha256_of_bytes(tool_ply);
-  header.device_kind = device->info().kind;
+  header.device_kind = hands->kind();
+  header.has_intubation = description.intubation.has_value();
   header.servo_period_s = kPeriodS;
   header.device_limit_n = description.haptics.device_limit_n;
   header.realtime = setup.realtime;
   header.settings = settings_of(description);
-  header.settings.merge(settings_of(guarding));
+  header.settings.merge(hands->settings());
   for (const auto& [name, point] : package.landmarks) {
     const double scale = name == "glottis_normal" ? 1.0 : 1e-3;
     header.landmarks_m[name] = {point[0] * scale, point[1] * scale, point[2] * scale};
@@ -221,7 +205,7 @@ void TrialSession::Impl::stop() {
   stop_asked = true;
   if (worker.joinable()) worker.join();
   if (runner) runner->stop();
-  if (guard) guard->let_go();  // no hand is left with the last force
+  if (hands) hands->let_go();
 }
 
 void TrialSession::Impl::record(const engine::TickRecord& tick) {
@@ -238,10 +222,10 @@ void TrialSession::Impl::record(const engine::TickRecord& tick) {
   } else {
     // A record of a pause does not say which fault it was.
     if (pause_began == tick.tick - 1)
-      pause_faults.push_back(device->confirms_itself() ? "" : device::name_of(guard->fault()));
+      pause_faults.push_back(hands->pause_fault());
     ++paused;
   }
-  if (device->finished(tick.time_s)) {
+  if (hands->finished(tick.time_s)) {
     ended_by = "finished";
   } else if (tick.time_s - kPeriodS * static_cast<double>(paused) >= scenario.max_attempt_s) {
     ended_by = "the scenario's time was over";
@@ -345,12 +329,14 @@ TrialSession::~TrialSession() = default;
 const pipeline::PatientPackage& TrialSession::package() const { return impl_->package; }
 const curricula::Scenario& TrialSession::scenario() const { return impl_->scenario; }
 const engine::SceneDescription& TrialSession::scene() const { return impl_->description; }
-device::HapticDevice& TrialSession::device() { return *impl_->device; }
+device::HapticDevice& TrialSession::device() { return impl_->hands->device(); }
+device::HapticDevice* TrialSession::second_device() { return impl_->hands->second_device(); }
+HandActions& TrialSession::actions() { return impl_->hands->actions(); }
+bool TrialSession::takes_turns() const { return impl_->hands->takes_turns(); }
+Tool TrialSession::in_hand() const { return impl_->hands->in_hand(); }
 void TrialSession::start() { impl_->start(); }
-std::string TrialSession::pause() const {
-  return pause_words(impl_->guard->state(), impl_->guard->fault(), impl_->device->confirms_itself());
-}
-void TrialSession::confirm() { impl_->guard->confirm(); }
+std::string TrialSession::pause() const { return impl_->hands->pause(); }
+void TrialSession::confirm() { impl_->hands->confirm(); }
 double TrialSession::paused_s() const { return kPeriodS * static_cast<double>(impl_->paused); }
 std::string TrialSession::fault() const { return fault_words(impl_->loop_fault); }
 bool TrialSession::finished() const { return impl_->ended; }
@@ -361,12 +347,8 @@ void TrialSession::reset(const std::function<void()>& between) {
   const bool running = impl_->writer != nullptr;
   impl_->stop();
   impl_->keep_log_of_reset();
-  // A live device stays (the window holds it); a script starts again from its first line, faults forgotten.
-  if (impl_->setup.own_device || is_scripted(impl_->setup.device)) {
-    impl_->runner.reset();
-    impl_->guard.reset();
-    impl_->device = impl_->new_device();
-  }
+  impl_->runner.reset();
+  impl_->hands->renew_scripts();
   if (between) between();
   impl_->make_runner();
   if (running) impl_->start();

@@ -12,6 +12,8 @@
 #include "device/haptic_device.h"
 #include "engine/scene.h"
 #include "engine/snapshot.h"
+#include "gui/session/hand_actions.h"
+#include "gui/session/held_tools.h"
 #include "pipeline/package/patient_package.h"
 
 namespace vallecula::gui {
@@ -21,12 +23,13 @@ struct TrialSetup {
   std::filesystem::path curriculum;  ///< YAML
   std::string scenario;              ///< id in it
   std::string device;                ///< KIND[:ARG], one of device_names() (session/device_choice.h)
+  std::string second;                ///< of the tube's hand, as HandsSetup (session/two_hands.h)
   /// A tool of its own (m, tool frame) instead of the scenario's blade; null: the blade.
   std::shared_ptr<const engine::TriangleMesh> tool;
   /// Folder for trial.vtrial, tool.ply (of a tool of its own), score.json, report.html, force.png, fault.csv.
   std::filesystem::path out;
   /// A device of the caller's own, made anew where a script would be; empty: by the name above.
-  std::function<std::unique_ptr<device::HapticDevice>()> own_device;
+  std::function<std::unique_ptr<device::HapticDevice>()> own_device, own_second_device;
   bool realtime = true;             ///< false: as fast as it goes, servo and simulation in lockstep on one thread
   std::filesystem::path final_out;  ///< where the caller will move `out` to once all is whole; empty: it stays
 };
@@ -50,6 +53,11 @@ class TrialSession {
   const curricula::Scenario& scenario() const;
   const engine::SceneDescription& scene() const;  ///< m, LPS: tool mesh, soft mesh, surfaces as the engine has them
   device::HapticDevice& device();  ///< a mouse device is fed through this (dynamic_cast to device::MouseDevice)
+  /// Of the tube's hand; null: device() takes blade and tube in turn (takes_turns), or there is no tube.
+  device::HapticDevice* second_device();
+  bool takes_turns() const;
+  Tool in_hand() const;    ///< which tool device() has. Any thread, while no reset() runs
+  HandActions& actions();  ///< what the window's keys ask for; change_hand() makes device() take the other tool
 
   void start();
   /// Why the trial is paused and what to do, for a person; empty: it is not. While it is, the tool stays where it was, no

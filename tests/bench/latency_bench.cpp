@@ -12,7 +12,7 @@
 
 #include "device/drivers/scripted_device.h"
 #include "engine/haptics/runner.h"
-#include "gui/session/device_port.h"
+#include "gui/session/hands_port.h"
 #include "tests/engine/mouth_scene.h"
 
 namespace {
@@ -58,7 +58,7 @@ class WatchedPort final : public engine::HapticPort {
   }
 
  private:
-  gui::DevicePort port_;
+  gui::HandsPort port_;
   std::vector<std::int64_t>& ns_;
   std::int64_t began_ = 0;
 };

@@ -124,15 +124,16 @@ TEST(AirwayCourse, FollowsAnArcOfEllipsesToWithinATenthOfAMillimetre) {
   const PatientAirway found = airway_of(truth.patient(56, 50));
   expect_sound(found.course, 1.0);
   EXPECT_NEAR(1e3 * found.glottis_length_m, 7.0, 1e-9);
-  EXPECT_NEAR(1e6 * found.cricoid_area_m2, kAreaOfCricoid, 0.01 * kAreaOfCricoid);
+  EXPECT_NEAR(1e6 * found.cricoid_area_m2, M_PI * (2.25 + 0.066) * (2.73 + 0.066), 0.01 * kAreaOfCricoid);
   for (const AirwayRing& r : found.course.airway) {
     if (r.part == AirwayPart::vestibule || r.part == AirwayPart::cords) continue;
     const double s = ArcAirway::kRadius * std::atan2(-1e3 * r.centre.z(), 30 + ArcAirway::kRadius - 1e3 * r.centre.y());
     EXPECT_LT((1e3 * r.centre - truth.at(s)).norm(), 0.1) << s;
     EXPECT_GT(r.along.dot(truth.along(s)), std::cos(3 * M_PI / 180)) << s;
     // Above the cricoid the cords' slit gives way to the cricoid's width.
-    EXPECT_NEAR(1e3 * r.to_left_m, std::max(2.25, truth.half_left(s)), 0.05) << s;
-    EXPECT_NEAR(1e3 * r.to_front_m, truth.half_front(s), r.part == AirwayPart::subglottis ? 0.3 : 0.05) << s;
+    // A surface that was not imaged and smoothed is where its wall is; the allowance for that is on top of it.
+    EXPECT_NEAR(1e3 * r.to_left_m, std::max(2.25, truth.half_left(s)) + 0.066, 0.05) << s;
+    EXPECT_NEAR(1e3 * r.to_front_m, truth.half_front(s) + 0.066, r.part == AirwayPart::subglottis ? 0.3 : 0.05) << s;
     EXPECT_EQ(r.to_left_m, r.to_right_m);
   }
   EXPECT_LT((1e3 * found.course.airway.back().centre - truth.at(50)).norm(), 0.15) << "ends at the carina";
@@ -152,7 +153,7 @@ TEST(AirwayCourse, WhatIsNotImagedIsAssumedAndSaid) {
     EXPECT_NEAR(std::acos(first.along.dot(last.along)) * 180 / M_PI, side == 0 ? 30 : 45, 0.5);
     EXPECT_EQ(first.along.x() < 0, side == 0) << "the first is the right one";
     EXPECT_NEAR((bronchus.back().centre - first.centre).norm(), 0.020, 1e-4);
-    EXPECT_NEAR(1e3 * first.to_left_m, 0.75 * 2.6, 0.03);
+    EXPECT_NEAR(1e3 * first.to_left_m, 0.75 * 2.666, 0.03);
     // Its inner wall goes through the carina.
     const Vec3 off = last.centre - first.centre;
     EXPECT_LT(off.dot(last.along), 0.0) << "it begins below";
@@ -178,7 +179,7 @@ TEST(AirwayCourse, GoesStraightOnWhereTheSurfaceEndsAndSaysSo) {
   ASSERT_FALSE(found.assumed.empty());
   EXPECT_NE(found.assumed[0].find("below the cords"), std::string::npos) << found.assumed[0];
   EXPECT_LT((1e3 * found.course.airway.back().centre - truth.at(50)).norm(), 1e-6) << "the carina as given";
-  EXPECT_NEAR(1e3 * found.course.airway.back().to_left_m, 2.6, 0.05);
+  EXPECT_NEAR(1e3 * found.course.airway.back().to_left_m, 2.666, 0.05);
 }
 
 TEST(AirwayCourse, RefusesAPatientWithoutAnAirwayBelowTheCords) {
@@ -197,7 +198,7 @@ TEST(AirwayCourse, RefusesAPatientWithoutAnAirwayBelowTheCords) {
   }
 }
 
-/// The manikin's own CT, imported, against its shapes. 0.5 mm voxels: a wall is found to within half of one.
+/// The manikin's own CT, imported, against its shapes. 0.5 mm voxels: a wall is found to within a quarter of one.
 class AirwayCourseManikin : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
@@ -211,7 +212,7 @@ class AirwayCourseManikin : public ::testing::Test {
     delete package_;
     delete box_;
   }
-  static constexpr double kWeightKg = 3.2, kWall = 0.25;
+  static constexpr double kWeightKg = 3.2, kWall = 0.12;
   static constexpr unsigned kSeed = 1;
   static Sandbox* box_;
   static pipeline::PatientPackage* package_;
@@ -231,6 +232,7 @@ TEST_F(AirwayCourseManikin, TheCricoidAndTheTracheaAreTheShapesWithinTheImagings
   EXPECT_NEAR(1e3 * cricoid.to_left_m, 2.25 * wide, kWall);
   EXPECT_NEAR(1e3 * cricoid.to_front_m, 2.73 * wide, kWall);
   EXPECT_NEAR(1e6 * found_->cricoid_area_m2, kAreaOfCricoid * wide * wide, 2 * M_PI * 2.5 * kWall);
+  EXPECT_NEAR(1e6 * M_PI * cricoid.to_left_m * cricoid.to_front_m, 1e6 * found_->cricoid_area_m2, 0.01);
   double sum = 0.0;
   int count = 0;
   for (const AirwayRing& r : found_->course.airway) {

@@ -25,11 +25,11 @@ TEST(DeviceChoice, TakesEveryKindOfTheFactory) {
       EXPECT_NO_THROW(check_device_name(kind.kind + ":x"));
     }
     if (kind.hardware) continue;  // made by the tests of its driver
-    EXPECT_EQ(make_device(name, patient, {})->info().kind, kind.kind);
+    EXPECT_EQ(make_device(name, {patient, {}, nullptr})->info().kind, kind.kind);
   }
   for (const std::string hand : {"scripted:expert", "scripted:novice"}) {
     EXPECT_TRUE(is_scripted(hand));
-    EXPECT_EQ(make_device(hand, patient, {})->info().kind, "scripted");
+    EXPECT_EQ(make_device(hand, {patient, {}, nullptr})->info().kind, "scripted");
   }
   EXPECT_FALSE(is_scripted("mouse"));
 }
@@ -67,7 +67,7 @@ TEST(DeviceChoice, EveryScriptedHandIsEquallyFirm) {
   const Sandbox box;
   const pipeline::PatientPackage patient = block_patient();
   for (const std::string& name : {"scripted:" + write_press(box.folder()).string(), std::string("scripted:expert")}) {
-    const auto pushed = make_device(name, patient, {}), free = make_device(name, patient, {});
+    const auto pushed = make_device(name, {patient, {}, nullptr}), free = make_device(name, {patient, {}, nullptr});
     device::DeviceReading a, b;
     for (int i = 0; i < 200; ++i) {
       a = pushed->read(0.001 * i);

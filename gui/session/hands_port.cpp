@@ -1,0 +1,109 @@
+#include "gui/session/hands_port.h"
+
+#include "engine/haptics/coupling.h"
+
+namespace vallecula::gui {
+
+namespace {
+
+constexpr std::uint32_t kDeviceButtons = 0xffff;  // the bits above are engine::Action's
+/// A pause leaves these as they are; the others are asked for in time, which stands.
+constexpr std::uint32_t kStandingActions = engine::kActionStyletOut | engine::kActionCatheter;
+
+static_assert(engine::kActionBreath == 1u << device::kFirstActionBit &&
+                  engine::kAllActions == ((1u << device::kActionWords) - 1) << device::kFirstActionBit &&
+                  engine::kActionSuction == engine::kActionBreath << 1 &&
+                  engine::kActionPress == engine::kActionBreath << 2 &&
+                  engine::kActionStyletOut == engine::kActionBreath << 3 &&
+                  engine::kActionCatheter == engine::kActionBreath << 4,
+              "a script's words are the engine's actions");
+
+engine::Pose pose_of(const device::DeviceReading& reading) {
+  const auto& p = reading.position_m;
+  const auto& q = reading.rotation_wxyz;
+  return {engine::Vec3(p[0], p[1], p[2]), engine::Quat(q[0], q[1], q[2], q[3])};
+}
+
+void see(device::GuardedDevice& device, const engine::Pose& tool) {
+  const engine::Vec3& p = tool.position;
+  const engine::Quat& q = tool.rotation;
+  device.see_tool({p.x(), p.y(), p.z()}, {q.w(), q.x(), q.y(), q.z()});
+}
+
+}  // namespace
+
+HandsPort::HandsPort(device::GuardedDevice& device, const engine::Pose& tube, std::uint32_t change_button,
+                     const device::ActionPlan& plan, const HandActions& actions)
+    : first_(device),
+      held_(tube),
+      plan_(&plan),
+      actions_(&actions),
+      change_button_(change_button),
+      changes_(actions.changes()) {}
+
+engine::PortInput HandsPort::read(double time_s) noexcept {
+  const device::DeviceReading reading = first_.read(time_s);
+  engine::PortInput input;
+  input.pose = pose_of(reading);
+  input.buttons = reading.buttons;
+  input.valid = reading.valid;
+  if (second_ != nullptr) {
+    const device::DeviceReading other = second_->read(time_s);
+    input.second_pose = pose_of(other);
+    input.valid = input.second_valid = reading.valid && other.valid;
+  } else if (held_) {
+    take_turns(reading, input);
+  }
+  if (plan_ == nullptr) return input;
+  std::uint32_t asked = plan_->at(time_s) | actions_->bits();
+  if (!input.valid) asked &= kStandingActions;
+  input.buttons = (reading.buttons & kDeviceButtons) | asked;
+  return input;
+}
+
+void HandsPort::take_turns(const device::DeviceReading& reading, engine::PortInput& input) noexcept {
+  const std::uint32_t changes = actions_->changes();
+  // The press that ends a pause changes nothing.
+  const bool pressed = (reading.buttons & ~buttons_ & change_button_) != 0 && valid_;
+  const bool works = reading.valid && engine::usable(input.pose);
+  if (works && (pressed || ((changes - changes_) & 1u) != 0)) {
+    held_->follow(input.pose);
+    held_->change(input.pose);
+  }
+  // Through a pause the tool in the hand is shown where the hand is; a pose that is none comes through to be recorded.
+  HeldTools shown = *held_;
+  shown.follow(input.pose);
+  if (works) {
+    *held_ = shown;
+    device_ = input.pose;
+  }
+  changes_ = changes;
+  buttons_ = reading.buttons;
+  valid_ = works;
+  in_hand_.store(held_->in_hand(), std::memory_order_relaxed);
+  input.pose = shown.blade();
+  input.second_pose = shown.tube();
+  input.second_valid = reading.valid;
+}
+
+void HandsPort::see_tool(const engine::Pose& tool) noexcept {
+  if (!held_)
+    see(first_, tool);
+  else if (held_->in_hand() == Tool::blade)
+    see(first_, held_->device_for(tool));
+  else if (valid_)
+    see(first_, device_);  // where the tube's grip is, no port tells: the hand goes on from where it was
+}
+
+void HandsPort::write(const engine::Vec3& force_n) noexcept {
+  if (!held_ || held_->in_hand() == Tool::blade) first_.write({force_n.x(), force_n.y(), force_n.z()});
+}
+
+void HandsPort::write_second(const engine::Vec3& force_n) noexcept {
+  if (second_ != nullptr)
+    second_->write({force_n.x(), force_n.y(), force_n.z()});
+  else if (held_ && held_->in_hand() == Tool::tube)
+    first_.write({force_n.x(), force_n.y(), force_n.z()});
+}
+
+}  // namespace vallecula::gui

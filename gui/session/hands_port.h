@@ -1,0 +1,52 @@
+// The engine's port onto the hands: poses in, forces out.
+#pragma once
+
+#include <atomic>
+#include <optional>
+
+#include "device/action_plan.h"
+#include "device/guarded_device.h"
+#include "engine/haptics/port.h"
+#include "gui/session/hand_actions.h"
+#include "gui/session/held_tools.h"
+
+namespace vallecula::gui {
+
+/// A pause of any device is an input in which nothing is valid, so that all that changes the engine's way is in the
+/// tick's record. Whatever is given must outlive it.
+class HandsPort final : public engine::HapticPort {
+ public:
+  /// The blade's hand alone.
+  explicit HandsPort(device::GuardedDevice& blade) : first_(blade) {}
+  /// A device for each hand.
+  HandsPort(device::GuardedDevice& blade, device::GuardedDevice& tube, const device::ActionPlan& plan,
+            const HandActions& actions)
+      : first_(blade), second_(&tube), plan_(&plan), actions_(&actions) {}
+  /// One device that takes blade and tube in turn, by HandActions::change_hand() or by `change_button` (a bit of the
+  /// device's, 0: none); the tube lies at `tube`.
+  HandsPort(device::GuardedDevice& device, const engine::Pose& tube, std::uint32_t change_button,
+            const device::ActionPlan& plan, const HandActions& actions);
+
+  engine::PortInput read(double time_s) noexcept override;
+  void see_tool(const engine::Pose& tool) noexcept override;
+  void write(const engine::Vec3& force_n) noexcept override;
+  void write_second(const engine::Vec3& force_n) noexcept override;
+
+  /// Which tool the one device has; with a device for each hand the blade's. Any thread.
+  Tool in_hand() const noexcept { return in_hand_.load(std::memory_order_relaxed); }
+
+ private:
+  void take_turns(const device::DeviceReading& reading, engine::PortInput& input) noexcept;
+
+  device::GuardedDevice& first_;
+  device::GuardedDevice* second_ = nullptr;
+  std::optional<HeldTools> held_;
+  const device::ActionPlan* plan_ = nullptr;
+  const HandActions* actions_ = nullptr;
+  std::uint32_t change_button_ = 0, buttons_ = 0, changes_ = 0;
+  bool valid_ = false;          ///< in the last tick
+  engine::Pose device_;         ///< of the last valid tick
+  std::atomic<Tool> in_hand_{Tool::blade};
+};
+
+}  // namespace vallecula::gui

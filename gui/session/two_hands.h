@@ -1,0 +1,76 @@
+// The hands of a trial: their devices made and guarded, joined to the engine's port.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "engine/scene.h"
+#include "gui/session/device_choice.h"
+#include "gui/session/hands_port.h"
+
+namespace vallecula::gui {
+
+struct HandsSetup {
+  std::string device;  ///< KIND[:ARG]
+  std::string second;  ///< of the tube's hand, or kSameDevice; empty: a script's or a record's own, else kSameDevice
+  /// Devices of the caller's own, made anew where a script would be, instead of the names.
+  std::function<std::unique_ptr<device::HapticDevice>()> own_device, own_second_device;
+};
+
+/// Life: construct -> begin -> (let_go -> renew_scripts -> begin) for every further attempt -> let_go.
+class TwoHands {
+ public:
+  /// The limits of the devices are written into `scene`; hands of a scene with an intubation are planned on it. Throws
+  /// UnknownDevice, or std::runtime_error with one message. What is given by reference must outlive it.
+  TwoHands(const HandsSetup& setup, const pipeline::PatientPackage& package, const curricula::Scenario& scenario,
+           engine::SceneDescription& scene);
+
+  /// A script starts again from its first line, faults forgotten; a live device stays (the window holds it).
+  void renew_scripts();
+  /// The port of a new attempt.
+  engine::HapticPort& begin();
+  /// No hand is left with the last force.
+  void let_go();
+
+  device::HapticDevice& device() { return *device_; }
+  /// Of the tube's hand; null: the one device takes turns, or there is no tube.
+  device::HapticDevice* second_device() { return second_.device.get(); }
+  HandActions& actions() { return actions_; }
+  bool takes_turns() const { return intubation_ && !second_.device; }
+  Tool in_hand() const { return port_ ? port_->in_hand() : Tool::blade; }
+
+  /// As LogHeader::device_kind: what is done with two devices is not pooled with what is done with one.
+  std::string kind() const;
+  /// What stands between the engine and the devices.
+  std::map<std::string, double> settings() const;
+
+  // --- any thread ----------------------------------------------------------------------------------------------------
+  /// Why it is paused and what to do; empty: it is not.
+  std::string pause() const;
+  void confirm();
+  /// Name of the fault of the device that pauses it, as LogFooter::pause_faults; empty: it is not known.
+  std::string pause_fault() const;
+  /// Nothing more will come of the scripts.
+  bool finished(double time_s) const;
+
+ private:
+  void make_device_of(bool second);
+  bool first_is_scripted() const;
+  bool second_is_scripted() const;
+
+  const HandsSetup setup_;
+  const pipeline::PatientPackage& package_;
+  const curricula::Scenario& scenario_;
+  const std::optional<engine::IntubationDescription> intubation_;
+  std::unique_ptr<device::HapticDevice> device_;
+  SecondHand second_;
+  device::GuardSettings guarding_, second_guarding_;
+  std::unique_ptr<device::GuardedDevice> guard_, second_guard_;
+  std::unique_ptr<HandsPort> port_;
+  HandActions actions_;
+};
+
+}  // namespace vallecula::gui
