@@ -99,6 +99,11 @@ struct LogTick {
   LogIntubation intubation;
 };
 
+/// The trial's clock stands: a device that a hand needs cannot be used.
+inline bool paused(const LogTick& tick) noexcept {
+  return !tick.device_valid || (tick.has_intubation && !tick.intubation.hand_valid);
+}
+
 /// The setting a depth is judged by: this infant's way from the cords to the carina, m.
 constexpr char kCordsToCarina[] = "cords_to_carina_m";
 /// The head's extension on the neck, degrees; where it is known, depth is told for the neutral head as well.

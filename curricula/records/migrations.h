@@ -33,6 +33,8 @@ inline const std::vector<std::vector<const char*>>& record_migrations() {
        "deadline_misses INTEGER NOT NULL, "
        "ticks INTEGER NOT NULL)"},
       {"CREATE INDEX trials_by_time ON trials (finished_utc)"},
+      {"ALTER TABLE trials ADD COLUMN outcome TEXT",  // NULL: a trial without an intubation
+       "ALTER TABLE trials ADD COLUMN lowest_spo2_percent REAL"},
   };
   return steps;
 }

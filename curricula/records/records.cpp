@@ -119,8 +119,8 @@ long long Records::add(const RecordRow& row) {
       "reasons, "
       "peak_tongue_force_n, time_of_peak_tongue_force_s, time_to_trachea_visible_s, glottis_visible_max_percent, "
       "peak_gum_force_n, time_of_peak_gum_force_s, attempt_time_s, attempt_start_s, time_over_force_limit_s, "
-      "time_over_target_s, loop_rate_hz, deadline_misses, ticks) "
-      "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+      "time_over_target_s, loop_rate_hz, deadline_misses, ticks, outcome, lowest_spo2_percent) "
+      "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
   for (const std::string* field :
        {&row.finished_utc, &row.curriculum_id, &row.scenario_id, &row.device_kind, &row.trial_path}) {
     query.addBindValue(field->empty() ? QString("") : text(*field));  // a null QString would be stored as NULL
@@ -142,6 +142,9 @@ long long Records::add(const RecordRow& row) {
   query.addBindValue(s.loop_rate_hz);
   query.addBindValue(static_cast<qlonglong>(s.deadline_misses));
   query.addBindValue(static_cast<qlonglong>(s.ticks));
+  query.addBindValue(s.intubation ? QVariant(name_of(s.intubation->outcome)) : QVariant(QVariant::String));
+  query.addBindValue(s.intubation && s.intubation->lowest_spo2_percent ? QVariant(*s.intubation->lowest_spo2_percent)
+                                                                       : QVariant(QVariant::Double));
   run(query, db, "the trial could not be recorded");
   return query.lastInsertId().toLongLong();
 }
@@ -184,6 +187,11 @@ std::vector<RecordRow> Records::newest(int count) const {
     s.loop_rate_hz = number("loop_rate_hz");
     s.deadline_misses = whole("deadline_misses");
     s.ticks = whole("ticks");
+    if (const auto outcome = outcome_named(word("outcome"))) {
+      s.intubation.emplace().outcome = *outcome;
+      const QVariant lowest = query.value("lowest_spo2_percent");
+      if (!lowest.isNull()) s.intubation->lowest_spo2_percent = lowest.toDouble();
+    }
     rows.push_back(row);
   }
   return rows;

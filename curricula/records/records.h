@@ -33,7 +33,8 @@ class Records {
   /// time.
   long long add(const RecordRow& row);
   /// The last `count` by finished_utc, newest first. Of the score the figures of score.json's first part come back
-  /// (everything up to `reasons`, and `complete`); the rest is in the trial's log.
+  /// (everything up to `reasons`, and `complete`) and of an intubation outcome and lowest saturation; the rest is in the
+  /// trial's log.
   std::vector<RecordRow> newest(int count) const;
 
  private:
