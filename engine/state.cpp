@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/contact/response.h"
+#include "engine/tube/secretions.h"
 
 namespace vallecula::engine {
 
@@ -15,10 +16,7 @@ constexpr double kFarthest = 1.0;         // m: device poses are clamped to this
 /// Takes the device pose in: finite, a rotation, within reach; and estimates the hand's velocity.
 std::uint32_t take_device(const Scene& scene, SceneState& state, const Pose& pose) {
   if (!usable(pose)) return kFaultDevicePose;
-  Pose device = pose;
-  device.rotation.normalize();
-  const Vec3 way = device.position - scene.centre;
-  if (way.norm() > kFarthest) device.position = scene.centre + way * (kFarthest / way.norm());
+  const Pose device = within_reach(scene, pose);
   if (!state.placed) {
     state.placed = true;
     state.proxy.pose = state.free_pose = device;
@@ -75,11 +73,25 @@ void load_bodies(const Scene& scene, SceneState& state) {
     tissue.body_load[b].x() -= std::copysign(stiffer * beyond, angle);
     tissue.body_load_stiffness[b] += stiffer;
   }
+  if (!state.intubation) return;
+  for (std::size_t b = 0; b < scene.model.bodies.size(); ++b) {
+    tissue.body_load[b] += state.intubation->body_load[b];
+    tissue.body_load_stiffness[b] += state.intubation->body_load_stiffness[b];
+  }
 }
 
-/// Of tissue and lips on the tool.
+/// Of tissue, lips and tube on the tool.
 Wrench soft_wrench(const SceneState& state) {
-  return {state.tissue_wrench.force + state.lips.wrench.force, state.tissue_wrench.torque + state.lips.wrench.torque};
+  Wrench w{state.tissue_wrench.force + state.lips.wrench.force, state.tissue_wrench.torque + state.lips.wrench.torque};
+  if (!state.intubation) return w;
+  w.force += state.intubation->on_blade.force;
+  w.torque += state.intubation->on_blade.torque;
+  return w;
+}
+Mat6 soft_stiffness(const SceneState& state) {
+  Mat6 k = state.tissue_stiffness + state.lips.stiffness;
+  if (state.intubation) k += state.intubation->on_blade_stiffness;
+  return k;
 }
 
 bool tissue_finite(const SceneState& state) {
@@ -87,6 +99,20 @@ bool tissue_finite(const SceneState& state) {
   for (const Vec3& u : state.tissue.displacement) sum += u.squaredNorm();
   for (const Vec3& u : state.tissue.body_displacement) sum += u.squaredNorm();
   return std::isfinite(sum);
+}
+
+/// What the second hand holds stands in the way, and what lies below the secretions' level is not seen.
+void look_past_tube(const Scene& scene, SceneState& state) {
+  const IntubationState& s = *state.intubation;
+  if (s.placed) {
+    const double radius = scene.intubation->rod(s.in_hand).description().outer_radius_m;
+    scene.sight.add(state.sight, kTubeNodes * kTubeSides, scene.intubation->sleeve,
+                    [&](int i) -> Vec3 { return sleeve_point(s.rod, radius, i); });
+  }
+  const Secretions& fluid = scene.intubation->description.secretions;
+  if (s.secretions_m3 > 0)
+    scene.sight.hide_below(state.sight, state.tissue.body_displacement, fluid.up,
+                           fluid.up.dot(fluid.floor) + level(fluid, s.secretions_m3));
 }
 
 void look(const Scene& scene, SceneState& state) {
@@ -97,6 +123,7 @@ void look(const Scene& scene, SceneState& state) {
   const Mat3 turn = state.proxy.pose.rotation.toRotationMatrix();
   scene.sight.add(state.sight, static_cast<int>(tool.points.size()), tool.triangles,
                   [&](int i) -> Vec3 { return state.proxy.pose.position + turn * tool.points[i]; });
+  if (state.intubation) look_past_tube(scene, state);
   state.glottis_visible = scene.sight.visible(state.sight);
 }
 
@@ -111,10 +138,22 @@ SceneState::SceneState(const Scene& scene)
       rigid_scan(scene.tool.samples.size()),
       lips(scene.lips.make_state()),
       sight(scene.sight.make_scratch(
-          std::max<std::size_t>(scene.model.rest.size(), scene.description.tool.surface.points.size()))) {}
+          std::max({scene.model.rest.size(), scene.description.tool.surface.points.size(),
+                    scene.intubation ? std::size_t{kTubeNodes * kTubeSides} : 0}))) {
+  if (scene.intubation) intubation.emplace(scene);
+}
+
+Pose within_reach(const Scene& scene, const Pose& pose) noexcept {
+  Pose taken = pose;
+  taken.rotation.normalize();
+  const Vec3 way = taken.position - scene.centre;
+  if (way.norm() > kFarthest) taken.position = scene.centre + way * (kFarthest / way.norm());
+  return taken;
+}
 
 StepStatistics step_tissue(const Scene& scene, SceneState& state, const Pose& before,
-                           std::array<StructureLoad, kLoadedStructures>& loads, StageTimes& times) noexcept {
+                           std::array<StructureLoad, kLoadedStructures>& loads, StageTimes& times,
+                           SoftContactState* tube) noexcept {
   StageClock clock;
   if (state.placed && scene.description.collision == Collision::triangles)
     find_triangle_contacts(scene.triangles, scene.surface, scene.model, state.tissue, state.proxy.pose, before,
@@ -124,9 +163,16 @@ StepStatistics step_tissue(const Scene& scene, SceneState& state, const Pose& be
                   state.proxy.pose, before, scene.contact_stiffness,
                   static_cast<float>(scene.description.friction), state.contacts);
   clock.add_to(times.collision_s);
+  state.contacts.of_tube = tube ? tube->count : 0;
+  ContactConstraint* of_tube = state.contacts.constraints.data() + state.contacts.count;
+  if (tube) std::copy_n(tube->constraints.begin(), tube->count, of_tube);
   const StepStatistics statistics = respond(scene.description.response, scene.description.sphere_distances, scene.tree,
                                             scene.model, state.proxy.pose, state.tissue, state.contacts, times);
   clock = StageClock();
+  if (tube) {
+    std::copy_n(of_tube, tube->count, tube->constraints.begin());
+    keep_soft_contacts(*tube);
+  }
   collect_tissue_load(scene, state, loads);
   clock.add_to(times.response_s);
   return statistics;
@@ -161,12 +207,12 @@ StepResult step(const Scene& scene, SceneState& state, const StepInput& input) n
     state.hand.scale = state.limit.coupling_scale;
     state.hand.force_limit_n = state.limit.state == HapticState::recovering ? settings.device_limit_n : kStrongestPull;
     rigid = move_proxy(scene.proxy, scene.rigid, state.parts, scene.tool, state.rigid_scan, state.hand, soft_wrench(state),
-                       state.tissue_stiffness + state.lips.stiffness, state.proxy);
+                       soft_stiffness(state), state.proxy);
   }
 
   StageTimes times;
   load_bodies(scene, state);
-  step_tissue(scene, state, before, result.loads, times);
+  step_tissue(scene, state, before, result.loads, times, state.intubation ? &state.intubation->soft : nullptr);
   scene.rigid.place(state.tissue.body_displacement, state.tissue.body_velocity, state.parts);
   if (state.placed && scene.rigid.part_count() > 0)  // as they press now that the bodies have given way
     rigid = rigid_contacts(scene.rigid, state.parts, scene.tool, scene.model.step_s, state.rigid_scan, state.proxy.pose);
@@ -182,12 +228,14 @@ StepResult step(const Scene& scene, SceneState& state, const StepInput& input) n
     state.rigid_scan.begin_anew(state.free_pose);
     state.parts = PartPoses{};
     state.lips.set_rest();
+    if (state.intubation) state.intubation->soft.forget();
     result.loads = {};
     rigid = RigidContacts{};
     result.faults |= kFaultTissue;
   }
   for (int s = 0; s < kLoadedStructures; ++s)
     if (rigid.loads[s].contacts > 0) result.loads[s] = rigid.loads[s];  // rigid and soft structures never share a name
+  if (state.intubation) step_intubation(scene, state, input, result);
   const Wrench soft = soft_wrench(state);
   result.model_force_n = soft.force + rigid.wrench.force;
   result.model_torque_nm = soft.torque + rigid.wrench.torque;

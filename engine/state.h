@@ -9,6 +9,7 @@
 #include "engine/tick_record.h"
 #include "engine/tissue/implicit_step.h"
 #include "engine/tissue/tissue_state.h"
+#include "engine/tube/intubation_step.h"
 
 namespace vallecula::engine {
 
@@ -31,6 +32,7 @@ struct StepResult {
   CouplingState coupling;                  ///< what the hand feels, and how to go on without the next step
   double glottis_visible = 0.0;            ///< as of the last sight evaluation
   std::uint32_t faults = kFaultNone;
+  IntubationRecord intubation;             ///< where the scene has one
 };
 
 struct SceneState {
@@ -53,14 +55,20 @@ struct SceneState {
   LineOfSight::Scratch sight;
   double glottis_visible = 0.0;
   std::int64_t step = 0;       ///< steps taken
+  std::optional<IntubationState> intubation;  ///< where the scene has one
 };
 
 constexpr std::int64_t kSightEverySteps = 20;
 
+/// A usable pose as the scene takes it: a unit rotation, no farther than 1 m from the tissue.
+Pose within_reach(const Scene& scene, const Pose& pose) noexcept;
+
 /// The tissue's part of a step, with the tool brought from `before` to state.proxy.pose: contacts, response, and the
 /// tissue's force on the tool (state.tissue_wrench) with its split in `loads`. Adds the stages' times to `times`.
+/// `tube`, if there is one: its contacts as press_tissue left them, which are solved along (soft_contacts.h).
 StepStatistics step_tissue(const Scene& scene, SceneState& state, const Pose& before,
-                           std::array<StructureLoad, kLoadedStructures>& loads, StageTimes& times) noexcept;
+                           std::array<StructureLoad, kLoadedStructures>& loads, StageTimes& times,
+                           SoftContactState* tube = nullptr) noexcept;
 
 /// Advances the scene by one step. No allocation, lock, I/O or exception; a non-finite tissue is put back to rest and
 /// reported as kFaultTissue, with no force.

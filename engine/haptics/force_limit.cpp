@@ -53,6 +53,12 @@ void judge_limit(const HapticSettings& settings, double step_s, double trial_n, 
   }
 }
 
+Vec3 rate_bound(const HapticSettings& settings, double step_s, const Vec3& wanted, const Vec3& last) noexcept {
+  const Vec3 change = wanted - last;
+  const double most = settings.force_rate_n_s * step_s, size = change.norm();
+  return size > most ? Vec3(last + change * (most / size)) : wanted;
+}
+
 Vec3 displayed_force(const HapticSettings& settings, double step_s, const LimitState& limit, const Vec3& coupling_force,
                      bool usable, const Vec3& last) noexcept {
   if (!usable || !coupling_force.allFinite() || !last.allFinite()) return Vec3::Zero();
@@ -60,9 +66,7 @@ Vec3 displayed_force(const HapticSettings& settings, double step_s, const LimitS
   if (limit.state == HapticState::lost) wanted.setZero();
   const double strength = wanted.norm();
   if (strength > settings.device_limit_n) wanted *= settings.device_limit_n / strength;
-  const Vec3 change = wanted - last;
-  const double most = settings.force_rate_n_s * step_s, size = change.norm();
-  return size > most ? Vec3(last + change * (most / size)) : wanted;
+  return rate_bound(settings, step_s, wanted, last);
 }
 
 }  // namespace vallecula::engine

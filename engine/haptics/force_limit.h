@@ -27,6 +27,9 @@ void judge_limit(const HapticSettings& settings, double step_s, double trial_n, 
 /// True while the proxy is held at its last admissible pose.
 inline bool proxy_held(HapticState state) { return state == HapticState::limited || state == HapticState::lost; }
 
+/// `wanted`, or as far on the way to it from `last` (both finite) as force_rate_n_s lets a tick's force go.
+Vec3 rate_bound(const HapticSettings& settings, double step_s, const Vec3& wanted, const Vec3& last) noexcept;
+
 /// The force for the device: the coupling's pull back, clamped to f_max, scaled while recovering, zero when lost, and
 /// changing by no more than force_rate_n_s per second except to zero at a fault. `last` is the force shown a tick ago.
 Vec3 displayed_force(const HapticSettings& settings, double step_s, const LimitState& limit, const Vec3& coupling_force,

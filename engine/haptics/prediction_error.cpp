@@ -37,10 +37,7 @@ void PredictionMeasurement::add(const PortInput& input) {
   const std::int64_t tick = tick_++;
   Moment now;
   now.input = input;
-  StepInput fed;
-  fed.device = input.pose;
-  fed.valid = input.valid;
-  now.result = step(*scene_, state_, fed);
+  now.result = step(*scene_, state_, step_input(input));
   const Vec3 truth = servo_tick(*scene_, tick, input, now.result.step, now.result, false, servo_).displayed_force_n;
   now.servo = servo_;
   peak_ = std::max(peak_, truth.norm());

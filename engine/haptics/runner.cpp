@@ -72,6 +72,12 @@ void fill_snapshot(const Scene& scene, const SceneState& state, const StepResult
   s.glottis_visible = result.glottis_visible;
   s.faults = result.faults;
   std::copy(state.tissue.body_displacement.begin(), state.tissue.body_displacement.end(), s.body_displacement.begin());
+  s.has_intubation = state.intubation.has_value();
+  if (s.has_intubation) {
+    s.intubation = result.intubation;
+    s.tube_axis = state.intubation->rod.position;
+    s.tube_frames = state.intubation->rod.rotation;
+  }
   std::copy(state.lips.displacement.begin(), state.lips.displacement.end(), s.lip_displacement.begin());
   for (int i = 0; i < scene.model.nodes; ++i)
     for (int a = 0; a < 3; ++a)
@@ -84,7 +90,8 @@ class FaultRing {
   void add(const TickRecord& record) noexcept {
     if (frozen_) return;
     ring_[static_cast<std::size_t>(added_++ % kSize)] = record;
-    frozen_ = (record.faults & (kFaultDevicePose | kFaultTissue | kFaultForce)) != 0;
+    frozen_ = (record.faults & (kFaultDevicePose | kFaultTissue | kFaultForce)) != 0 ||
+              (record.intubation.faults & ~std::uint32_t{kIntubationFaultHand}) != 0;
   }
   std::vector<TickRecord> before_fault() const {
     std::vector<TickRecord> ticks;
@@ -144,7 +151,7 @@ struct Runner::Impl {
 
   std::atomic<std::int64_t> ticks{0}, misses{0}, overruns{0};
   std::atomic<double> rate{0.0};
-  std::atomic<double> shown[3] = {0.0, 0.0, 0.0};
+  std::atomic<double> shown[3] = {0.0, 0.0, 0.0}, second_shown[3] = {0.0, 0.0, 0.0};
   std::int64_t began_ns = 0, ended_ns = 0;
   std::vector<std::int64_t> bins;
   std::string servo_priority, simulation_priority;
@@ -158,7 +165,10 @@ struct Runner::Impl {
     if (step_index % kPublishEverySteps == 0) {
       Snapshot& s = snapshots.to_write();
       fill_snapshot(*scene, state, result, s);
-      for (int a = 0; a < 3; ++a) s.displayed_force_n[a] = shown[a].load(std::memory_order_relaxed);
+      for (int a = 0; a < 3; ++a) {
+        s.displayed_force_n[a] = shown[a].load(std::memory_order_relaxed);
+        s.intubation.displayed_force_n[a] = second_shown[a].load(std::memory_order_relaxed);
+      }
       s.ticks = ticks.load(std::memory_order_relaxed);
       s.deadline_misses = misses.load(std::memory_order_relaxed);
       s.overruns = overruns.load(std::memory_order_relaxed);
@@ -189,14 +199,18 @@ struct Runner::Impl {
     ring_head.store(head + 1, std::memory_order_release);
   }
 
-  void show(const Vec3& force) {
-    for (int a = 0; a < 3; ++a) shown[a].store(force[a], std::memory_order_relaxed);
+  void show(const Vec3& force, const Vec3& second_force) {
+    for (int a = 0; a < 3; ++a) {
+      shown[a].store(force[a], std::memory_order_relaxed);
+      second_shown[a].store(second_force[a], std::memory_order_relaxed);
+    }
     port.write(force);
+    if (scene->intubation) port.write_second(second_force);
   }
 
   void show(const TickRecord& record) {
     if (record.step_used >= 0) port.see_tool(record.proxy_pose);
-    show(record.displayed_force_n);
+    show(record.displayed_force_n, record.intubation.displayed_force_n);
   }
 
   void servo_loop() {
@@ -220,8 +234,7 @@ struct Runner::Impl {
       show(record);
       if (now_ns() - due > kMissNs) misses.fetch_add(1, std::memory_order_relaxed);
       if (idle) {
-        input.device = in.pose;
-        input.valid = in.valid;
+        input = step_input(in);
         fed.store(feeding, std::memory_order_release);
         sem_post(&work);
       } else {
@@ -240,7 +253,7 @@ struct Runner::Impl {
       if (behind > kGiveUpNs) due += behind;
     }
     ended_ns = now_ns();
-    show(Vec3::Zero());
+    show(Vec3::Zero(), Vec3::Zero());
   }
 
   void stop() {
@@ -306,8 +319,7 @@ void Runner::run(std::int64_t ticks, const std::function<void(const TickRecord&)
     const std::int64_t tick = m.ticks;
     const PortInput in = m.port.read(static_cast<double>(tick) * m.scene->model.step_s);
     const std::int64_t feeding = m.fed + 1;
-    m.input.device = in.pose;
-    m.input.valid = in.valid;
+    m.input = step_input(in);
     m.fed = feeding;
     m.simulate(feeding);
     const TickRecord record = servo_tick(*m.scene, tick, in, feeding, m.results[feeding % kResultSlots], false, m.servo);
@@ -341,11 +353,10 @@ TickRecord Replayer::replay(const TickRecord& recorded) {
   in.pose = recorded.device_pose;
   in.buttons = recorded.buttons;
   in.valid = recorded.device_valid;
+  in.second_pose = recorded.intubation.hand_pose;
+  in.second_valid = recorded.intubation.hand_valid;
   if (recorded.step_fed >= 0) {
-    StepInput input;
-    input.device = in.pose;
-    input.valid = in.valid;
-    const StepResult result = step(*m.scene, m.state, input);
+    const StepResult result = step(*m.scene, m.state, step_input(in));
     m.results[result.step % kResultSlots] = result;
   }
   const StepResult none;

@@ -39,8 +39,9 @@ class Runner {
   /// Newest whole snapshot; wait-free; one consumer thread.
   const Snapshot& latest();
   TimingReport timing() const;         ///< after stop() or run()
-  /// The 50 ticks up to and with the first that had a fault of the engine's or the pose's own (kFaultDevicePose,
-  /// kFaultTissue, kFaultForce), oldest first; empty without one. After stop() or run().
+  /// The 50 ticks up to and with the first that had a fault of the engine's or a pose's own (kFaultDevicePose,
+  /// kFaultTissue, kFaultForce; of the second half all but kIntubationFaultHand), oldest first; empty without one. After
+  /// stop() or run().
   std::vector<TickRecord> ticks_before_fault() const;
 
   /// As fast as it goes, on this thread: `ticks` servo ticks with a step each; `sink` gets each record.

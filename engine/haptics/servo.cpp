@@ -39,7 +39,42 @@ void observe_energy(const PortInput& input, ServoState& servo) {
   servo.device = input.pose;
 }
 
+/// The second hand's part of the record, and its force.
+void second_hand(const Scene& scene, const PortInput& input, const StepResult& used, ServoState& servo,
+                 TickRecord& record) {
+  record.has_intubation = true;
+  IntubationRecord& r = record.intubation;
+  r = used.step >= 0 ? used.intubation : scene.intubation->at_start;
+  r.hand_pose = input.second_pose;
+  r.hand_valid = input.second_valid;
+  if (!input.second_valid) r.faults |= kIntubationFaultHand;
+  if (!usable(input.second_pose)) r.faults |= kIntubationFaultHandPose;
+  bool fault = used.step < 0 ||
+               (r.faults & (kIntubationFaultHand | kIntubationFaultHandPose | kIntubationFaultTube)) != 0;
+  if (!fault && !r.model_force_n.allFinite()) {
+    fault = true;
+    r.faults |= kIntubationFaultForce;
+  }
+  const HapticSettings& haptics = scene.description.haptics;
+  servo.second_displayed =
+      fault ? Vec3::Zero()
+            : rate_bound(haptics, scene.model.step_s,
+                         no_longer_than(r.model_force_n, scene.description.intubation->device_limit_n),
+                         servo.second_displayed);
+  r.displayed_force_n = servo.second_displayed;
+}
+
 }  // namespace
+
+StepInput step_input(const PortInput& input) noexcept {
+  StepInput fed;
+  fed.device = input.pose;
+  fed.valid = input.valid;
+  fed.second = input.second_pose;
+  fed.second_valid = input.second_valid;
+  fed.actions = input.buttons & kAllActions;
+  return fed;
+}
 
 TickRecord servo_tick(const Scene& scene, std::int64_t tick, const PortInput& input, std::int64_t step_fed,
                       const StepResult& used, bool overrun, ServoState& servo) noexcept {
@@ -78,6 +113,7 @@ TickRecord servo_tick(const Scene& scene, std::int64_t tick, const PortInput& in
                                     coupling.proxy.pull.force, !fault, servo.displayed);
   record.displayed_force_n = servo.displayed;
   servo.turn_nm = fault || used.limit.state == HapticState::lost ? Vec3::Zero() : coupling.proxy.pull.torque;
+  if (scene.intubation) second_hand(scene, input, used, servo, record);
   servo.last_used = used.step;
   return record;
 }

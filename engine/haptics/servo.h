@@ -22,11 +22,16 @@ struct ServoState {
   std::array<Pose, kMostPredictedTicks> devices;  ///< of the last ticks, by tick
   /// Tick that fed a step, by step: one is worked on, one is done, one came before it.
   std::array<std::int64_t, 4> fed_at{-1, -1, -1, -1};
+  Vec3 second_displayed = Vec3::Zero();           ///< force on the second hand
 };
+
+/// What the hands do, as a step takes it.
+StepInput step_input(const PortInput& input) noexcept;
 
 /// Force for the device and the tick's record. `used` is the newest finished step (step -1: none yet). The force is the
 /// coupling's, spring and damper, brought on from `used` to the device's present pose over the ticks since that step
-/// was fed.
+/// was fed. The second hand's, where the scene has one, is the tube's as the newest step left it: over late steps it is
+/// held (a simplification).
 TickRecord servo_tick(const Scene& scene, std::int64_t tick, const PortInput& input, std::int64_t step_fed,
                       const StepResult& used, bool overrun, ServoState& servo) noexcept;
 

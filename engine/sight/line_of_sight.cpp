@@ -103,15 +103,19 @@ void LineOfSight::keep_occluders_near(const SightDescription& sight) {
   }
 }
 
+Vec3 LineOfSight::sample_at(std::size_t i, const std::vector<Vec3>& body_displacement) const noexcept {
+  Vec3 p = points_[i];
+  for (const Follower& f : followers_)
+    if (f.glottis_share > 0 && !body_displacement.empty())
+      p += f.glottis_share * f.body.way_of(points_[i], body_displacement[f.index]);
+  return p;
+}
+
 void LineOfSight::place_samples(Scratch& scratch, const std::vector<Vec3>& body_displacement) const noexcept {
   scratch.low_u = scratch.low_v = std::numeric_limits<double>::infinity();
   scratch.high_u = scratch.high_v = -scratch.low_u;
   for (std::size_t i = 0; i < points_.size(); ++i) {
-    Vec3 p = points_[i];
-    for (const Follower& f : followers_)
-      if (f.glottis_share > 0 && !body_displacement.empty())
-        p += f.glottis_share * f.body.way_of(points_[i], body_displacement[f.index]);
-    p = project(p);
+    const Vec3 p = project(sample_at(i, body_displacement));
     scratch.samples[i] = p;
     scratch.low_u = std::min(scratch.low_u, p.x());
     scratch.high_u = std::max(scratch.high_u, p.x());
@@ -167,6 +171,12 @@ void LineOfSight::begin(Scratch& scratch, const std::vector<Vec3>& body_displace
         p += f.point_share[i] * f.body.way_of(rest, body_displacement[f.index]);
     return p;
   });
+}
+
+void LineOfSight::hide_below(Scratch& scratch, const std::vector<Vec3>& body_displacement, const Vec3& up,
+                             double height) const noexcept {
+  for (std::size_t i = 0; i < points_.size(); ++i)
+    if (up.dot(sample_at(i, body_displacement)) < height) scratch.hidden[i] = 1;
 }
 
 double LineOfSight::visible(const Scratch& scratch) const noexcept {

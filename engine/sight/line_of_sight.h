@@ -35,6 +35,9 @@ class LineOfSight {
     for (const auto& t : triangles)
       hide_behind(scratch.projected[t[0]], scratch.projected[t[1]], scratch.projected[t[2]], scratch);
   }
+  /// Hides the samples that lie lower than `height` (m) along `up` (unit): fluid stands above them.
+  void hide_below(Scratch& scratch, const std::vector<Vec3>& body_displacement, const Vec3& up,
+                  double height) const noexcept;
   /// Fraction of the samples still in sight, 0..1.
   double visible(const Scratch& scratch) const noexcept;
 
@@ -47,6 +50,7 @@ class LineOfSight {
   /// behind the eye.
   Vec3 project(const Vec3& p) const noexcept;
   void hide_behind(const Vec3& a, const Vec3& b, const Vec3& c, Scratch& scratch) const noexcept;
+  Vec3 sample_at(std::size_t i, const std::vector<Vec3>& body_displacement) const noexcept;
   void place_samples(Scratch& scratch, const std::vector<Vec3>& body_displacement) const noexcept;
   void keep_occluders_near(const SightDescription& sight);
 

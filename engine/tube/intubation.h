@@ -11,6 +11,8 @@
 
 namespace vallecula::engine {
 
+constexpr double kMostPress = 10.0;  // N
+
 /// Fluid on the back wall of the throat of a child that lies on its back: what lies below its level is not seen.
 struct Secretions {
   double volume_m3 = 0.0;     ///< at the start; 1 ml is 1e-6
@@ -26,10 +28,12 @@ struct IntubationDescription {
   AirwayCourse course;
   Glottis glottis;
   InfantDescription infant;
+  bool breathes = false;  ///< the infant, by itself, all through the trial; a premedicated one cannot
   Secretions secretions;
   Vec3 mouth = Vec3::Zero();             ///< a point of the mouth's front plane, m
   Vec3 mouth_inward = -Vec3::UnitZ();    ///< its unit normal, into the mouth
-  double press_n = 0.0;                  ///< of the assistant on the larynx
+  double mouth_gap_m = 0.0;              ///< between the gums at rest; 0: not known
+  double press_n = 0.0;                  ///< of the assistant on the larynx, up to kMostPress
   Vec3 press_direction = Vec3::UnitY();  ///< unit
   double device_limit_n = 7.9;           ///< of the second hand's device
 };

@@ -7,12 +7,15 @@ namespace vallecula::engine {
 
 /// What a hand asks for by keys or buttons; held down. Bits of StepInput::actions and TickRecord::buttons.
 enum Action : std::uint32_t {
-  kActionBreath = 1u << 16,     ///< a breath as it goes down, 40 a minute while held: by mask, or by the tube if it is in
+  /// A breath as it goes down, 40 a minute while held: by mask while blade and tube are out of the mouth, by the tube
+  /// once its tip is past the inlet or in the oesophagus. The stylet, if it is still in, is drawn for it.
+  kActionBreath = 1u << 16,
   kActionSuction = 1u << 17,    ///< with the catheter in the second hand
   kActionPress = 1u << 18,      ///< the assistant presses on the larynx
   kActionStyletOut = 1u << 19,  ///< once it goes down the stylet is out for good
   kActionCatheter = 1u << 20,   ///< while set the second hand has the catheter; it changes outside the mouth only
 };
+constexpr std::uint32_t kAllActions = 0x1fu << 16;
 
 /// Where the tip of what the second hand holds is. `larynx`: from the inlet to the cricoid.
 enum class TipPlace : std::uint8_t { outside, mouth, larynx, trachea, main_bronchus, oesophagus };
@@ -24,7 +27,7 @@ enum IntubationFault : std::uint32_t {
   kIntubationFaultHand = 1u << 0,      ///< the second hand's device reports itself unusable: what it held stays
   kIntubationFaultHandPose = 1u << 1,  ///< its pose was not finite or no rotation
   kIntubationFaultTube = 1u << 2,      ///< the tube became non-finite and was put back to rest in the hand
-  kIntubationFaultInfant = 1u << 3,    ///< the infant or the cords became non-finite and are back at their start
+  kIntubationFaultInfant = 1u << 3,    ///< infant, cords, secretions or press became non-finite: back at their start
   kIntubationFaultForce = 1u << 4,     ///< the second hand's force was not finite; zero was sent
 };
 

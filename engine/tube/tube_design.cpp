@@ -8,7 +8,7 @@ namespace vallecula::engine {
 
 namespace {
 
-constexpr double kGripShortOfConnector = 0.040;
+constexpr double kGripShortOfConnector = 0.060;
 
 /// Sources. Outer diameters of 3.5 and 4.0: CLINICAL.md (of 5.4 to 5.6 mm the middle); of 2.5 and 3.0, and the lengths:
 /// makers' catalogues (assumed). Cord mark, a line 2 mm wide: 24, 26, 28 mm for 2.5, 3.0, 3.5 as first described (in
@@ -84,6 +84,15 @@ TubeDesign tube_design(const std::string& inner_diameter_mm) {
     return tube;
   }
   throw std::invalid_argument("tube '" + inner_diameter_mm + "' is not known; there are 2.5, 3.0, 3.5 and 4.0 (mm)");
+}
+
+TubeDesign suction_catheter(double outer_diameter) {
+  TubeDesign catheter;
+  catheter.outer_diameter = outer_diameter;
+  catheter.inner_diameter = 2.0 / 3.0 * outer_diameter;
+  catheter.bend_radius = 0.5;  // as it comes from its pack (assumed)
+  catheter.bevel_rad = M_PI / 2;
+  return catheter;
 }
 
 double usual_grip_from_tip(const TubeDesign& tube) { return tube.length - kGripShortOfConnector; }

@@ -26,6 +26,10 @@ struct TubeDesign {
 /// By inner diameter, "2.5", "3.0", "3.5" or "4.0" mm; throws std::invalid_argument that names what there is otherwise.
 TubeDesign tube_design(const std::string& inner_diameter_mm);
 
+/// A suction catheter of this outer diameter, m, as long as a tube: a soft, nearly straight tube cut square. What is
+/// inside it, two thirds of the outside, is a usual catheter's (8 F: 1.8 of 2.67 mm; assumed).
+TubeDesign suction_catheter(double outer_diameter);
+
 /// A malleable metal rod within the tube, straight to its bend ("straight to cuff") and bent towards the tube's concave
 /// side like a hockey stick. It keeps its shape (it does not yield) and sticks to the tube: simplifications.
 struct Stylet {
@@ -44,7 +48,7 @@ struct Stylet {
 /// beyond its ends or a stylet that does not fit the lumen.
 RodDescription tube_rod(const TubeDesign& tube, const Stylet* stylet, double grip_from_tip);
 
-/// Where a hand holds a tube: 40 mm short of the connector (assumed).
+/// Where a hand holds a tube: 60 mm short of the connector (assumed): held farther back it bends before it passes a cricoid.
 double usual_grip_from_tip(const TubeDesign& tube);
 
 }  // namespace vallecula::engine

@@ -88,14 +88,14 @@ void Panel::level(double value, const QColor& colour, Qt::PenStyle style, const 
   label(QRectF(frame_.left(), top, frame_.width() - 0.4 * em_, 1.4 * em_), true, colour.darker(150), text);
 }
 
-void Panel::moment(double time_s, const QColor& colour, const QString& text, int row) {
+void Panel::moment(double time_s, const QColor& colour, const QString& text) {
   painter_.setPen(QPen(colour.darker(120), em_ * 0.13, Qt::DashDotLine));
   painter_.drawLine(QPointF(x(time_s), frame_.top()), QPointF(x(time_s), frame_.bottom()));
   if (text.isEmpty()) return;
   const bool left = x(time_s) > frame_.center().x() + frame_.width() * 0.2;
   const double width = 20.0 * em_;
-  const QRectF box(left ? x(time_s) - width - 0.4 * em_ : x(time_s) + 0.4 * em_, frame_.top() + (0.1 + 1.5 * row) * em_,
-                   width, 1.4 * em_);
+  const QRectF box(left ? x(time_s) - width - 0.4 * em_ : x(time_s) + 0.4 * em_, frame_.top() + 0.1 * em_, width,
+                   1.4 * em_);
   label(box, left, colour.darker(170), text);
 }
 

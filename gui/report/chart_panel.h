@@ -50,8 +50,8 @@ class Panel {
   /// A span on the panel's ground; to be called before the lines.
   void span(double from_s, double to_s, const QColor& colour);
   void level(double value, const QColor& colour, Qt::PenStyle style, const QString& text, bool text_above);
-  /// A vertical line, its text `row` lines of text below the panel's top.
-  void moment(double time_s, const QColor& colour, const QString& text, int row = 0);
+  /// A vertical line with its text at the top.
+  void moment(double time_s, const QColor& colour, const QString& text);
   /// Covers what was drawn there: nothing of it is the hand's doing.
   void pause(double from_s, double to_s, const QString& text);
   void peak(double time_s, double value, const QColor& colour, const QString& text);

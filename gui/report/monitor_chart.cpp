@@ -77,7 +77,7 @@ QImage draw_monitor_chart(const curricula::TrialLog& log, const curricula::Scena
                {QStringLiteral("as it really was"), QPen(kSao2, em * 0.1, Qt::DotLine)},
                {QStringLiteral("heart"), QPen(kHeart, em * 0.18)},
                {QStringLiteral("a breath given"), QPen(chart::kInk, em * 0.12)},
-               {QStringLiteral("tip in the oesophagus"), QPen(kOesophagus, em * 0.9)}});
+               {QStringLiteral("tip in the oesophagus"), QPen(kOesophagus, em * 0.9, Qt::SolidLine, Qt::FlatCap)}});
 
   const double room = height - 4.6 * em - 4.2 * em - 2.0 * gap;
   const QRectF top(left, 4.6 * em, right - left, 0.45 * room);
@@ -119,8 +119,7 @@ QImage draw_monitor_chart(const curricula::TrialLog& log, const curricula::Scena
     if (attempt.passed_cords_s)
       saturation.moment(*attempt.passed_cords_s, kPassed, QStringLiteral("tube past the cords"));
   }
-  for (const double at_s : recorded.yellow_s)
-    saturation.moment(at_s, kYellow, QStringLiteral("CO2: detector yellow"), 1);
+  for (const double at_s : recorded.yellow_s) heart.moment(at_s, kYellow, QStringLiteral("CO2: detector yellow"));
   if (intubation.lowest_spo2_percent)
     saturation.peak(intubation.lowest_spo2_at_s, *intubation.lowest_spo2_percent, kSpo2,
                     QStringLiteral("lowest %1 %").arg(chart::number(*intubation.lowest_spo2_percent, 0)));

@@ -7,6 +7,7 @@
 #include "engine/mesh/triangle_bvh.h"
 #include "engine/tool/miller_blade.h"
 #include "gui/session/anatomy_motion.h"
+#include "gui/session/intubation_of.h"
 
 namespace vallecula::gui {
 
@@ -193,6 +194,7 @@ engine::SceneDescription scene_from_package(const PatientPackage& package, const
     larynx.point_share.push_back(static_cast<float>(kLarynxShare * motion.with_larynx(p / kMetres)));
   }
   scene.sight.followers = {std::move(jaw), std::move(larynx)};
+  if (scenario.intubation) scene.intubation = intubation_of(package, scenario);
   return scene;
 }
 

@@ -151,7 +151,7 @@ TEST(Passivity, GumMetFromWithinGivesNothing) {
                  in = std::clamp((t - 1.0) / 0.5, 0.0, 1.0);
     PortInput input;
     input.pose = at(0.013 + 0.004 * slide, 0.016 + 0.0025 * out - 0.0025 * in);
-    const StepResult result = step(*scene, state, StepInput{input.pose, true});
+    const StepResult result = step(*scene, state, step_input(input));
     pressed_n = servo_tick(*scene, n, input, n, result, false, servo).displayed_force_n.z();
     if (t < 1.0) slid_n = std::max(slid_n, result.model_force_n.norm());
   }
@@ -210,7 +210,9 @@ TEST(Prediction, TheStiffnessFeltIsTheStaticOne) {
   SceneState state(*scene);
   double felt = 0.0;
   for (int n = 0; n < 3000; ++n) {
-    const StepResult r = step(*scene, state, StepInput{at(0.015, 0.0151 - 0.0005 * n / 3000.0), true});
+    StepInput input;
+    input.device = at(0.015, 0.0151 - 0.0005 * n / 3000.0);
+    const StepResult r = step(*scene, state, input);
     if (r.coupling.springs.count > 0) felt = r.coupling.springs.stiffness[0];
   }
   EXPECT_NEAR(felt, 428.7, 0.15 * 428.7);
@@ -251,7 +253,7 @@ TEST(Prediction, IsBoundedWhenTheHandJumps) {
       in.pose = at(0.015, 0.0155 - 0.003 * std::min(1.0, n / 200.0));
       if (n >= 350) in.pose.position += Vec3(jump, 0, -jump);
       const bool late = n >= 350;
-      if (!late) result = step(*scene, state, StepInput{in.pose, true});
+      if (!late) result = step(*scene, state, step_input(in));
       const TickRecord r = servo_tick(*scene, n, in, late ? -1 : n, result, late, servo);
       ASSERT_LE(r.displayed_force_n.norm(), limits.device_limit_n * (1 + 1e-9)) << jump;
       ASSERT_LE((r.displayed_force_n - last).norm(), limits.force_rate_n_s * 0.001 * (1 + 1e-9)) << jump;

@@ -106,7 +106,7 @@ class LateLoop {
     const bool idle = fed_at_ < 0 || n - fed_at_ >= late;
     if (idle) {
       finished_ = running_;
-      running_ = step(scene_, state, StepInput{in.pose, in.valid});
+      running_ = step(scene_, state, step_input(in));
       fed_at_ = n;
     }
     return servo_tick(scene_, n, in, idle ? running_.step : -1, late == 0 ? running_ : finished_, !idle, servo);

@@ -7,6 +7,7 @@
 #include <iostream>
 
 #include "curricula/trial_log.h"
+#include "gui/session/airway_course.h"
 #include "gui/session/scripted_hands.h"
 #include "pipeline/package/patient_package.h"
 #include "tests/gui/program.h"
@@ -50,6 +51,13 @@ TEST(RealCtTrial, APressOnTheDorsumIsFiniteTouchesTheTongueAndVerifies) {
   const Outcome imported =
       box.run({"import", series().string(), "--out", package.string(), "--seed", "tongue=244,-341,-138"});
   ASSERT_EQ(imported.exit_code, 0) << imported.err;
+  // A grown-up's trachea, 13 to 25 mm across, that the scan follows for half its length.
+  const PatientAirway airway = airway_of(pipeline::read_package(package));
+  const engine::AirwayRing& trachea = airway.course.airway[airway.course.airway.size() / 2];
+  EXPECT_GT(trachea.to_left_m + trachea.to_right_m, 0.013);
+  EXPECT_LT(trachea.to_left_m + trachea.to_right_m, 0.025);
+  EXPECT_FALSE(airway.assumed.empty()) << "the carina is below the scan";
+
   const Outcome trial = box.run({"trial", "--patient", package.string(), "--scenario", "term", "--device",
                                  "scripted:press", "--headless", "--asap", "--out", (box / "out").string()});
   ASSERT_EQ(trial.exit_code, 0) << trial.err;

@@ -1,0 +1,289 @@
+// The tube's way against airways whose course is known: a tube of ellipses along an arc, and the manikin's shapes.
+#include "gui/session/airway_course.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "engine/tube/passage.h"
+#include "gui/session/anatomy_motion.h"
+#include "gui/session/builtin_patient.h"
+#include "pipeline/manikin/manikin.h"
+#include "pipeline/manikin/manikin_data.h"
+#include "pipeline/manikin/shapes.h"
+#include "tests/gui/block_patient.h"
+#include "tests/gui/program.h"
+
+namespace vallecula::gui::test {
+namespace {
+
+using engine::AirwayPart;
+using engine::AirwayRing;
+using engine::Vec3;
+
+constexpr double kAreaOfCricoid = M_PI * 2.25 * 2.73;  // mm2 (ANATOMY: 19.3)
+
+/// Everything that the engine may rely on.
+void expect_sound(const engine::AirwayCourse& course, double size) {
+  ASSERT_GE(course.airway.size(), 10u);
+  EXPECT_NO_THROW(engine::Passage(course, {}, Vec3::Zero(), Vec3::UnitZ())) << "the engine takes it";
+  EXPECT_EQ(course.airway.front().part, AirwayPart::vestibule);
+  int cords = 0, cricoids = 0;
+  for (const auto* chain : {&course.airway, &course.bronchi[0], &course.bronchi[1], &course.oesophagus}) {
+    ASSERT_GE(chain->size(), 5u);
+    for (std::size_t i = 0; i < chain->size(); ++i) {
+      const AirwayRing& r = (*chain)[i];
+      cords += r.part == AirwayPart::cords;
+      cricoids += r.part == AirwayPart::cricoid;
+      EXPECT_NEAR(r.along.norm(), 1.0, 1e-9);
+      EXPECT_NEAR(r.left.norm(), 1.0, 1e-9);
+      EXPECT_NEAR(r.along.dot(r.left), 0.0, 1e-9);
+      EXPECT_GT(r.left.x(), 0.5) << "the patient's left";
+      for (const double half : {r.to_left_m, r.to_right_m, r.to_front_m, r.to_back_m}) {
+        EXPECT_GT(half, 0.2e-3);
+        EXPECT_LT(half, 15e-3);
+      }
+      EXPECT_GE(r.larynx_share, 0.0);
+      EXPECT_LE(r.larynx_share, kLarynxShare);
+      if (i == 0) continue;
+      const AirwayRing& before = (*chain)[i - 1];
+      const Vec3 way = r.centre - before.centre;
+      EXPECT_GE(way.norm(), 0.5e-3 * std::min(1.0, size)) << i;
+      EXPECT_LE(way.norm(), 4.0e-3) << i;
+      EXPECT_GT(way.dot(before.along), 0.0) << "the planes follow one another";
+      EXPECT_GT(way.dot(r.along), 0.0);
+    }
+  }
+  EXPECT_EQ(cords, 1);
+  EXPECT_EQ(cricoids, 1);
+  EXPECT_EQ(course.airway.back().larynx_share, 0.0);
+  EXPECT_EQ(course.larynx_body, kHyoidBody);
+}
+
+const AirwayRing& ring_of(const engine::AirwayCourse& course, AirwayPart part) {
+  for (const AirwayRing& r : course.airway)
+    if (r.part == part) return r;
+  throw std::logic_error("no such ring");
+}
+
+/// An airway along an arc of 150 mm radius in the middle plane, its half axes those of ANATOMY's larynx and trachea.
+struct ArcAirway {
+  static constexpr double kRadius = 150.0, kAbove = 4.0;
+  Vec3 at(double s) const { return Vec3(0, 30 + kRadius * (1 - std::cos(s / kRadius)), -kRadius * std::sin(s / kRadius)); }
+  Vec3 along(double s) const { return Vec3(0, std::sin(s / kRadius), -std::cos(s / kRadius)); }
+  Vec3 front(double s) const { return along(s).cross(Vec3::UnitX()); }
+  static double blend(double from, double to, double s, double a, double b) {
+    const double t = std::clamp((s - from) / (to - from), 0.0, 1.0);
+    return a + t * t * (3 - 2 * t) * (b - a);
+  }
+  double half_left(double s) const { return s < 5 ? blend(0, 4.2, s, 1.6, 2.25) : blend(7, 15, s, 2.25, 2.6); }
+  double half_front(double s) const { return s < 5 ? blend(0, 4.2, s, 3.5, 2.73) : blend(7, 15, s, 2.73, 2.6); }
+
+  /// The block's patient with this for its airway down to `end`, at term size, its carina at `carina` mm.
+  pipeline::PatientPackage patient(double end, double carina) const {
+    pipeline::PatientPackage package = block_patient();
+    const auto point = [](const Vec3& p) { return pipeline::Point{p.x(), p.y(), p.z()}; };
+    package.landmarks["upper_gum_midline"] = {0, 0, 0};
+    package.landmarks["vallecula"] = {0, 30.18, -40.24};  // 50.3 mm off
+    package.landmarks["glottis_centre"] = point(at(0));
+    package.landmarks["glottis_normal"] = point(-along(0));
+    package.landmarks["carina"] = point(at(carina));
+    package.surfaces["glottis"].points = {{-1.6, at(0).y() + 3.5, at(0).z()}, {1.6, at(0).y() + 3.5, at(0).z()},
+                                          {0, at(0).y() - 3.5, at(0).z()}};
+    package.surfaces["glottis"].triangles = {{0, 1, 2}};
+    pipeline::Surface& airway = package.surfaces["airway"];
+    airway = {};
+    constexpr int kAround = 96;
+    const int rows = static_cast<int>(std::lround((end + kAbove) / 0.4));
+    for (int row = 0; row <= rows; ++row) {
+      const double s = -kAbove + (end + kAbove) * row / rows;
+      for (int i = 0; i < kAround; ++i) {
+        const double a = 2 * M_PI * i / kAround;
+        airway.points.push_back(point(at(s) + half_left(s) * std::cos(a) * Vec3::UnitX() + half_front(s) * std::sin(a) * front(s)));
+      }
+    }
+    const int top = static_cast<int>(airway.points.size()), bottom = top + 1;
+    airway.points.push_back(point(at(-kAbove)));
+    airway.points.push_back(point(at(end)));
+    for (int i = 0; i < kAround; ++i) {
+      const int j = (i + 1) % kAround, last = rows * kAround;
+      airway.triangles.push_back({top, j, i});
+      airway.triangles.push_back({bottom, last + i, last + j});
+      for (int row = 0; row < rows; ++row) {
+        const int a = row * kAround;
+        airway.triangles.push_back({a + i, a + j, a + kAround + i});
+        airway.triangles.push_back({a + j, a + kAround + j, a + kAround + i});
+      }
+    }
+    return package;
+  }
+};
+
+TEST(AirwayCourse, FollowsAnArcOfEllipsesToWithinATenthOfAMillimetre) {
+  const ArcAirway truth;
+  const PatientAirway found = airway_of(truth.patient(56, 50));
+  expect_sound(found.course, 1.0);
+  EXPECT_NEAR(1e3 * found.glottis_length_m, 7.0, 1e-9);
+  EXPECT_NEAR(1e6 * found.cricoid_area_m2, kAreaOfCricoid, 0.01 * kAreaOfCricoid);
+  for (const AirwayRing& r : found.course.airway) {
+    if (r.part == AirwayPart::vestibule || r.part == AirwayPart::cords) continue;
+    const double s = ArcAirway::kRadius * std::atan2(-1e3 * r.centre.z(), 30 + ArcAirway::kRadius - 1e3 * r.centre.y());
+    EXPECT_LT((1e3 * r.centre - truth.at(s)).norm(), 0.1) << s;
+    EXPECT_GT(r.along.dot(truth.along(s)), std::cos(3 * M_PI / 180)) << s;
+    // Above the cricoid the cords' slit gives way to the cricoid's width.
+    EXPECT_NEAR(1e3 * r.to_left_m, std::max(2.25, truth.half_left(s)), 0.05) << s;
+    EXPECT_NEAR(1e3 * r.to_front_m, truth.half_front(s), r.part == AirwayPart::subglottis ? 0.3 : 0.05) << s;
+    EXPECT_EQ(r.to_left_m, r.to_right_m);
+  }
+  EXPECT_LT((1e3 * found.course.airway.back().centre - truth.at(50)).norm(), 0.15) << "ends at the carina";
+  const double cricoid_s = (1e3 * ring_of(found.course, AirwayPart::cricoid).centre - truth.at(0)).norm();
+  EXPECT_GT(cricoid_s, 4.0);
+  EXPECT_LT(cricoid_s, 8.0);
+}
+
+TEST(AirwayCourse, WhatIsNotImagedIsAssumedAndSaid) {
+  const ArcAirway truth;
+  const PatientAirway found = airway_of(truth.patient(56, 50));
+  ASSERT_EQ(found.assumed.size(), 3u) << "both bronchi and the oesophagus' mouth";
+  const AirwayRing& last = found.course.airway.back();
+  for (int side = 0; side < 2; ++side) {
+    const auto& bronchus = found.course.bronchi[static_cast<std::size_t>(side)];
+    const AirwayRing& first = bronchus.front();
+    EXPECT_NEAR(std::acos(first.along.dot(last.along)) * 180 / M_PI, side == 0 ? 30 : 45, 0.5);
+    EXPECT_EQ(first.along.x() < 0, side == 0) << "the first is the right one";
+    EXPECT_NEAR((bronchus.back().centre - first.centre).norm(), 0.020, 1e-4);
+    EXPECT_NEAR(1e3 * first.to_left_m, 0.75 * 2.6, 0.03);
+    // Its inner wall goes through the carina.
+    const Vec3 off = last.centre - first.centre;
+    EXPECT_LT(off.dot(last.along), 0.0) << "it begins below";
+    EXPECT_NEAR((off - off.dot(first.along) * first.along).norm(), first.to_left_m, 1e-5);
+  }
+  for (const AirwayRing& r : found.course.oesophagus) {
+    const Vec3 front = r.along.cross(r.left);
+    for (const AirwayRing& beside : found.course.airway) {
+      if (beside.part != AirwayPart::trachea || std::abs(r.along.dot(beside.centre - r.centre)) > 1e-3) continue;
+      EXPECT_GT(front.dot(beside.centre - r.centre), beside.to_back_m + 1e-3) << "behind the trachea";
+    }
+  }
+  const auto& gullet = found.course.oesophagus;
+  EXPECT_NEAR(1e3 * (gullet.back().centre - gullet.front().centre).norm(), 60, 3);
+  EXPECT_NEAR(1e3 * gullet[5].to_front_m, 0.5, 1e-9);
+  EXPECT_NEAR(1e3 * gullet[5].to_left_m, 3.0, 1e-9);
+}
+
+TEST(AirwayCourse, GoesStraightOnWhereTheSurfaceEndsAndSaysSo) {
+  const ArcAirway truth;
+  const PatientAirway found = airway_of(truth.patient(25, 50));
+  expect_sound(found.course, 1.0);
+  ASSERT_FALSE(found.assumed.empty());
+  EXPECT_NE(found.assumed[0].find("below the cords"), std::string::npos) << found.assumed[0];
+  EXPECT_LT((1e3 * found.course.airway.back().centre - truth.at(50)).norm(), 1e-6) << "the carina as given";
+  EXPECT_NEAR(1e3 * found.course.airway.back().to_left_m, 2.6, 0.05);
+}
+
+TEST(AirwayCourse, RefusesAPatientWithoutAnAirwayBelowTheCords) {
+  const ArcAirway truth;
+  EXPECT_THROW(airway_of(truth.patient(5, 50)), std::runtime_error);
+  pipeline::PatientPackage elsewhere = truth.patient(56, 50);
+  elsewhere.landmarks["glottis_centre"] = {40, 30, 0};
+  EXPECT_THROW(airway_of(elsewhere), std::runtime_error);
+  pipeline::PatientPackage lacking = truth.patient(56, 50);
+  lacking.landmarks.erase("carina");
+  try {
+    airway_of(lacking);
+    FAIL() << "a carina is needed";
+  } catch (const std::runtime_error& error) {
+    EXPECT_NE(std::string(error.what()).find("carina"), std::string::npos);
+  }
+}
+
+/// The manikin's own CT, imported, against its shapes. 0.5 mm voxels: a wall is found to within half of one.
+class AirwayCourseManikin : public ::testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    box_ = new Sandbox;
+    package_ = new pipeline::PatientPackage(
+        pipeline::read_package(make_manikin_patient({kWeightKg, kSeed}, box_->folder())));
+    found_ = new PatientAirway(airway_of(*package_));
+  }
+  static void TearDownTestSuite() {
+    delete found_;
+    delete package_;
+    delete box_;
+  }
+  static constexpr double kWeightKg = 3.2, kWall = 0.25;
+  static constexpr unsigned kSeed = 1;
+  static Sandbox* box_;
+  static pipeline::PatientPackage* package_;
+  static PatientAirway* found_;
+  const pipeline::Manikin manikin_{kWeightKg, kSeed};
+  const pipeline::manikin::Variation variation_ = manikin_.data().body.variation();
+  const double scale_ = manikin_.scale();
+};
+Sandbox* AirwayCourseManikin::box_ = nullptr;
+pipeline::PatientPackage* AirwayCourseManikin::package_ = nullptr;
+PatientAirway* AirwayCourseManikin::found_ = nullptr;
+
+TEST_F(AirwayCourseManikin, TheCricoidAndTheTracheaAreTheShapesWithinTheImagingsError) {
+  expect_sound(found_->course, scale_);
+  const double wide = scale_ * variation_.lumen;
+  const AirwayRing& cricoid = ring_of(found_->course, AirwayPart::cricoid);
+  EXPECT_NEAR(1e3 * cricoid.to_left_m, 2.25 * wide, kWall);
+  EXPECT_NEAR(1e3 * cricoid.to_front_m, 2.73 * wide, kWall);
+  EXPECT_NEAR(1e6 * found_->cricoid_area_m2, kAreaOfCricoid * wide * wide, 2 * M_PI * 2.5 * kWall);
+  double sum = 0.0;
+  int count = 0;
+  for (const AirwayRing& r : found_->course.airway) {
+    const double below = 1e3 * (r.centre - cricoid.centre).norm() / scale_;
+    if (r.part != AirwayPart::trachea || below < 10 || below > 36) continue;
+    sum += 0.5e3 * (r.to_left_m + r.to_front_m);
+    ++count;
+  }
+  ASSERT_GT(count, 8);
+  EXPECT_NEAR(sum / count, 2.6 * wide, kWall);
+}
+
+TEST_F(AirwayCourseManikin, ItsAxisIsTheTracheasAndItEndsAtTheCarina) {
+  using pipeline::manikin::kSubglottis;
+  using pipeline::manikin::kTracheaAxis;
+  const Vec3 top(0, scale_ * kSubglottis.u, scale_ * kSubglottis.v), axis(0, kTracheaAxis.u, kTracheaAxis.v);
+  for (const AirwayRing& r : found_->course.airway) {
+    if (r.part != AirwayPart::trachea) continue;
+    const Vec3 off = 1e3 * r.centre - top;
+    EXPECT_LT((off - off.dot(axis) * axis).norm(), 1.0) << "the package's head lies within a millimetre of the scan's";
+    EXPECT_GT(r.along.dot(axis), std::cos(4 * M_PI / 180));
+  }
+  const auto truth = manikin_.landmarks().at("carina");
+  EXPECT_LT((1e3 * found_->course.airway.back().centre - Vec3(truth[0], truth[1], truth[2])).norm(), 2.5);
+  double length = 0.0;
+  bool below = false;
+  for (std::size_t i = 0; i + 1 < found_->course.airway.size(); ++i) {
+    below = below || found_->course.airway[i].part == AirwayPart::cords;
+    if (below) length += 1e3 * (found_->course.airway[i + 1].centre - found_->course.airway[i].centre).norm();
+  }
+  using pipeline::manikin::kGlottisCentre;
+  const double true_length =
+      scale_ * (std::hypot(kSubglottis.u - kGlottisCentre.u, kSubglottis.v - kGlottisCentre.v) +
+                pipeline::manikin::kTracheaLength * variation_.trachea_length);
+  EXPECT_NEAR(length, true_length, 2.0) << "cords to carina";
+  // The narrow front of the slit is thinner than a voxel.
+  EXPECT_NEAR(1e3 * found_->glottis_length_m, 7.034 * scale_, 1.5);
+}
+
+TEST_F(AirwayCourseManikin, BronchiAreImagedAndTheOesophagusBeginsAtTheThroatsEnd) {
+  EXPECT_TRUE(found_->assumed.empty()) << found_->assumed.front();
+  // ANATOMY's bronchi part by (4.6 - 1.7) over 4.2 of the way down: 35 degrees, then more.
+  for (int side = 0; side < 2; ++side) {
+    const AirwayRing& r = found_->course.bronchi[static_cast<std::size_t>(side)][3];
+    EXPECT_EQ(r.centre.x() < 0, side == 0);
+    EXPECT_NEAR(1e3 * r.to_left_m, 0.75 * 2.6 * scale_ * variation_.lumen, kWall);
+  }
+  // The throat ends at (41.6, -50.5); its last cut is within a cut's spacing of that.
+  const Vec3 mouth = 1e3 * found_->course.oesophagus.front().centre;
+  EXPECT_NEAR(mouth.y(), 41.6 * scale_, 1.0);
+  EXPECT_NEAR(mouth.z(), -50.0 * scale_, 2.0);
+  EXPECT_NEAR(mouth.x(), 0.0, 0.3);
+}
+
+}  // namespace
+}  // namespace vallecula::gui::test
