@@ -11,9 +11,9 @@
 namespace vallecula::curricula {
 
 struct MasteryRule {
-  bool by_cusum = false;          ///< over the module's trials, each scenario passed once; else `passes` running in each
-  int passes = 1;                 ///< running
-  int attempts = 20;              ///< a trial that took more is no success
+  bool by_cusum = false;  ///< over the module's trials, each scenario passed once; else `passes` running in each
+  int passes = 1;         ///< running
+  int attempts = 20;      ///< a trial that took more is no success
   CusumRule cusum;
   bool assessments_only = false;  ///< practice does not count
   std::string source = "assumed: the curriculum names no rule";

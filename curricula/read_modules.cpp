@@ -30,8 +30,8 @@ MasteryRule read_mastery(const YAML::Node& node, const Validator& rules, const s
   percent("alpha_percent", rule.cusum.alpha);
   percent("beta_percent", rule.cusum.beta);
   if (rule.cusum.acceptable_failure >= rule.cusum.unacceptable_failure) {
-    const char* given = node["acceptable_failure_percent"] ? "acceptable_failure_percent"
-                                                           : "unacceptable_failure_percent";
+    const char* given =
+        node["acceptable_failure_percent"] ? "acceptable_failure_percent" : "unacceptable_failure_percent";
     rules.fail(node[given], path + given, "an acceptable rate below the unacceptable one");
   }
   return rule;
@@ -87,8 +87,7 @@ std::vector<Module> read_modules(const YAML::Node& document, const std::vector<S
         rules.fail(modes[1], path + "modes[1]", "each mode once");
     }
     module.mastery = node["mastery"] ? read_mastery(node["mastery"], rules, path + "mastery.") : for_all;
-    if (module.mastery.assessments_only &&
-        std::count(module.modes.begin(), module.modes.end(), Mode::assessment) == 0)
+    if (module.mastery.assessments_only && std::count(module.modes.begin(), module.modes.end(), Mode::assessment) == 0)
       rules.fail(node["modes"], path + "modes", "assessment among them, since its mastery counts nothing else");
     if (std::count(names.begin(), names.end(), module.id) != 0)
       rules.fail(node["id"], path + "id", "an id no other module of the file has");

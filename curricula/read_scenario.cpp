@@ -9,9 +9,11 @@
 namespace vallecula::curricula {
 namespace {
 
-/// Weights of newborn infants, kg: 0.65 at 24, 3.1 at 38 weeks (growth chart), along one exponential between and beyond.
+/// Weights of newborn infants, kg: 0.65 at 24, 3.1 at 38 weeks (growth chart), along one exponential between and
+/// beyond.
 double usual_weight(double weeks) { return 0.65 * std::exp(std::log(3.1 / 0.65) / 14.0 * (weeks - 24.0)); }
-constexpr double kLightestShare = 0.5, kHeaviestShare = 1.6;  // of the usual weight (assumed): else the trachea fits no infant
+constexpr double kLightestShare = 0.5,
+                 kHeaviestShare = 1.6;  // of the usual weight (assumed): else the trachea fits no infant
 
 ManikinSpec read_manikin(const YAML::Node& node, const Validator& rules, const std::string& path) {
   ManikinSpec manikin;
@@ -123,7 +125,8 @@ Variation read_variation(const YAML::Node& node, const Scenario& s, const Valida
     if (!given) return;
     if (!possible) rules.fail(given, path + field, std::string("none without ") + needs);
     read(given, value);
-    if ((*value)[0] > (*value)[1]) rules.fail(given[1], path + field + "[1]", "at least the first, " + given[0].Scalar());
+    if ((*value)[0] > (*value)[1])
+      rules.fail(given[1], path + field + "[1]", "at least the first, " + given[0].Scalar());
   };
   read(node["infants"], v.infants);
   const bool several = v.infants > 1;
@@ -135,13 +138,14 @@ Variation read_variation(const YAML::Node& node, const Scenario& s, const Valida
   range("secretions_ml", v.secretions_ml, s.intubation.has_value(), "an intubation");
   range("distraction_delay_s", v.distraction_delay_s, !s.distractions.empty(), "distractions");
   read(node["infant_seed"], v.infant_seed);
-  if (v.infant_seed && !s.intubation) rules.fail(node["infant_seed"], path + "infant_seed", "false without an intubation");
+  if (v.infant_seed && !s.intubation)
+    rules.fail(node["infant_seed"], path + "infant_seed", "false without an intubation");
   if (v.distraction_delay_s)
     for (const Distraction& d : s.distractions)
       if (d.at_s + d.time_allowed_s + (*v.distraction_delay_s)[1] > s.max_attempt_s)
-        rules.fail(node["distraction_delay_s"][1], path + "distraction_delay_s[1]",
-                   "so little that every distraction ends with the trial, max_attempt_s = " +
-                       with_unit(s.max_attempt_s, "s"));
+        rules.fail(
+            node["distraction_delay_s"][1], path + "distraction_delay_s[1]",
+            "so little that every distraction ends with the trial, max_attempt_s = " + with_unit(s.max_attempt_s, "s"));
   return v;
 }
 

@@ -17,7 +17,8 @@ std::uint64_t mixed(std::uint64_t z) {
   return z ^ (z >> 31);
 }
 
-/// What is drawn. Each has a number of its own, so that one more range in a file leaves the others' values as they were.
+/// What is drawn. Each has a number of its own, so that one more range in a file leaves the others' values as they
+/// were.
 enum Drawn : std::uint64_t {
   kInfant = 1,
   kManikinSeed,
@@ -44,7 +45,8 @@ double within(const std::array<double, 2>& range, double step, std::uint64_t dra
 
 void write(YAML::Node group, const char* field, double value) {
   std::array<char, 32> digits{};  // the shortest that reads back as the same number, but without 0.1 + 0.2's tail
-  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value, std::chars_format::general, 12).ptr;
+  const auto end =
+      std::to_chars(digits.data(), digits.data() + digits.size(), value, std::chars_format::general, 12).ptr;
   group[field] = std::string(digits.data(), end);
 }
 

@@ -19,9 +19,8 @@ bool mastered_by_cusum(const Module& module, const std::vector<PastResult>& coun
   const bool competent = std::any_of(points.begin(), points.end(),
                                      [](const CusumPoint& p) { return p.verdict == CusumVerdict::competent; });
   return competent && std::all_of(module.scenarios.begin(), module.scenarios.end(), [&](const std::string& id) {
-           return std::any_of(counted.begin(), counted.end(), [&](const PastResult& r) {
-             return r.scenario_id == id && succeeded(r, module.mastery);
-           });
+           return std::any_of(counted.begin(), counted.end(),
+                              [&](const PastResult& r) { return r.scenario_id == id && succeeded(r, module.mastery); });
          });
 }
 

@@ -19,10 +19,10 @@ struct PastResult {
 
 struct ModuleProgress {
   std::string module_id;
-  bool open = false;                       ///< every module it comes after is mastered
-  bool mastered = false;                   ///< once reached it stays
-  std::vector<std::string> open_scenarios; ///< in order; none while the module is closed
-  std::vector<CusumPoint> cusum;           ///< one point for each trial that counts; empty under another rule
+  bool open = false;                        ///< every module it comes after is mastered
+  bool mastered = false;                    ///< once reached it stays
+  std::vector<std::string> open_scenarios;  ///< in order; none while the module is closed
+  std::vector<CusumPoint> cusum;            ///< one point for each trial that counts; empty under another rule
 };
 
 /// Of each module in order, from one trainee's results, oldest first. Only those of `device_kind` count: what was

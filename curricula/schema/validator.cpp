@@ -92,11 +92,29 @@ std::string allowed_by(const QJsonObject& schema) {
 
 void refuse_unknown_keywords(const QJsonObject& schema) {
   // The last three say something to people: "default" and "left_out" what holds for a field that is not there.
-  static const std::set<QString> known = {
-      "$schema",    "$defs",     "$ref",     "title",         "description",          "type", "required", "pattern",
-      "maxLength",  "minLength", "enum",     "const",         "minimum",              "maximum",
-      "minItems",   "maxItems",  "items",    "propertyNames", "additionalProperties", "properties",
-      "unit",       "default",   "left_out"};
+  static const std::set<QString> known = {"$schema",
+                                          "$defs",
+                                          "$ref",
+                                          "title",
+                                          "description",
+                                          "type",
+                                          "required",
+                                          "pattern",
+                                          "maxLength",
+                                          "minLength",
+                                          "enum",
+                                          "const",
+                                          "minimum",
+                                          "maximum",
+                                          "minItems",
+                                          "maxItems",
+                                          "items",
+                                          "propertyNames",
+                                          "additionalProperties",
+                                          "properties",
+                                          "unit",
+                                          "default",
+                                          "left_out"};
   for (const QString& keyword : schema.keys()) {
     if (known.count(keyword) == 0)
       throw std::logic_error("schema keyword '" + keyword.toStdString() + "' is not understood");

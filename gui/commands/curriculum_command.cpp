@@ -85,9 +85,10 @@ QJsonObject json_of(const Curriculum& curriculum) {
 std::string words(const curricula::MasteryRule& rule) {
   const std::string within =
       ", each within " + std::to_string(rule.attempts) + (rule.attempts == 1 ? " attempt" : " attempts");
-  std::string text = rule.by_cusum ? "CUSUM at " + std::to_string(std::lround(100.0 * (1.0 - rule.cusum.acceptable_failure))) +
-                                         " % success" + within
-                                   : std::to_string(rule.passes) + " passes running in each scenario" + within;
+  std::string text = rule.by_cusum
+                         ? "CUSUM at " + std::to_string(std::lround(100.0 * (1.0 - rule.cusum.acceptable_failure))) +
+                               " % success" + within
+                         : std::to_string(rule.passes) + " passes running in each scenario" + within;
   if (rule.assessments_only) text += ", assessments only";
   return text + " (" + rule.source + ")";
 }
@@ -151,7 +152,8 @@ void add_curriculum_command(CLI::App& app, int& exit_code) {
   checking->add_option("FILE", options->file, "Curriculum (YAML)")->required();
   checking->callback([options, &exit_code] { exit_code = check(options->file); });
 
-  CLI::App* listing = command->add_subcommand("list", "Modules and scenarios of a curriculum, or of all that were shipped");
+  CLI::App* listing =
+      command->add_subcommand("list", "Modules and scenarios of a curriculum, or of all that were shipped");
   listing->add_option("FILE", options->file, "Curriculum (YAML); left out: all shipped ones");
   listing->add_flag("--marks", options->marks, "With the pass marks' weights and sources");
   listing->add_flag("--json", options->json, "The list as JSON");

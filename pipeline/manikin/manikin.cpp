@@ -51,8 +51,7 @@ manikin::Variation varied(double scale, std::uint64_t seed, const ManikinShape& 
     v.tongue_bulk = kTongueHeight * (*shape.tongue_size - 1.0);
   }
   if (shape.larynx_height_mm) {
-    check_range("a larynx' height (mm)", *shape.larynx_height_mm, manikin::kDeepestLarynx,
-                manikin::kHighestLarynx);
+    check_range("a larynx' height (mm)", *shape.larynx_height_mm, manikin::kDeepestLarynx, manikin::kHighestLarynx);
     v.larynx_rise = *shape.larynx_height_mm;
   }
   if (shape.epiglottis_length) {

@@ -61,7 +61,8 @@ Vec without_larynx(const Variation& v, const Vec& p) {
 }
 
 Vec with_larynx(const Variation& v, const Vec& p) {
-  Vec moved = p;  // the way back is given; it is at most 0.3 steep along z, so this halves its error three times a round
+  Vec moved =
+      p;  // the way back is given; it is at most 0.3 steep along z, so this halves its error three times a round
   for (int i = 0; i < 24 && v.larynx_rise != 0.0; ++i) moved.z += p.z - without_larynx(v, moved).z;
   return moved;
 }

@@ -103,11 +103,11 @@ TEST_F(Course, ReadsEveryFieldOfSchemaTwo) {
 }
 
 /// Calls for every field of a document: its place, the name of the group it stands in, its own, and the node.
-using Visit = std::function<void(const std::string& path, const std::string& group, const std::string& name, YAML::Node)>;
+using Visit =
+    std::function<void(const std::string& path, const std::string& group, const std::string& name, YAML::Node)>;
 void walk(YAML::Node node, const std::string& path, const std::string& group, const Visit& visit) {
   if (node.IsSequence()) {
-    for (std::size_t i = 0; i < node.size(); ++i)
-      walk(node[i], path + "[" + std::to_string(i) + "]", group, visit);
+    for (std::size_t i = 0; i < node.size(); ++i) walk(node[i], path + "[" + std::to_string(i) + "]", group, visit);
   } else if (node.IsMap()) {
     for (auto entry : node) {
       const std::string name = entry.first.Scalar();
@@ -119,8 +119,10 @@ void walk(YAML::Node node, const std::string& path, const std::string& group, co
 
 TEST_F(Course, TheFullCourseHasEveryFieldOfTheReferenceTable) {
   std::set<std::string> held;
-  walk(YAML::Load(kFullCourse), "", "", [&](const std::string&, const std::string& group, const std::string& name,
-                                            const YAML::Node&) { held.insert(group + "." + name); });
+  walk(YAML::Load(kFullCourse), "", "",
+       [&](const std::string&, const std::string& group, const std::string& name, const YAML::Node&) {
+         held.insert(group + "." + name);
+       });
   std::istringstream table(reference_table(curriculum_schema_2()));
   const std::regex field("^\\| `(?:(?:.*\\.)?([a-z_0-9]+)(?:\\[\\])?\\.)?([a-z_0-9]+)` .*");
   int rows = 0;
@@ -136,26 +138,26 @@ TEST_F(Course, TheFullCourseHasEveryFieldOfTheReferenceTable) {
 TEST_F(Course, AnyFieldOutOfRangeOrInTheWrongUnitIsRefusedByItsName) {
   const YAML::Node whole = YAML::Load(kFullCourse);
   int tried = 0;
-  walk(YAML::Clone(whole), "", "", [&](const std::string& path, const std::string&, const std::string& name,
-                                       const YAML::Node& node) {
-    if (!node.IsScalar()) return;
-    double number = 0.0;
-    const bool is_number = yaml_number(node, number);
-    for (const std::string& wrong :
-         is_number ? std::vector<std::string>{"-1e9", "1e9", node.Scalar() + " N", ".nan"}
-                   : std::vector<std::string>{"\"\"", "[a, b]"}) {
-      YAML::Node copy = YAML::Clone(whole);
-      walk(copy, "", "", [&](const std::string& here, const std::string&, const std::string&, YAML::Node found) {
-        if (here == path) found = YAML::Load(wrong);
-      });
-      YAML::Emitter out;
-      out << copy;
-      const std::string message = error(out.c_str());
-      EXPECT_NE(message.find(name), std::string::npos) << path << " = " << wrong << " -> " << message;
-      EXPECT_NE(message.find("allowed: "), std::string::npos) << path << " = " << wrong << " -> " << message;
-      ++tried;
-    }
-  });
+  walk(YAML::Clone(whole), "", "",
+       [&](const std::string& path, const std::string&, const std::string& name, const YAML::Node& node) {
+         if (!node.IsScalar()) return;
+         double number = 0.0;
+         const bool is_number = yaml_number(node, number);
+         for (const std::string& wrong : is_number
+                                             ? std::vector<std::string>{"-1e9", "1e9", node.Scalar() + " N", ".nan"}
+                                             : std::vector<std::string>{"\"\"", "[a, b]"}) {
+           YAML::Node copy = YAML::Clone(whole);
+           walk(copy, "", "", [&](const std::string& here, const std::string&, const std::string&, YAML::Node found) {
+             if (here == path) found = YAML::Load(wrong);
+           });
+           YAML::Emitter out;
+           out << copy;
+           const std::string message = error(out.c_str());
+           EXPECT_NE(message.find(name), std::string::npos) << path << " = " << wrong << " -> " << message;
+           EXPECT_NE(message.find("allowed: "), std::string::npos) << path << " = " << wrong << " -> " << message;
+           ++tried;
+         }
+       });
   EXPECT_GT(tried, 350);
 }
 
@@ -166,37 +168,48 @@ TEST_F(Course, EveryContradictionNamesLineFieldAndWhatIsAllowed) {
       {"schema: 2", "schema: 3", ":1: schema is '3'", "1 or 2; a newer Vallecula wrote this file"},
       {"schema: 2", "schema: 0", ":1: schema is '0'", "2"},
       {"schema: 2", "schema: two", ":1: schema is 'two'", "2"},
-      {"    after: [a]\n    scenarios: [two]", "    after: [c]\n    scenarios: [two]", ":29: modules[1].after[0] is 'c'", "a, b"},
+      {"    after: [a]\n    scenarios: [two]", "    after: [c]\n    scenarios: [two]",
+       ":29: modules[1].after[0] is 'c'", "a, b"},
       {"scenarios: [one]", "scenarios: [three]", ":23: modules[0].scenarios[0] is 'three'", "scenario of this file"},
       {"scenarios: [one]", "scenarios: [one, two]", ":30: modules[1].scenarios[0] is 'two'", "it is in a"},
       {"  - id: b\n", "  - id: a\n", ":26: modules[1].id is 'a'", "no other module"},
       {"id: two\n", "id: twice\n", ":30: modules[1].scenarios[0]", "scenario of this file"},
       {"scenarios: [two]", "scenarios: [two]\n    mastery: { rule: cusum, passes: 3, source: x }",
        ":31: modules[1].mastery.passes", "none with the rule cusum"},
-      {"passes: 4", "passes: 4, beta_percent: 9", ":25: modules[0].mastery.beta_percent", "none with the rule consecutive"},
+      {"passes: 4", "passes: 4, beta_percent: 9", ":25: modules[0].mastery.beta_percent",
+       "none with the rule consecutive"},
       {"acceptable_failure_percent: 25", "acceptable_failure_percent: 50", ":8: mastery.acceptable_failure_percent",
        "below the unacceptable"},
       {"passes: 4", "passes: 4, counts: assessment", ":24: modules[0].modes", "assessment among them"},
       {"modes: [practice]", "modes: [practice, practice]", ":24: modules[0].modes[1]", "once"},
-      {"weight_kg: 3.4", "weight_kg: 1", ":55: scenarios[1].manikin.weight_kg is '1'", "from 1.74 kg to 5.54 kg at 39 weeks"},
+      {"weight_kg: 3.4", "weight_kg: 1", ":55: scenarios[1].manikin.weight_kg is '1'",
+       "from 1.74 kg to 5.54 kg at 39 weeks"},
       {"      gestation_weeks: 39\n      infant_seed", "      gestation_weeks: 38\n      infant_seed",
        "intubation.gestation_weeks is '38'", "manikin.gestation_weeks = 39 weeks"},
-      {"[0.95, 1.05]", "[1.05, 0.95]", ":65: scenarios[1].variation.tongue_size[1] is '0.95'", "at least the first, 1.05"},
+      {"[0.95, 1.05]", "[1.05, 0.95]", ":65: scenarios[1].variation.tongue_size[1] is '0.95'",
+       "at least the first, 1.05"},
       {"[0.95, 1.05]", "[0.95]", ":65: scenarios[1].variation.tongue_size is a list of 1", "2 to 2"},
       {"      infants: 3\n", "", "scenarios[1].variation.mouth_opening", "none without infants"},
       {"distraction_delay_s: [1, 9]", "distraction_delay_s: [1, 60]\n    assistance: {}", "assistance", "once"},
-      {"right_answer: 2", "right_answer: 3", "scenarios[1].distractions[0].right_answer is '3'", "1 to the number of answers, 2"},
+      {"right_answer: 2", "right_answer: 3", "scenarios[1].distractions[0].right_answer is '3'",
+       "1 to the number of answers, 2"},
       {"        right_answer: 2\n", "", "scenarios[1].distractions[0].right_answer is missing", "kind is question"},
-      {"text: Pump, time_allowed_s: 5", "text: Pump", "scenarios[1].distractions[1].time_allowed_s is missing", "kind is alarm"},
-      {"kind: talk,", "kind: talk, time_allowed_s: 5,", "scenarios[1].distractions[2].time_allowed_s is '5'", "none where kind is talk"},
-      {"at_s: 20, kind", "at_s: 9, kind", "scenarios[1].distractions[1].at_s is '9'", "not before the one above it, 10 s"},
+      {"text: Pump, time_allowed_s: 5", "text: Pump", "scenarios[1].distractions[1].time_allowed_s is missing",
+       "kind is alarm"},
+      {"kind: talk,", "kind: talk, time_allowed_s: 5,", "scenarios[1].distractions[2].time_allowed_s is '5'",
+       "none where kind is talk"},
+      {"at_s: 20, kind", "at_s: 9, kind", "scenarios[1].distractions[1].at_s is '9'",
+       "not before the one above it, 10 s"},
       {"at_s: 30, kind", "at_s: 181, kind", "scenarios[1].distractions[2].at_s is '181'", "max_attempt_s = 180 s"},
-      {"at_s: 30, kind", "at_s: 175, kind", "scenarios[1].variation.distraction_delay_s[1] is '9'", "max_attempt_s = 180 s"},
-      {"briefing: Do it.", "briefing: { de: Tu es. }", ":34: scenarios[0].briefing.en is missing", "1 to 4000 characters"},
-      {"briefing: Do it.", "briefing: { en: Do., English: Do. }", ":34: scenarios[0].briefing.English", "languages like en, de"},
+      {"at_s: 30, kind", "at_s: 175, kind", "scenarios[1].variation.distraction_delay_s[1] is '9'",
+       "max_attempt_s = 180 s"},
+      {"briefing: Do it.", "briefing: { de: Tu es. }", ":34: scenarios[0].briefing.en is missing",
+       "1 to 4000 characters"},
+      {"briefing: Do it.", "briefing: { en: Do., English: Do. }", ":34: scenarios[0].briefing.English",
+       "languages like en, de"},
       {"briefing: Do it.", "briefing: { en: Do., en: Do. }", ":34: scenarios[0].briefing.en is given twice", "once"},
-      {"    blade: miller-0\n", "    blade: miller-0\n    attempt: { mode: practice, seed: 1 }\n", "scenarios[0].attempt",
-       "a trial writes it"},
+      {"    blade: miller-0\n", "    blade: miller-0\n    attempt: { mode: practice, seed: 1 }\n",
+       "scenarios[0].attempt", "a trial writes it"},
       {"    blade: miller-0\n", "    blade: miller-0\n    rubric: { tube_force_n: { source: x } }\n",
        ":38: scenarios[0].rubric.tube_force_n", "the pass marks of this scenario, peak_tongue_force_n"},
       {"    blade: miller-0\n", "    blade: miller-0\n    variation: { secretions_ml: [0, 1] }\n",
@@ -254,7 +267,8 @@ void expect_wider(const QJsonObject& old_document, const QJsonObject& new_docume
                   const QJsonObject& new_given, const std::string& path) {
   const QJsonObject older = resolved_schema(old_document, old_given), newer = resolved_schema(new_document, new_given);
   const QJsonValue type = newer.value("type");
-  EXPECT_EQ(older.value("type").toString(), type.isArray() ? type.toArray().first().toString() : type.toString()) << path;
+  EXPECT_EQ(older.value("type").toString(), type.isArray() ? type.toArray().first().toString() : type.toString())
+      << path;
   for (const char* least : {"minimum", "minLength", "minItems"})
     EXPECT_LE(newer.value(least).toDouble(-1e99), older.value(least).toDouble(-1e99)) << path << " " << least;
   for (const char* most : {"maximum", "maxLength", "maxItems"})
@@ -262,9 +276,11 @@ void expect_wider(const QJsonObject& old_document, const QJsonObject& new_docume
   for (const QJsonValue& word : older.value("enum").toArray())
     EXPECT_TRUE(newer.value("enum").toArray().contains(word)) << path;
   for (const QJsonValue& name : newer.value("required").toArray())
-    EXPECT_TRUE(type.isArray() || older.value("required").toArray().contains(name)) << path << " " << name.toString().toStdString();
+    EXPECT_TRUE(type.isArray() || older.value("required").toArray().contains(name))
+        << path << " " << name.toString().toStdString();
   if (older.contains("items"))
-    expect_wider(old_document, new_document, older.value("items").toObject(), newer.value("items").toObject(), path + "[]");
+    expect_wider(old_document, new_document, older.value("items").toObject(), newer.value("items").toObject(),
+                 path + "[]");
   const QJsonObject properties = older.value("properties").toObject(), now = newer.value("properties").toObject();
   for (const QString& name : properties.keys()) {
     ASSERT_TRUE(now.contains(name)) << path << "." << name.toStdString();
@@ -281,7 +297,8 @@ TEST(CurriculumSchema, AScenarioOfSchemaOneIsOneOfSchemaTwo) {
 TEST(CurriculumSchema, EveryDefaultIsWhatTheStructHas) {
   const QJsonObject document = schema_of(curriculum_schema_2()), defs = document.value("$defs").toObject();
   const auto stated = [&](const char* definition, const char* field) {
-    return resolved_schema(document, defs.value(definition).toObject().value("properties").toObject().value(field).toObject())
+    return resolved_schema(document,
+                           defs.value(definition).toObject().value("properties").toObject().value(field).toObject())
         .value("default");
   };
   const IntubationSpec i;
@@ -321,19 +338,19 @@ TEST_F(Course, AnIndependentValidatorAgreesOnTheSchema) {
         "jsonschema.Draft202012Validator.check_schema(rules.schema)\n"
         "sys.exit(0 if rules.is_valid(yaml.safe_load(open(sys.argv[2]))) else 3)\n");
   const auto valid = [&](const fs::path& file) {
-    const std::string command = "python3 " + (folder_ / "check.py").string() + " " + (folder_ / "schema.json").string() +
-                                " " + file.string() + " 2>/dev/null";
+    const std::string command = "python3 " + (folder_ / "check.py").string() + " " +
+                                (folder_ / "schema.json").string() + " " + file.string() + " 2>/dev/null";
     const int status = std::system(command.c_str());
     EXPECT_TRUE(WIFEXITED(status) && (WEXITSTATUS(status) == 0 || WEXITSTATUS(status) == 3)) << status;
     return status == 0;
   };
   EXPECT_TRUE(valid(write("full.yaml", kFullCourse)));
   EXPECT_TRUE(valid(fs::path(VALLECULA_SOURCE_DIR) / "curricula/courses/neonatal-intubation.yaml"));
-  for (const auto& [from, to] : {std::pair{"passes: 4", "passes: 0"}, std::pair{"goals:", "aims:"},
-                                 std::pair{"{ en: Begin, de: Anfangen }", "{ de: Anfangen }"},
-                                 std::pair{"{ en: Begin, de: Anfangen }", "{ en: Begin, deutsch: Anfangen }"},
-                                 std::pair{"mouth_opening: 0.9", "mouth_opening: 0.7"},
-                                 std::pair{"kind: alarm", "kind: siren"}})
+  for (const auto& [from, to] :
+       {std::pair{"passes: 4", "passes: 0"}, std::pair{"goals:", "aims:"},
+        std::pair{"{ en: Begin, de: Anfangen }", "{ de: Anfangen }"},
+        std::pair{"{ en: Begin, de: Anfangen }", "{ en: Begin, deutsch: Anfangen }"},
+        std::pair{"mouth_opening: 0.9", "mouth_opening: 0.7"}, std::pair{"kind: alarm", "kind: siren"}})
     EXPECT_FALSE(valid(write("wrong.yaml", replaced(kFullCourse, from, to)))) << to;
 }
 

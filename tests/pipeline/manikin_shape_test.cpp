@@ -116,8 +116,7 @@ TEST(ManikinShape, GestationSetsTheWayFromTheCordsToTheCarina) {
     const auto marks = Manikin(weight, 7, {{}, {}, {}, {}, weeks}).landmarks();
     const double s = Manikin(weight, 7).scale();
     const Point subglottis{0.0, 34.8 * s, -53.7 * s};
-    const double way =
-        distance(marks.at("glottis_centre"), subglottis) + distance(subglottis, marks.at("carina"));
+    const double way = distance(marks.at("glottis_centre"), subglottis) + distance(subglottis, marks.at("carina"));
     EXPECT_NEAR(0.5 * way, half, 0.02) << weeks;
   }
 }
@@ -125,9 +124,9 @@ TEST(ManikinShape, GestationSetsTheWayFromTheCordsToTheCarina) {
 TEST(ManikinShape, HiddenAtRestAndSeenWhenLiftedAtTheEndsOfEveryRange) {
   // A larger tongue, a longer epiglottis and a high larynx need more lift: that is what they are asked for. The expert
   // has about 15 mm of it.
-  const ManikinShape shapes[] = {{0.8, {}, {}, {}, {}},  {1.15, {}, {}, {}, {}}, {{}, 0.9, {}, {}, {}},
-                                 {{}, 1.1, {}, {}, {}},  {{}, {}, -3.0, {}, {}}, {{}, {}, 1.5, {}, {}},
-                                 {{}, {}, {}, 0.8, {}},  {{}, {}, {}, 1.2, {}},  {{}, {}, {}, {}, 36.0},
+  const ManikinShape shapes[] = {{0.8, {}, {}, {}, {}},    {1.15, {}, {}, {}, {}}, {{}, 0.9, {}, {}, {}},
+                                 {{}, 1.1, {}, {}, {}},    {{}, {}, -3.0, {}, {}}, {{}, {}, 1.5, {}, {}},
+                                 {{}, {}, {}, 0.8, {}},    {{}, {}, {}, 1.2, {}},  {{}, {}, {}, {}, 36.0},
                                  {0.9, 1.06, 1.5, 1.1, {}}};
   int i = 0;
   for (const ManikinShape& shape : shapes) {

@@ -5,7 +5,9 @@
 namespace vallecula::curricula {
 namespace {
 
-Criterion judged(const char* name, bool met, double at_s) { return {name, "", 0.0, 0.0, at_s, met, std::string("about ") + name}; }
+Criterion judged(const char* name, bool met, double at_s) {
+  return {name, "", 0.0, 0.0, at_s, met, std::string("about ") + name};
+}
 
 TEST(Points, WeightsShareAHundredAndEachSaysWhenAndWhy) {
   Scenario scenario;
