@@ -6,6 +6,8 @@
 #include <cstdlib>
 #include <utility>
 
+#include "curricula/schema/read_value.h"
+
 namespace vallecula::curricula {
 namespace {
 
@@ -35,21 +37,6 @@ constexpr std::array<CourseRow, 4> kCourses = {{
 
 /// The published preterm course holds up to here (Kothari 2021).
 constexpr double kPretermWeeks = 32.0;
-
-void read(const YAML::Node& node, double& value) {
-  if (node) value = checked_number(node);
-}
-void read(const YAML::Node& node, bool& value) {
-  if (node) value = checked_bool(node);
-}
-template <class Whole>
-void read(const YAML::Node& node, Whole& value) {
-  if (node) value = static_cast<Whole>(checked_number(node));
-}
-template <class Value>
-void read(const YAML::Node& node, std::optional<Value>& value) {
-  if (node) read(node, value.emplace());
-}
 
 IntubationPass read_pass(const YAML::Node& node, const Validator& rules, const std::string& path) {
   IntubationPass pass;

@@ -4,6 +4,7 @@
 #include <QDateTime>
 #include <QLabel>
 #include <QProgressBar>
+#include <QRandomGenerator>
 #include <QPushButton>
 #include <QStackedWidget>
 #include <QVBoxLayout>
@@ -166,7 +167,9 @@ void MainWindow::prepare_choice(const Choice& choice) {
   again_ = [this, choice] { prepare_choice(choice); };
   const std::string moment = QDateTime::currentDateTime().toString("yyyyMMdd-HHmmss").toStdString();
   setup.out = user_data_folder() / "trials" / (moment + "-" + choice.scenario.id);
-  const auto manikin = choice.scenario.manikin;
+  // No two attempts are the same; the seed stands in the trial's log, and `vallecula trial` repeats it.
+  if (choice.scenario.variation) setup.attempt_seed = QRandomGenerator::global()->bounded(1u, 0xffffffffu);
+  const auto manikin = curricula::attempt_of(choice.scenario, setup.mode, setup.attempt_seed).manikin;
   const auto chosen = choice.patient;
   prepare(
       setup,

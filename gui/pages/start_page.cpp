@@ -14,6 +14,7 @@
 #include "device/found_devices.h"
 #include "gui/pages/device_dialog.h"
 #include "gui/pages/devices_page.h"
+#include "gui/report/markdown.h"
 #include "gui/session/device_choice.h"
 #include "gui/session/device_rows.h"
 #include "gui/views/capitalised.h"
@@ -129,10 +130,10 @@ void StartPage::show_scenario(int row) {
   if (row < 0 || row >= static_cast<int>(curriculum_.scenarios.size())) return;
   const auto& scenario = curriculum_.scenarios[static_cast<std::size_t>(row)];
   briefing_->setText(
-      QString::fromStdString(scenario.briefing) +
-      QString("\nPasses with: at most %1 N on the tongue and %2 N on the gum, at least %3 % of the glottis seen, "
+      html_of(scenario.briefing) +
+      QString("<p>Passes with: at most %1 N on the tongue and %2 N on the gum, at least %3 % of the glottis seen, "
               "within %4 s, at most %5 s above the training target of %6 N on the tongue and %7 s at the device's "
-              "force limit.")
+              "force limit.</p>")
           .arg(scenario.pass.peak_tongue_force_n, 0, 'f', 1)
           .arg(scenario.pass.peak_gum_force_n, 0, 'f', 1)
           .arg(scenario.pass.glottis_visible_percent, 0, 'f', 0)

@@ -15,6 +15,7 @@
 #include "gui/pages/background.h"
 #include "gui/pages/blade_control.h"
 #include "gui/pages/mouse_introduction.h"
+#include "gui/report/markdown.h"
 #include "gui/session/device_choice.h"
 #include "gui/session/patient_fit.h"
 #include "gui/session/user_settings.h"
@@ -153,7 +154,7 @@ void TrialPage::open(std::shared_ptr<TrialSession> session, std::shared_ptr<Pati
   look_ = std::move(look);
   const auto& scenario = session_->scenario();
   title_->setText(QString::fromStdString(scenario.title));
-  title_->setToolTip(QString::fromStdString(scenario.briefing));
+  title_->setToolTip(html_of(scenario.briefing));
   operator_view_->show_patient(look_, session_->scene().tool.surface);
   sagittal_view_->show_patient(look_, session_->scene().tool.surface);
   bars_->set_marks(

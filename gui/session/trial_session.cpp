@@ -43,6 +43,14 @@ curricula::Curriculum curriculum_with(const fs::path& file, const std::string& s
   return curriculum;
 }
 
+/// As written, where nothing was asked for beyond practice of that.
+curricula::Scenario scenario_of(const TrialSetup& setup, const curricula::Scenario& written) {
+  if (setup.mode == curricula::Mode::practice && setup.attempt_seed == 0) return written;
+  if (setup.attempt_seed != 0 && !written.variation)
+    throw std::runtime_error("scenario '" + written.id + "' has no variation that a seed could draw from; leave the seed out");
+  return curricula::attempt_of(written, setup.mode, setup.attempt_seed);
+}
+
 }  // namespace
 
 struct TrialSession::Impl {
@@ -93,7 +101,7 @@ TrialSession::Impl::Impl(const TrialSetup& given)
     : setup(given),
       package(pipeline::read_package(given.patient)),
       curriculum(curriculum_with(given.curriculum, given.scenario)),
-      scenario(*curriculum.find(given.scenario)),
+      scenario(scenario_of(given, *curriculum.find(given.scenario))),
       description(scene_from_package(package, scenario)),
       package_sha256(sha256_of_file(given.patient / "patient.yaml")),
       results(given.out) {

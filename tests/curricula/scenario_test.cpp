@@ -87,8 +87,8 @@ TEST_F(CurriculumFile, ReadsEveryField) {
   EXPECT_EQ(c.find("first"), &s);
   EXPECT_EQ(c.find("second"), nullptr);
   EXPECT_EQ(s.title, "First");
-  EXPECT_EQ(s.briefing, "Do it.");
-  EXPECT_EQ(s.debriefing, "Done.");
+  EXPECT_EQ(s.briefing.in("en"), "Do it.");
+  EXPECT_EQ(s.debriefing.in("en"), "Done.");
   EXPECT_EQ(s.manikin.weight_kg, 1.5);
   EXPECT_EQ(s.manikin.seed, 4u);
   EXPECT_EQ(s.blade, "miller-0");  // from the table
@@ -248,8 +248,8 @@ TEST_F(CurriculumFile, AScenariosOwnTextSaysTheSame) {
     const Scenario again = parse_scenario(s.yaml, "log");
     EXPECT_EQ(again.id, s.id);
     EXPECT_EQ(again.title, s.title);
-    EXPECT_EQ(again.briefing, s.briefing);
-    EXPECT_EQ(again.debriefing, s.debriefing);
+    EXPECT_EQ(again.briefing.by_language(), s.briefing.by_language());
+    EXPECT_EQ(again.debriefing.by_language(), s.debriefing.by_language());
     EXPECT_EQ(again.blade, s.blade);
     EXPECT_EQ(again.manikin.weight_kg, s.manikin.weight_kg);
     EXPECT_EQ(again.manikin.seed, s.manikin.seed);
@@ -266,14 +266,15 @@ TEST_F(CurriculumFile, ABriefingAsksForWhatTheRubricAsksFor) {
   for (const auto& entry : fs::directory_iterator(fs::path(VALLECULA_SOURCE_DIR) / "curricula/courses")) {
     if (entry.path().extension() != ".yaml") continue;
     for (const Scenario& s : load_curriculum(entry.path()).scenarios) {
+      const std::string briefing = s.briefing.in("en");
       const auto each = [&](const std::regex& number, double limit, int& count) {
-        for (std::sregex_iterator it(s.briefing.begin(), s.briefing.end(), number), end; it != end; ++it, ++count) {
-          EXPECT_EQ(std::stod((*it)[1]), limit) << entry.path() << ", " << s.id << ": " << s.briefing;
+        for (std::sregex_iterator it(briefing.begin(), briefing.end(), number), end; it != end; ++it, ++count) {
+          EXPECT_EQ(std::stod((*it)[1]), limit) << entry.path() << ", " << s.id << ": " << briefing;
         }
       };
       each(std::regex("([0-9.]+) *(?:%|percent)"), s.pass.glottis_visible_percent, percentages);
       each(std::regex("([0-9.]+) seconds"), s.pass.attempt_time_s, times);
-      EXPECT_EQ(s.briefing.find("half of the glottis"), std::string::npos) << s.id;
+      EXPECT_EQ(briefing.find("half of the glottis"), std::string::npos) << s.id;
     }
   }
   EXPECT_GE(percentages, 3) << "the shipped briefings state the share of the glottis";
@@ -352,7 +353,7 @@ TEST_F(CurriculumFile, EveryMistakeNamesFileLineFieldValueAndWhatIsAllowed) {
       {"below_kg: 3.0", "below_kg: 0.9", 6, "blades_by_weight[1].below_kg", "'0.9'", "more than the row before, 1 kg"},
       {"id: first", "id: First One", 8, "scenarios[0].id", "'First One'", "lower-case"},
       {"title: A course", "title: \"\"", 3, "title", "''", "1 to 120 characters"},
-      {"schema: 1", "schema: 2", 1, "schema", "'2'", "1"},
+      {"schema: 1", "schema: 3", 1, "schema", "'3'", "1 or 2"},
       {"schema: 1\n", "", 1, "schema", "missing", "1"},
       {"briefing: Do it.", "briefing: { do: it }", 10, "scenarios[0].briefing", "a group of fields",
        "text of 1 to 4000"},
