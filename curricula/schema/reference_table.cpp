@@ -39,14 +39,14 @@ class Table {
     QString unit = schema.value("unit").toString(), left_out = schema.value("left_out").toString();
     if (unit.isEmpty()) unit = items.value("unit").toString();
     if (left_out.isEmpty() && schema.contains("default")) left_out = schema.value("default").toVariant().toString();
-    out_ += "| `" + path + "` | " + type_of(schema, items) + " | " + unit + " | " + allowed(schema, items) + " | " +
-            (needed ? "required" : left_out) + " | " + schema.value("description").toString() + " |\n";
     const bool list = schema.contains("items");
     const QJsonObject& inner = list ? items : schema;
-    if (!inner.contains("properties")) return;
-    // A definition that stands in more than one place is told of once.
     const QString definition = (list ? schema.value("items").toObject() : given).value("$ref").toString();
-    if (told_.contains(definition)) return;
+    const bool told = inner.contains("properties") && told_.contains(definition);  // once is enough
+    const QString type = type_of(schema, items) + (told ? ", as above" : "");
+    out_ += "| `" + path + "` | " + type + " | " + unit + " | " + allowed(schema, items) + " | " +
+            (needed ? "required" : left_out) + " | " + schema.value("description").toString() + " |\n";
+    if (told || !inner.contains("properties")) return;
     if (!definition.isEmpty()) told_ << definition;
     group(path + (list ? "[]." : "."), inner);
   }
@@ -54,7 +54,7 @@ class Table {
   static QString type_of(const QJsonObject& schema, const QJsonObject& items) {
     const QJsonValue type = schema.value("type");
     if (type.isArray()) return "text";
-    if (type == "array") return "list of " + type_of(items, {});
+    if (type == "array") return "list of " + type_of(items, {}) + (items.value("type") == "object" ? "s" : "");
     if (type == "object") return "group";
     if (type == "integer") return "whole number";
     if (type == "boolean") return "true or false";

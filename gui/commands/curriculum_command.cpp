@@ -83,7 +83,8 @@ QJsonObject json_of(const Curriculum& curriculum) {
 }
 
 std::string words(const curricula::MasteryRule& rule) {
-  const std::string within = ", each within " + std::to_string(rule.attempts) + " attempts";
+  const std::string within =
+      ", each within " + std::to_string(rule.attempts) + (rule.attempts == 1 ? " attempt" : " attempts");
   std::string text = rule.by_cusum ? "CUSUM at " + std::to_string(std::lround(100.0 * (1.0 - rule.cusum.acceptable_failure))) +
                                          " % success" + within
                                    : std::to_string(rule.passes) + " passes running in each scenario" + within;

@@ -3,6 +3,7 @@
 
 #include <QJsonArray>
 #include <QJsonDocument>
+#include <cstdlib>
 #include <functional>
 #include <regex>
 #include <set>
@@ -323,6 +324,33 @@ TEST_F(Course, TheReadmeHasTheTableOfTheSchema) {
   const std::string readme = read(fs::path(VALLECULA_SOURCE_DIR) / "curricula/README.md");
   EXPECT_NE(readme.find(reference_table(curriculum_schema_2())), std::string::npos)
       << "put what `vallecula curriculum table` prints under \"All fields\" in curricula/README.md";
+}
+
+/// The schema as any other program reads it: what ours lets pass, an independent validator must.
+TEST_F(Course, AnIndependentValidatorAgreesOnTheSchema) {
+  if (std::system("python3 -c 'import jsonschema, yaml' 2>/dev/null") != 0)
+    GTEST_SKIP() << "python3 with jsonschema and PyYAML is not there";
+  write("schema.json", curriculum_schema_2());
+  write("check.py",
+        "import json, sys, yaml, jsonschema\n"
+        "rules = jsonschema.Draft202012Validator(json.load(open(sys.argv[1])))\n"
+        "jsonschema.Draft202012Validator.check_schema(rules.schema)\n"
+        "sys.exit(0 if rules.is_valid(yaml.safe_load(open(sys.argv[2]))) else 3)\n");
+  const auto valid = [&](const fs::path& file) {
+    const std::string command = "python3 " + (folder_ / "check.py").string() + " " + (folder_ / "schema.json").string() +
+                                " " + file.string() + " 2>/dev/null";
+    const int status = std::system(command.c_str());
+    EXPECT_TRUE(WIFEXITED(status) && (WEXITSTATUS(status) == 0 || WEXITSTATUS(status) == 3)) << status;
+    return status == 0;
+  };
+  EXPECT_TRUE(valid(write("full.yaml", kFullCourse)));
+  EXPECT_TRUE(valid(fs::path(VALLECULA_SOURCE_DIR) / "curricula/courses/neonatal-intubation.yaml"));
+  for (const auto& [from, to] : {std::pair{"passes: 4", "passes: 0"}, std::pair{"goals:", "aims:"},
+                                 std::pair{"{ en: Begin, de: Anfangen }", "{ de: Anfangen }"},
+                                 std::pair{"{ en: Begin, de: Anfangen }", "{ en: Begin, deutsch: Anfangen }"},
+                                 std::pair{"mouth_opening: 0.9", "mouth_opening: 0.7"},
+                                 std::pair{"kind: alarm", "kind: siren"}})
+    EXPECT_FALSE(valid(write("wrong.yaml", replaced(kFullCourse, from, to)))) << to;
 }
 
 TEST_F(Course, TenMegabytesAreRefusedUnread) {
