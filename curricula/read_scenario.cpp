@@ -15,6 +15,18 @@ double usual_weight(double weeks) { return 0.65 * std::exp(std::log(3.1 / 0.65) 
 constexpr double kLightestShare = 0.5,
                  kHeaviestShare = 1.6;  // of the usual weight (assumed): else the trachea fits no infant
 
+/// `weeks` is the gestation that the field `weeks_name` gives the infant of `manikin`.
+void refuse_unusual_weight(const YAML::Node& manikin, double weeks, const char* weeks_name, const Validator& rules,
+                           const std::string& path) {
+  const double usual = usual_weight(weeks), weight = checked_number(manikin["weight_kg"]);
+  const double low = std::ceil(100.0 * kLightestShare * usual) / 100.0;
+  const double high = std::floor(100.0 * kHeaviestShare * usual) / 100.0;
+  if (weight < low || weight > high)
+    rules.fail(manikin["weight_kg"], path + "weight_kg",
+               "from " + with_unit(low, "kg") + " to " + with_unit(high, "kg") + " at " + with_unit(weeks, "weeks") +
+                   " (" + weeks_name + ")");
+}
+
 ManikinSpec read_manikin(const YAML::Node& node, const Validator& rules, const std::string& path) {
   ManikinSpec manikin;
   read(node["weight_kg"], manikin.weight_kg);
@@ -24,15 +36,8 @@ ManikinSpec read_manikin(const YAML::Node& node, const Validator& rules, const s
   read(node["tongue_size"], manikin.tongue_size);
   read(node["larynx_height_mm"], manikin.larynx_height_mm);
   read(node["epiglottis_length"], manikin.epiglottis_length);
-  if (manikin.gestation_weeks) {
-    const double usual = usual_weight(*manikin.gestation_weeks);
-    const double low = std::ceil(100.0 * kLightestShare * usual) / 100.0;
-    const double high = std::floor(100.0 * kHeaviestShare * usual) / 100.0;
-    if (manikin.weight_kg < low || manikin.weight_kg > high)
-      rules.fail(node["weight_kg"], path + "weight_kg",
-                 "from " + with_unit(low, "kg") + " to " + with_unit(high, "kg") + " at " +
-                     with_unit(*manikin.gestation_weeks, "weeks") + " (gestation_weeks)");
-  }
+  if (manikin.gestation_weeks)
+    refuse_unusual_weight(node, *manikin.gestation_weeks, "gestation_weeks", rules, path);
   return manikin;
 }
 
@@ -136,6 +141,9 @@ Variation read_variation(const YAML::Node& node, const Scenario& s, const Valida
   range("epiglottis_length", v.epiglottis_length, several, "infants: a shape is an infant's");
   range("tongue_young_pa", v.tongue_young_pa, true, "");
   range("secretions_ml", v.secretions_ml, s.intubation.has_value(), "an intubation");
+  if (v.secretions_ml && (*v.secretions_ml)[1] > 0.0 && s.intubation->catheter_f == 0)
+    rules.fail(node["secretions_ml"][1], path + "secretions_ml[1]",
+               "0 where intubation.catheter_f is 0: nothing is at hand to clear them with");
   range("distraction_delay_s", v.distraction_delay_s, !s.distractions.empty(), "distractions");
   read(node["infant_seed"], v.infant_seed);
   if (v.infant_seed && !s.intubation)
@@ -179,6 +187,8 @@ Scenario read_scenario(const YAML::Node& node, const Validator& rules, const std
     if (weeks && *weeks != s.intubation->gestation_weeks)
       rules.fail(intubation["gestation_weeks"], path + "intubation.gestation_weeks",
                  "the same as manikin.gestation_weeks = " + with_unit(*weeks, "weeks"));
+    refuse_unusual_weight(node["manikin"], s.intubation->gestation_weeks, "intubation.gestation_weeks", rules,
+                          path + "manikin.");
   }
   s.rubric = read_rubric(node, rules, path);
   if (const YAML::Node helps = node["assistance"]) {

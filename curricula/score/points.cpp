@@ -11,9 +11,10 @@ std::string mark_of(const std::string& criterion) {
        {std::pair{"outcome", "outcomes"}, std::pair{"glottis_visible_max_percent", "glottis_visible_percent"},
         std::pair{"time_over_force_limit_s", "time_over_device_limit_s"}})
     if (criterion == name) return mark;
-  for (const char* same :
-       {"peak_tongue_force_n", "peak_gum_force_n", "attempt_time_s", "time_over_target_s", "lowest_spo2_percent",
-        "lowest_heart_per_min", "tube_force_n", "time_to_pass_s", "attempts", "co2_confirmed"})
+  for (const char* same : {"peak_tongue_force_n", "peak_gum_force_n", "attempt_time_s", "time_over_target_s",
+                           "lowest_spo2_percent", "lowest_heart_per_min", "tube_force_n", "time_to_pass_s", "attempts",
+                           "co2_confirmed", "depth_neutral", "oesophagus_in_time",
+                           "no_severe_desaturation"})
     if (criterion == same) return criterion;
   return "";
 }

@@ -39,6 +39,7 @@ struct IntubationRecord {
   Vec3 tip_m = Vec3::Zero();
   Vec3 tip_direction = Vec3::UnitZ();  ///< unit, the way the tip points
   TipPlace place = TipPlace::outside;
+  std::int8_t side = -1;  ///< main bronchus that the tip is in: 0 right, 1 left; -1: in none
   /// Of the tip along the airway from the cords, at most 0 above them; in the oesophagus from its mouth.
   double past_cords_m = 0.0;
   double at_mouth_m = 0.0;            ///< the tube's mark at the mouth's front: its length inside; 0: outside

@@ -254,6 +254,7 @@ PassageLoads step_tool(const Scene& scene, const SceneState& state, const Pose& 
   r.tip_m = s.rod.position[0];
   r.tip_direction = -(s.rod.rotation[0] * Vec3::UnitX());
   r.place = place(in.passage, s.passage, s.rod);
+  r.side = r.place == TipPlace::main_bronchus ? static_cast<std::int8_t>(s.passage.side) : std::int8_t{-1};
   r.past_cords_m = past_cords_m(in.passage, s.passage, s.rod, about.larynx_way);
   r.at_mouth_m = at_mouth_m(in.passage, rod, s.rod);
   r.buckled_m = buckled(rod, s.rod);

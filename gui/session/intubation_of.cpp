@@ -96,6 +96,7 @@ engine::IntubationDescription intubation_of(const pipeline::PatientPackage& pack
   d.infant.premedicated = spec.premedicated;
   d.infant.added_oxygen = spec.added_oxygen_percent / 100.0;
   d.infant.seed = spec.infant_seed;
+  d.breathes = spec.breathes;
   d.secretions.volume_m3 = 1e-6 * spec.secretions_ml;
   d.secretions.area_m2 = kThroatArea * size * size;
   d.secretions.floor = throat_floor(package, size);

@@ -88,7 +88,7 @@ struct TrialSession::Impl {
   std::atomic<bool> stop_asked{false};
   std::atomic<bool> ended{false};
   std::atomic<std::uint32_t> loop_fault{0};  ///< of the first tick that had one
-  std::atomic<std::int64_t> paused{0};       ///< ticks in which the device could not be used
+  std::atomic<std::int64_t> paused{0};       ///< ticks in which a device that a hand needs could not be used
   // Below: the worker's until it is joined.
   std::int64_t recorded = 0;
   std::int64_t pause_began = 0;  ///< tick of the last one that was not paused
@@ -164,6 +164,7 @@ curricula::LogHeader TrialSession::Impl::header() const {
   header.realtime = setup.realtime;
   header.settings = settings_of(description);
   header.settings.merge(hands->settings());
+  if (description.intubation) header.settings[curricula::kHeadExtension] = pipeline::kHeadExtendedDeg;
   for (const auto& [name, point] : package.landmarks) {
     const double scale = name == "glottis_normal" ? 1.0 : 1e-3;
     header.landmarks_m[name] = {point[0] * scale, point[1] * scale, point[2] * scale};
@@ -221,11 +222,12 @@ void TrialSession::Impl::record(const engine::TickRecord& tick) {
     throw std::runtime_error("ticks " + std::to_string(recorded) + " to " + std::to_string(tick.tick - 1) +
                              " were lost because the disk did not keep up; choose a faster disk for the results");
   }
-  writer->append(to_log(tick));
+  const curricula::LogTick logged = to_log(tick);
+  writer->append(logged);
   ++recorded;
   if (loop_fault == 0) loop_fault = tick.faults & kLoopFaults;
   if (!ended_by.empty()) return;
-  if (tick.device_valid) {
+  if (!curricula::paused(logged)) {
     pause_began = tick.tick;
   } else {
     // A record of a pause does not say which fault it was.

@@ -218,6 +218,7 @@ TEST_F(Course, EveryContradictionNamesLineFieldAndWhatIsAllowed) {
        ":38: scenarios[0].variation.infant_seed", "false without an intubation"},
       {"    blade: miller-0\n", "    blade: miller-0\n    variation: { distraction_delay_s: [0, 1] }\n",
        ":38: scenarios[0].variation.distraction_delay_s", "none without distractions"},
+      {"catheter_f: 6", "catheter_f: 0", "scenarios[1].intubation.secretions_ml is '1.5'", "catheter_f is 0"},
       {"source: NEAR4NEOS", "source: \"\"", ":16: rubric.attempts.source is ''", "where a number comes from"},
   };
   for (const auto& c : cases) {
@@ -225,6 +226,14 @@ TEST_F(Course, EveryContradictionNamesLineFieldAndWhatIsAllowed) {
     EXPECT_NE(message.find(c.place), std::string::npos) << c.to << " -> " << message;
     EXPECT_NE(message.find(c.allowed), std::string::npos) << c.to << " -> " << message;
   }
+}
+
+TEST_F(Course, SecretionsThatNothingCanClearAreNotDrawnEither) {
+  const std::string dry = replaced(replaced(kFullCourse, "catheter_f: 6", "catheter_f: 0"),
+                                   "      secretions_ml: 1.5\n", "");
+  EXPECT_NE(error(dry).find("variation.secretions_ml[1] is '2'; allowed: 0 where intubation.catheter_f is 0"),
+            std::string::npos)
+      << error(dry);
 }
 
 TEST_F(Course, ModulesThatWaitForEachOtherAreNamedInTheirOrder) {
@@ -310,6 +319,13 @@ TEST(CurriculumSchema, EveryDefaultIsWhatTheStructHas) {
   EXPECT_EQ(stated("intubation", "secretions_ml").toDouble(-1), i.secretions_ml);
   EXPECT_EQ(stated("intubation", "laryngeal_pressure_n").toDouble(), i.laryngeal_pressure_n);
   EXPECT_EQ(stated("intubation", "breaths_to_confirm").toInt(), i.breaths_to_confirm);
+  const QJsonObject pass = resolved_schema(document, defs.value("intubation").toObject())
+                               .value("properties").toObject().value("pass").toObject().value("properties").toObject();
+  const IntubationPass p;
+  EXPECT_EQ(pass.value("co2_confirmed").toObject().value("default").toBool(true), p.co2_confirmed);
+  EXPECT_EQ(pass.value("depth_neutral").toObject().value("default").toBool(true), p.depth_neutral);
+  EXPECT_EQ(pass.value("oesophagus_in_time").toObject().value("default").toBool(true), p.oesophagus_in_time);
+  EXPECT_EQ(pass.value("no_severe_desaturation").toObject().value("default").toBool(true), p.no_severe_desaturation);
   EXPECT_EQ(stated("pass_mark", "weight").toDouble(), PassMark{}.weight);
   EXPECT_EQ(stated("variation", "infant_seed").toBool(true), Variation{}.infant_seed);
   const CusumRule cusum;

@@ -97,6 +97,9 @@ scenarios:
       tube_force_n: { weight: 2, source: assumed }
       time_to_pass_s: { weight: 2, source: assumed }
       co2_confirmed: { weight: 2, source: assumed }
+      depth_neutral: { weight: 2, source: assumed }
+      oesophagus_in_time: { weight: 2, source: assumed }
+      no_severe_desaturation: { weight: 2, source: assumed }
     intubation:
       tube: "3.0"
       stylet: true
@@ -107,6 +110,7 @@ scenarios:
       infant_seed: 17
       added_oxygen_percent: 20
       premedicated: false
+      breathes: false
       laryngospasm_s: 25
       laryngospasm_from_start: true
       cord_closure_s: 2
@@ -121,6 +125,9 @@ scenarios:
         time_to_pass_s: 20
         attempts: 2
         co2_confirmed: true
+        depth_neutral: true
+        oesophagus_in_time: true
+        no_severe_desaturation: true
     assistance:
       ghost_path: true
       glottis_highlight: true

@@ -62,6 +62,10 @@ const char* const kIntubation = R"(    intubation:
         time_to_pass_s: 20
         attempts: 2
         co2_confirmed: true
+        depth_neutral: true
+        oesophagus_in_time: true
+        no_severe_desaturation: true
+      breathes: false
 )";
 
 std::string replaced(std::string text, const std::string& from, const std::string& to) {
@@ -133,6 +137,10 @@ TEST_F(CurriculumFile, ReadsEveryFieldOfAnIntubation) {
     EXPECT_EQ(i.pass.time_to_pass_s, 20.0);
     EXPECT_EQ(i.pass.attempts, 2);
     EXPECT_TRUE(i.pass.co2_confirmed);
+    EXPECT_TRUE(i.pass.depth_neutral);
+    EXPECT_TRUE(i.pass.oesophagus_in_time);
+    EXPECT_TRUE(i.pass.no_severe_desaturation);
+    EXPECT_FALSE(i.breathes);
   }
 }
 
@@ -146,7 +154,7 @@ TEST_F(CurriculumFile, WhatAnIntubationDoesNotSayFollowsFromItsCourseAndWeight) 
   } cases[] = {{"premedicated-preterm", "32", true, 10.0, 0.0},
                {"term", "32.5", false, 10.0, 1.0},
                {"preoxygenated", "30", true, 0.0, 0.0},
-               {"delivery-room", "40", false, 10.0, 1.0}};
+               {"delivery-room", "33", false, 10.0, 1.0}};
   for (const auto& c : cases) {
     const std::string block =
         std::string("    intubation: { course: ") + c.course + ", gestation_weeks: " + c.weeks + " }\n";
@@ -156,11 +164,13 @@ TEST_F(CurriculumFile, WhatAnIntubationDoesNotSayFollowsFromItsCourseAndWeight) 
       const IntubationSpec& i = *scenario.intubation;
       EXPECT_EQ(i.tube, "3.0") << "settled by weight, also in the scenario's own text";
       EXPECT_EQ(i.premedicated, c.premedicated) << c.course;
+      EXPECT_EQ(i.breathes, !c.premedicated) << c.course << ": whoever has no relaxant breathes, and its cords open";
       EXPECT_EQ(i.added_oxygen_percent, c.added_oxygen) << c.course;
       EXPECT_EQ(i.cord_closure_s, c.closure_s) << c.course;
       EXPECT_EQ(i.pass.outcomes, std::vector<Outcome>{Outcome::good_depth});
       EXPECT_FALSE(i.pass.lowest_spo2_percent || i.pass.lowest_heart_per_min || i.pass.tube_force_n ||
-                   i.pass.time_to_pass_s || i.pass.attempts || i.pass.co2_confirmed);
+                   i.pass.time_to_pass_s || i.pass.attempts || i.pass.co2_confirmed ||
+                   i.pass.depth_neutral || i.pass.oesophagus_in_time || i.pass.no_severe_desaturation);
     }
   }
 }
@@ -197,7 +207,11 @@ TEST_F(CurriculumFile, EveryMistakeInAnIntubationNamesItsFieldAndWhatIsAllowed) 
       {"lowest_spo2_percent: 60", "lowest_spo2_percent: 0.6", 43, "pass.lowest_spo2_percent", "'0.6'", "from 1 to 100"},
       {"attempts: 2", "attempts: none", 47, "pass.attempts", "'none'", "from 1 to 20"},
       {"co2_confirmed: true", "co2: true", 48, "pass.co2", "'true'", "co2_confirmed"},
+      {"breathes: false", "breathes: often", 52, "breathes", "'often'", "true or false"},
       // What contradicts what.
+      {"catheter_f: 6", "catheter_f: 0", 38, "secretions_ml", "'1.5'", "0 where catheter_f is 0"},
+      {"breaths_to_confirm: 5", "breaths_to_confirm: 4", 40, "breaths_to_confirm", "'4'", "5 or 6 where pass.co2"},
+      {"breaths_to_confirm: 5", "breaths_to_confirm: 7", 40, "breaths_to_confirm", "'7'", "5 or 6 where pass.co2"},
       {"premedicated: false", "premedicated: true", 34, "premedicated", "'true'", "false in the course delivery-room"},
       {"course: delivery-room", "course: term", 31, "gestation_weeks", "'31.5'",
        "more than 32 weeks in the course term"},
@@ -221,6 +235,24 @@ TEST_F(CurriculumFile, EveryMistakeInAnIntubationNamesItsFieldAndWhatIsAllowed) 
       EXPECT_NE(message.find(part), std::string::npos) << c.to << " lacks '" << part << "' -> " << message;
     }
   }
+  const std::string relaxed = replaced(replaced(good, "course: delivery-room", "course: premedicated-preterm"),
+                                       "premedicated: false", "premedicated: true");
+  const std::string still = replaced(replaced(replaced(relaxed, "laryngospasm_s: 25", "laryngospasm_s: 0"),
+                                              "from_start: true", "from_start: false"),
+                                     "cord_closure_s: 2", "cord_closure_s: 0");
+  EXPECT_EQ(error(still), "");
+  EXPECT_NE(error(replaced(still, "breathes: false", "breathes: true"))
+                .find("intubation.breathes is 'true'; allowed: false where the infant is premedicated"),
+            std::string::npos);
+  // By the growth chart 1.50 kg at 31.5 weeks (half to 1.6 times of it allowed, assumed); 0.65 at 24, 3.1 at 38.
+  EXPECT_NE(error(replaced(good, "gestation_weeks: 31.5", "gestation_weeks: 38"))
+                .find(":12: scenarios[0].manikin.weight_kg is '1.5'; allowed: from 1.55 kg to 4.96 kg at 38 weeks "
+                      "(intubation.gestation_weeks)"),
+            std::string::npos)
+      << error(replaced(good, "gestation_weeks: 31.5", "gestation_weeks: 38"));
+  EXPECT_NE(error(replaced(good, "gestation_weeks: 31.5", "gestation_weeks: 24"))
+                .find("from 0.33 kg to 1.04 kg at 24 weeks"),
+            std::string::npos);
   const std::string twice =
       replaced(kGood, "scenarios:",
                "tubes_by_weight:\n  - { below_kg: 2, tube: 3.0 }\n  - { below_kg: 2, tube: 3.5 }\n"
@@ -304,6 +336,10 @@ TEST_F(CurriculumFile, TheShippedIntubationsGoThroughTheCoursesWithTubesByWeight
     EXPECT_EQ(s.intubation->tube, s.manikin.weight_kg < 2.0 ? "3.0" : "3.5") << s.id;
     EXPECT_EQ(s.intubation->pass.outcomes, std::vector<Outcome>{Outcome::good_depth}) << s.id;
     EXPECT_TRUE(s.intubation->pass.co2_confirmed) << s.id;
+    EXPECT_TRUE(s.intubation->pass.oesophagus_in_time) << s.id;
+    if (s.briefing.in("en").find("open with a breath") != std::string::npos) {
+      EXPECT_TRUE(s.intubation->breathes) << s.id << ": cords that open with no breath";
+    }
     EXPECT_LT(*s.intubation->pass.tube_force_n, 3.3) << s.id << ": no device here could exceed it";
     EXPECT_GE(s.max_attempt_s, *s.intubation->pass.attempts * s.pass.attempt_time_s + 30.0)
         << s.id << ": no time to ventilate between its attempts";
