@@ -24,11 +24,14 @@ enum class InHand : std::uint8_t { tube_with_stylet, tube, catheter };
 /// Named faults of the second half, bits.
 enum IntubationFault : std::uint32_t {
   kIntubationFaultNone = 0,
-  kIntubationFaultHand = 1u << 0,      ///< the second hand's device reports itself unusable: what it held stays
+  kIntubationFaultHand = 1u << 0,  ///< the second hand's device reports itself unusable: both tools stay where they are
   kIntubationFaultHandPose = 1u << 1,  ///< its pose was not finite or no rotation
   kIntubationFaultTube = 1u << 2,      ///< the tube became non-finite and was put back to rest in the hand
   kIntubationFaultInfant = 1u << 3,    ///< infant, cords, secretions or press became non-finite: back at their start
   kIntubationFaultForce = 1u << 4,     ///< the second hand's force was not finite; zero was sent
+  /// Some of what the tube touches was left out: there was no room for it (the shallowest of the tissue's points go
+  /// first), or it or the blade's pose was no number.
+  kIntubationFaultContacts = 1u << 5,
 };
 
 /// Of one tick, as plain numbers: what is recorded.

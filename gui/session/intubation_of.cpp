@@ -59,6 +59,8 @@ void set_mouth(const pipeline::PatientPackage& package, engine::IntubationDescri
     throw std::runtime_error("patient '" + package.name + "': its gums and vallecula span no mouth; import it again");
   d.mouth = Vec3(mouth->gum_middle_m[0], mouth->gum_middle_m[1], mouth->gum_middle_m[2]);
   d.mouth_inward = Vec3(mouth->inward[0], mouth->inward[1], mouth->inward[2]);
+  d.mouth_axis = Vec3(mouth->axis[0], mouth->axis[1], mouth->axis[2]);
+  d.mouth_radius_m = mouth->radius_m;
   d.mouth_gap_m = gap_between_gums(package);
   if (d.tube.outer_diameter < d.mouth_gap_m) return;
   char text[256];
