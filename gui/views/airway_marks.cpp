@@ -16,6 +16,7 @@
 #include <string>
 
 #include "engine/types.h"
+#include "gui/session/log_conversion.h"
 #include "gui/views/theme.h"
 
 namespace vallecula::gui {
@@ -111,11 +112,6 @@ std::size_t cords_in(const engine::AirwayCourse& course) {
 }
 
 }  // namespace
-
-double cords_to_carina_m(const engine::AirwayCourse& course) {
-  const auto cuts = cuts_of(course.airway);
-  return cuts.back().along - cuts[cords_in(course)].along;
-}
 
 std::vector<vtkSmartPointer<vtkProp3D>> airway_marks(const engine::AirwayCourse& course, double midline_x_mm,
                                                      double behind_mm, double layer_mm) {

@@ -14,11 +14,8 @@ namespace vallecula::gui {
 /// Share of the way from the cords to the carina in which a tube's tip lies well: its middle third (CLINICAL).
 constexpr double kGoodDepthFrom = 1.0 / 3.0, kGoodDepthTo = 2.0 / 3.0;
 
-/// From the cut at the cords to the carina along the middle of the airway, m. Throws std::runtime_error without cords.
-double cords_to_carina_m(const engine::AirwayCourse& course);
-
 /// Actors for the plane x = `midline_x_mm`, each on a layer `layer_mm` nearer to a viewer on the left; the oesophagus
-/// on `behind_mm`.
+/// on `behind_mm`. Throws std::runtime_error without cords.
 std::vector<vtkSmartPointer<vtkProp3D>> airway_marks(const engine::AirwayCourse& course, double midline_x_mm,
                                                      double behind_mm, double layer_mm);
 
