@@ -51,6 +51,15 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
   for (QWidget* page : {static_cast<QWidget*>(start_), static_cast<QWidget*>(devices_), static_cast<QWidget*>(import_),
                         prepare_page_, static_cast<QWidget*>(trial_), static_cast<QWidget*>(result_)})
     pages_->addWidget(page);
+  // The page that is seen says how small the window may be, not the largest of them all.
+  const auto only_current_counts = [this] {
+    for (int i = 0; i < pages_->count(); ++i) {
+      const auto policy = i == pages_->currentIndex() ? QSizePolicy::Preferred : QSizePolicy::Ignored;
+      pages_->widget(i)->setSizePolicy(policy, policy);
+    }
+  };
+  connect(pages_, &QStackedWidget::currentChanged, this, only_current_counts);
+  only_current_counts();
   setCentralWidget(pages_);
   resize(1280, 800);
   connect(start_, &StartPage::chosen, this, &MainWindow::prepare_choice);
@@ -114,9 +123,9 @@ QWidget* MainWindow::make_prepare_page() {
   return page;
 }
 
-void MainWindow::show_start(const curricula::Curriculum& curriculum) {
+void MainWindow::show_start(std::vector<curricula::Curriculum> curricula) {
   has_start_ = true;
-  start_->set_curriculum(curriculum);
+  start_->set_curricula(std::move(curricula));
   const auto kept = user_settings();
   const QString device = kept->value("device", "mouse").toString();
   choose_last_device(device);
@@ -160,6 +169,7 @@ void MainWindow::prepare_choice(const Choice& choice) {
   setup.curriculum = choice.curriculum;
   setup.scenario = choice.scenario.id;
   setup.device = choice.device.toStdString();
+  setup.second = choice.second.toStdString();
   const auto kept = user_settings();
   kept->setValue("scenario", QString::fromStdString(choice.scenario.id));
   kept->setValue("device", choice.device);

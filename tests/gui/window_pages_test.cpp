@@ -179,7 +179,7 @@ class Window : public Screen {
 
 TEST_F(Window, OpensOnTheShippedScenariosAndHandsOverTheChoice) {
   MainWindow window;
-  window.show_start(curricula::load_curriculum(default_curriculum()));
+  window.show_start({curricula::load_curriculum(default_curriculum())});
   window.show();
   QApplication::processEvents();
   EXPECT_EQ(window.page_name(), "start");
@@ -225,7 +225,7 @@ TEST_F(Window, RunsAScriptedTrialToItsResultPage) {
 
 TEST_F(Window, SaysWhatIsWrongWithAPatientAndStaysOpen) {
   MainWindow window;
-  window.show_start(curricula::load_curriculum(default_curriculum()));
+  window.show_start({curricula::load_curriculum(default_curriculum())});
   window.show();
   Heard heard(window);
   TrialSetup setup = scripted();
