@@ -22,7 +22,7 @@ LogTick some_tick(bool intubation) {
   LogTick tick;
   tick.has_intubation = intubation;
   tick.intubation.tip_against = curricula::kTubeTongue;
-  tick.intubation.side = 0;  // every other side and what its last bit makes of it must be one that exists
+  tick.intubation.side = 0;  // its last bit changed is 1, a side as well
   return tick;
 }
 
