@@ -3,7 +3,7 @@
 // a windpipe nor step over into the gullet. A canal is a chain of rings; where the tube's axis crosses a ring's plane,
 // that ring's wall pushes it towards the middle.
 //
-// In a tick: find_contacts, others add theirs (TubeContacts::add), the rod's step, read_loads.
+// In a tick: find_contacts, the soft tissue's behind them (soft_contacts.h), the rod's step, read_loads.
 #pragma once
 
 #include <algorithm>
