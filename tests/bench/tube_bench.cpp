@@ -1,5 +1,6 @@
 // vallecula_tube_bench [TICKS]: what a tick of the tube costs, alone, pressed against something along its whole length,
-// and with a stylet within.
+// with a stylet within, and in an airway: finding its contacts with walls, a pharynx and a blade, the rod, the loads,
+// the cords.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -7,12 +8,21 @@
 #include <cstdlib>
 #include <vector>
 
+#include "engine/tool/shapes.h"
 #include "engine/tube/tube_design.h"
+#include "tests/engine/tube/airways.h"
 
 namespace {
 
 using namespace vallecula::engine;
 using Clock = std::chrono::steady_clock;
+
+void print(const char* what, std::vector<double>& cost, double mean_force) {
+  std::sort(cost.begin(), cost.end());
+  const auto at = [&](double share) { return cost[static_cast<std::size_t>(share * (cost.size() - 1))]; };
+  std::printf("%-34s median %6.1f us   p99 %6.1f us   p99.9 %6.1f us   max %7.1f us   (mean force %.3f N)\n", what,
+              at(0.5), at(0.99), at(0.999), cost.back(), mean_force);
+}
 
 /// The hand goes to and fro by 20 mm, up and down by 10 mm and turns by half a radian; half of the points lie under a
 /// ceiling that the tube's curve presses against.
@@ -44,10 +54,55 @@ void measure(const char* what, const Stylet* stylet, int contact_count, int tick
     cost[static_cast<std::size_t>(t)] = std::chrono::duration<double, std::micro>(Clock::now() - begin).count();
     sum += r.on_hand.force.norm();
   }
-  std::sort(cost.begin(), cost.end());
-  const auto at = [&](double share) { return cost[static_cast<std::size_t>(share * (ticks - 1))]; };
-  std::printf("%-34s median %6.1f us   p99 %6.1f us   p99.9 %6.1f us   max %7.1f us   (mean force %.3f N)\n", what,
-              at(0.5), at(0.99), at(0.999), cost.back(), sum / ticks);
+  print(what, cost, sum / ticks);
+}
+
+/// A usual tube goes to and fro in an airway of `spacing` between rings, beside a blade and between the walls of a
+/// mouth.
+void measure_in_airway(const char* what, double spacing, Canal canal, const Stylet* stylet, int ticks) {
+  testing::AirwaySizes sizes;
+  sizes.spacing = spacing;
+  const TubeDesign tube = tube_design("3.5");
+  const RodDescription d = tube_rod(tube, stylet, 0.12);
+  const double behind = canal == Canal::oesophagus ? 0.010 : 0.0;
+  const Pose start = testing::hand_with_tip_at(Rod(d), Vec3(0, behind, 0.001));
+  testing::TubeInAirway a(testing::straight_airway(sizes), tube, d, start);
+  RigidAnatomy mouth;
+  mouth.surface = box_surface(Vec3(0, 0.045, 0.04), Vec3(0.06, 0.06, 0.06));
+  mouth.triangle_structure.assign(mouth.surface.triangles.size(), Structure::other);
+  const RigidField rigid(mouth, {}, Vec3(-0.03, -0.03, 0.0), Vec3(0.03, 0.03, 0.08), 0.0007, 0.005);
+  const ToolField blade(box_surface(Vec3::Zero(), Vec3(0.002, 0.012, 0.06)), Vec3::Constant(-1), Vec3::Constant(1));
+  const PartPoses parts;
+  a.input.rigid = &rigid;
+  a.input.parts = &parts;
+  a.input.blade = &blade;
+  a.input.blade_pose.position = Vec3(0.004, -0.01, 0.04);
+  Glottis glottis;
+  GlottisState cords = vallecula::engine::start(glottis);
+  std::vector<double> cost;
+  double sum = 0.0;
+  int contacts = 0;
+  for (int t = -3000; t < ticks; ++t) {  // first the way in
+    Pose hand = start;
+    hand.position.z() -= t < 0 ? 0.04 * (t + 3000) / 3000.0 : 0.04 + 0.005 * std::sin(2 * M_PI * t / 1000.0);
+    hand.position.x() += 0.003 * std::sin(2 * M_PI * t / 1700.0);
+    const auto begin = Clock::now();
+    GlottisInput breath;
+    breath.breathing = true;
+    breath.breath_phase = (t + 3000) % 1500 / 1500.0;
+    breath.touched = a.loads.glottis_n > 0.02;
+    vallecula::engine::step(glottis, cords, breath, 0.001);
+    a.input.glottis_opening = cords.opening;
+    const double force = a.step(hand).on_hand.force.norm();
+    const auto end = Clock::now();
+    if (t < 0) continue;
+    cost.push_back(std::chrono::duration<double, std::micro>(end - begin).count());
+    sum += force;
+    contacts = std::max(contacts, a.contacts->count);
+  }
+  char line[96];
+  std::snprintf(line, sizeof line, "%s, %d contacts", what, contacts);
+  print(line, cost, sum / ticks);
 }
 
 }  // namespace
@@ -59,5 +114,8 @@ int main(int argc, char** argv) {
   measure("tube 3.5, 60 contacts", nullptr, 60, ticks);
   measure("tube 3.5, stylet", &stylet, 0, ticks);
   measure("tube 3.5, stylet, 60 contacts", &stylet, 60, ticks);
+  measure_in_airway("tube 3.5 in the airway", 0.001, Canal::airway, nullptr, ticks);
+  measure_in_airway("rings 0.5 mm apart, stylet", 0.0005, Canal::airway, &stylet, ticks);
+  measure_in_airway("tube 3.5 in the gullet", 0.001, Canal::oesophagus, nullptr, ticks);
   return 0;
 }
