@@ -45,7 +45,8 @@ OperatorView::OperatorView(QWidget* parent) : GlView(parent) {
   renderer()->AddLight(light);
 }
 
-void OperatorView::show_patient(std::shared_ptr<PatientLook> look, const engine::TriangleMesh& tool) {
+void OperatorView::show_patient(std::shared_ptr<PatientLook> look, const engine::TriangleMesh& tool,
+                                const engine::IntubationDescription* intubation) {
   renderer()->RemoveAllViewProps();
   look_ = std::move(look);
   tool_ = std::make_unique<ToolLook>(tool);
@@ -54,8 +55,21 @@ void OperatorView::show_patient(std::shared_ptr<PatientLook> look, const engine:
   if (look_->trachea->GetNumberOfPoints() > 0)
     tissues_.push_back(
         tissue_actor(look_->trachea, 0.45));  // a sign, not a tissue: to be found where little light falls
+  tube_.reset();
+  cords_.reset();
+  secretions_.reset();
+  if (intubation != nullptr) {
+    tube_ = std::make_unique<TubeLook>(*intubation);
+    cords_ = std::make_unique<CordsLook>(*intubation);
+    secretions_ = std::make_unique<SecretionsLook>(intubation->secretions);
+    tissues_.push_back(cords_->actor());
+  }
   for (const auto& actor : tissues_) renderer()->AddActor(actor);
   for (const auto& actor : tool_->actors()) renderer()->AddActor(actor);
+  if (intubation != nullptr) {  // what is seen through comes in the order from afar to near
+    renderer()->AddActor(secretions_->actor());
+    for (const auto& actor : tube_->actors()) renderer()->AddActor(actor);
+  }
   for (const auto& actor : ghost_->actors()) renderer()->AddActor(actor);
   closeness_ = 0.0;
   blade_in_ = ghost_shown_ = false;
@@ -68,6 +82,11 @@ void OperatorView::update_from(const engine::Snapshot& snapshot) {
   look_->update(snapshot);
   tool_->place(snapshot.proxy_pose);
   ghost_shown_ = ghost_->place(snapshot.device_pose, snapshot.proxy_pose);
+  if (tube_) {
+    tube_->update(snapshot);
+    cords_->update(snapshot);
+    secretions_->update(snapshot);
+  }
   // In or out: how far the tip is past the gums on the way to the glottis, with some play so that the view does not
   // flutter.
   const engine::Vec3 mouth = vec(look_->framing.mouth), way = vec(look_->framing.glottis) - mouth;

@@ -8,8 +8,10 @@
 
 #include "engine/snapshot.h"
 #include "gui/views/gl_view.h"
+#include "gui/views/larynx_look.h"
 #include "gui/views/patient_look.h"
 #include "gui/views/tool_look.h"
+#include "gui/views/tube_look.h"
 
 namespace vallecula::gui {
 
@@ -19,9 +21,10 @@ class OperatorView : public GlView {
   enum class Zoom { automatic, face, mouth };
 
   explicit OperatorView(QWidget* parent = nullptr);
-  /// Takes a patient and a tool in place of what was shown.
-  void show_patient(std::shared_ptr<PatientLook> look, const engine::TriangleMesh& tool);
-  /// Moves tongue, blade and ghost to the snapshot's step; draw() then shows it.
+  /// Takes a patient and a tool in place of what was shown; `intubation`: of a scene that has one.
+  void show_patient(std::shared_ptr<PatientLook> look, const engine::TriangleMesh& tool,
+                    const engine::IntubationDescription* intubation = nullptr);
+  /// Moves tongue, blade and ghost, tube, cords and secretions to the snapshot's step; draw() then shows it.
   void update_from(const engine::Snapshot& snapshot);
   void set_zoom(Zoom zoom) { zoom_ = zoom; }
   Zoom zoom() const { return zoom_; }
@@ -39,6 +42,9 @@ class OperatorView : public GlView {
   std::shared_ptr<PatientLook> look_;
   std::unique_ptr<ToolLook> tool_;
   std::unique_ptr<GhostLook> ghost_;
+  std::unique_ptr<TubeLook> tube_;
+  std::unique_ptr<CordsLook> cords_;
+  std::unique_ptr<SecretionsLook> secretions_;
   std::vector<vtkSmartPointer<vtkActor>> tissues_;
   Zoom zoom_ = Zoom::automatic;
   double closeness_ = 0.0, across_mm_ = 100.0;

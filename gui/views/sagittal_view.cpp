@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "gui/views/airway_marks.h"
 #include "gui/views/tissue_colours.h"
 #include "gui/views/tool_look.h"
 
@@ -51,7 +52,9 @@ Cut cut_of(vtkPolyData* closed_surface, double x_mm) {
 }
 
 // Layers lie on parallel planes, the later ones nearer to the viewer, so that drawing order needs no tricks.
-constexpr double kFlesh = 0.0, kAir = 1.0, kBone = 2.0, kSoft = 3.0, kEdges = 4.0, kTool = 60.0, kSight = 120.0;
+// The tube is drawn whole, as seen from the patient's left: behind the blade, which it lies to the right of.
+constexpr double kFlesh = 0.0, kFood = 0.5, kAir = 1.0, kBone = 2.0, kSoft = 3.0, kEdges = 4.0, kMarks = 5.0,
+                 kTube = 100.0, kTool = 160.0, kSight = 220.0;
 
 }  // namespace
 
@@ -77,11 +80,14 @@ vtkSmartPointer<vtkActor> SagittalView::add_flat(vtkPolyData* surface, double to
   return actor;
 }
 
-void SagittalView::show_patient(std::shared_ptr<PatientLook> look, const engine::TriangleMesh& tool) {
+void SagittalView::show_patient(std::shared_ptr<PatientLook> look, const engine::TriangleMesh& tool,
+                                const engine::IntubationDescription* intubation) {
   renderer()->RemoveAllViewProps();
   look_ = std::move(look);
   add_anatomy_cuts();
   add_soft_cut();
+  tube_.reset();
+  if (intubation != nullptr) add_intubation(*intubation);
   add_tool(tool);
   add_sight_line();
   frame();
@@ -202,6 +208,16 @@ void SagittalView::add_tool(const engine::TriangleMesh& tool) {
   handle_ = make(handle, 0.55, 0.57, 0.62, 1.0);
 }
 
+void SagittalView::add_intubation(const engine::IntubationDescription& intubation) {
+  for (const auto& mark : airway_marks(intubation.course, look_->framing.midline_x_mm, kFood, kMarks))
+    renderer()->AddViewProp(mark);
+  tube_ = std::make_unique<TubeLook>(intubation);
+  for (const auto& actor : tube_->actors()) {
+    actor->SetPosition(kTube, 0, 0);
+    renderer()->AddActor(actor);
+  }
+}
+
 void SagittalView::add_sight_line() {
   vtkNew<vtkPoints> points;
   points->InsertNextPoint(look_->framing.eye.data());
@@ -228,6 +244,7 @@ void SagittalView::update_from(const engine::Snapshot& snapshot, double sight_pe
     for (const auto& grid : soft_) grid->Modified();
   }
   for (MovingSurface& cut : moving_) cut.update(snapshot);
+  if (tube_) tube_->update(snapshot);
   const auto in_front = [](const engine::Pose& pose) {
     auto matrix = tool_matrix(pose);
     matrix->SetElement(0, 3, matrix->GetElement(0, 3) + kTool);
@@ -249,8 +266,10 @@ void SagittalView::update_from(const engine::Snapshot& snapshot, double sight_pe
 
 void SagittalView::frame() {
   double low_y = 1e30, high_y = -1e30, low_z = 1e30, high_z = -1e30;
-  for (const char* name :
-       {"upper_gum_midline", "lower_gum_midline", "glottis_centre", "vallecula", "hyoid", "epiglottis_tip"}) {
+  std::vector<const char*> wanted{"upper_gum_midline", "lower_gum_midline", "glottis_centre", "vallecula", "hyoid",
+                                  "epiglottis_tip"};
+  if (tube_) wanted.push_back("carina");
+  for (const char* name : wanted) {
     const auto found = look_->package.landmarks.find(name);
     if (found == look_->package.landmarks.end()) continue;
     low_y = std::min(low_y, found->second[1]);
@@ -260,9 +279,9 @@ void SagittalView::frame() {
   }
   const double depth = high_y - low_y, tall = high_z - low_z;
   width_mm_ = 2.2 * depth;  // lips and nose in front, the back wall of the throat behind
-  height_mm_ = 2.1 * tall;  // the palate and nose above, the windpipe below
+  height_mm_ = (tube_ ? 1.45 : 2.1) * tall;  // the palate and nose above, the windpipe below
   centre_y_ = 0.5 * (low_y + high_y) - 0.08 * depth;
-  centre_z_ = 0.5 * (low_z + high_z) - 0.05 * tall;
+  centre_z_ = 0.5 * (low_z + high_z) + (tube_ ? 0.10 : -0.05) * tall;
   auto* camera = renderer()->GetActiveCamera();
   camera->ParallelProjectionOn();
   const double x = look_->framing.midline_x_mm;

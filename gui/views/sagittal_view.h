@@ -11,6 +11,7 @@
 #include "engine/snapshot.h"
 #include "gui/views/gl_view.h"
 #include "gui/views/patient_look.h"
+#include "gui/views/tube_look.h"
 
 namespace vallecula::gui {
 
@@ -18,8 +19,10 @@ class SagittalView : public GlView {
   Q_OBJECT
  public:
   explicit SagittalView(QWidget* parent = nullptr);
-  void show_patient(std::shared_ptr<PatientLook> look, const engine::TriangleMesh& tool);
-  /// Moves tongue, blade and sight line to the snapshot; `sight_percent`: from where on the glottis counts as in sight.
+  /// `intubation`: of a scene that has one; the view then reaches down to the carina.
+  void show_patient(std::shared_ptr<PatientLook> look, const engine::TriangleMesh& tool,
+                    const engine::IntubationDescription* intubation = nullptr);
+  /// Moves tongue, blade, tube and sight line to the snapshot; `sight_percent`: from where on the glottis counts as in sight.
   void update_from(const engine::Snapshot& snapshot, double sight_percent);
 
  protected:
@@ -30,6 +33,7 @@ class SagittalView : public GlView {
   void add_soft_cut();
   void add_tool(const engine::TriangleMesh& tool);
   void add_sight_line();
+  void add_intubation(const engine::IntubationDescription& intubation);
   void frame();
   vtkSmartPointer<vtkActor> add_flat(vtkPolyData* surface, double towards_viewer_mm, double red, double green,
                                      double blue);
@@ -38,6 +42,7 @@ class SagittalView : public GlView {
   std::vector<MovingSurface> moving_;
   vtkSmartPointer<vtkPoints> soft_points_;
   std::vector<vtkSmartPointer<vtkUnstructuredGrid>> soft_;  ///< tongue and, where there is one, epiglottis
+  std::unique_ptr<TubeLook> tube_;
   vtkSmartPointer<vtkActor> blade_, handle_, ghost_, sight_;
   double height_mm_ = 100.0, width_mm_ = 100.0, centre_y_ = 0.0, centre_z_ = 0.0;
 };

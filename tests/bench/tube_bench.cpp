@@ -1,6 +1,6 @@
 // vallecula_tube_bench [TICKS]: what a tick of the tube costs, alone, pressed against something along its whole length,
-// with a stylet within, and in an airway: finding its contacts with walls, a pharynx and a blade, the rod, the loads,
-// the cords.
+// with a stylet within, and in an airway: finding its contacts with walls, a pharynx and a blade, the rod, the loads, the
+// cords; and what it adds to a tick of a tongue that it lies on.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -8,8 +8,11 @@
 #include <cstdlib>
 #include <vector>
 
+#include "engine/state.h"
 #include "engine/tool/shapes.h"
+#include "engine/tube/soft_contacts.h"
 #include "engine/tube/tube_design.h"
+#include "tests/engine/box_mesh.h"
 #include "tests/engine/tube/airways.h"
 
 namespace {
@@ -105,6 +108,67 @@ void measure_in_airway(const char* what, double spacing, Canal canal, const Styl
   print(line, cost, sum / ticks);
 }
 
+/// Sorts `cost` (us).
+void tell(const char* what, std::vector<double>& cost) {
+  std::sort(cost.begin(), cost.end());
+  const auto at = [&](double share) { return cost[static_cast<std::size_t>(share * (cost.size() - 1))]; };
+  std::printf("  %-32s median %6.1f us   p99 %6.1f us   p99.9 %6.1f us   max %7.1f us\n", what, at(0.5), at(0.99), at(0.999),
+              cost.back());
+}
+
+/// A tongue of 50 x 25 x 15 mm, 4,860 tetrahedra, and a tube with its stylet along it: away from it (press < 0), or moved
+/// to and fro while it is pressed in; the same ticks of the tongue alone for comparison.
+void measure_on_tongue(const char* what, double press, int ticks) {
+  SceneDescription d = testing::block_scene();
+  d.soft = testing::box_body(Vec3(0.05, 0.025, 0.015), {18, 9, 5}, {6000.0, 0.45, 1040.0});
+  const auto scene = build_scene(d);
+  const TubeDesign design = tube_design("3.5");
+  const Stylet stylet;
+  const double held = 0.07;
+  RodDescription description = tube_rod(design, &stylet, held);
+  for (RodSection& s : description.section) s.natural_curvature_per_m = 0.0;
+  const Rod rod(description);
+  const auto hand_at = [&](double t) {
+    Pose hand;
+    hand.position = Vec3(0.003 + held + 0.004 * std::sin(2 * M_PI * t), 0.0125 + 0.002 * std::sin(3.1 * t),
+                         0.015 + description.outer_radius_m - std::min(press, 0.01 * t - 0.0005));
+    return hand;
+  };
+  SceneState state(*scene), alone(*scene);
+  SoftContactState soft(*scene);
+  RodState tube(rod, hand_at(0));
+  std::vector<RodContact> contacts(kMostSoftContacts);
+  std::vector<double> find, rods, tissue, bare;
+  double pressing = 0.0, force = 0.0;
+  for (int n = 0; n < ticks; ++n) {
+    const auto begin = Clock::now();
+    const int count =
+        find_soft_contacts(*scene, state.tissue, rod, tube, 0.0, 0.1, soft, contacts.data(), kMostSoftContacts);
+    const auto found = Clock::now();
+    step(rod, tube, hand_at(0.001 * n), contacts.data(), count, 0.001);
+    const auto moved = Clock::now();
+    press_tissue(*scene, tube, contacts.data(), soft);
+    std::array<StructureLoad, kLoadedStructures> loads{};
+    StageTimes times;
+    step_tissue(*scene, state, Pose{}, loads, times, &soft);
+    const auto pressed = Clock::now();
+    step_tissue(*scene, alone, Pose{}, loads, times);
+    const auto end = Clock::now();
+    const auto us = [](Clock::duration t) { return std::chrono::duration<double, std::micro>(t).count(); };
+    find.push_back(us(found - begin));
+    rods.push_back(us(moved - found));
+    tissue.push_back(us(pressed - moved));
+    bare.push_back(us(end - pressed));
+    pressing += count;
+    force += soft_loads(*scene, soft).tongue_n;
+  }
+  std::printf("%s: %.0f contacts, %.3f N on average\n", what, pressing / ticks, force / ticks);
+  tell("contacts found", find);
+  tell("rod", rods);
+  tell("tongue with the tube's contacts", tissue);
+  tell("tongue untouched, at rest", bare);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -114,6 +178,9 @@ int main(int argc, char** argv) {
   measure("tube 3.5, 60 contacts", nullptr, 60, ticks);
   measure("tube 3.5, stylet", &stylet, 0, ticks);
   measure("tube 3.5, stylet, 60 contacts", &stylet, 60, ticks);
+  measure_on_tongue("tube 20 mm above the tongue", -0.02, ticks);
+  measure_on_tongue("tube lying on the tongue", 0.0005, ticks);
+  measure_on_tongue("tube pressed 3 mm into it", 0.003, ticks);
   measure_in_airway("tube 3.5 in the airway", 0.001, Canal::airway, nullptr, ticks);
   measure_in_airway("rings 0.5 mm apart, stylet", 0.0005, Canal::airway, &stylet, ticks);
   measure_in_airway("tube 3.5 in the gullet", 0.001, Canal::oesophagus, nullptr, ticks);
