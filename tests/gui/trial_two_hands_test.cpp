@@ -84,7 +84,7 @@ TEST_F(TwoHandsTrial, BothHandsAreRecordedWithWhatTheyAskForAndReplayToTheBit) {
   ASSERT_GT(log.ticks.size(), 1400u);
   const LogTick& last = log.ticks.back();
   EXPECT_NEAR(last.intubation.hand_pose.position_m[2], 0.19, 1e-4);
-  EXPECT_NEAR(apart(last.intubation.tip_m, log.ticks[100].intubation.tip_m), 0.01, 1e-3);
+  EXPECT_NEAR(apart(last.intubation.tip_m, log.ticks[2].intubation.tip_m), 0.01, 1e-3);
   EXPECT_EQ(last.intubation.breaths_given, 1);
   int asked = 0;
   for (const LogTick& t : log.ticks) asked += (t.buttons & engine::kActionBreath) != 0;
@@ -96,7 +96,7 @@ TEST_F(TwoHandsTrial, TheRecordOfBothHandsDoesTheTrialAgainToTheBit) {
   const curricula::TrialLog first = run(setup(pair("# hand tremor_amplitude_m 0.0005\n"), "first"));
   const curricula::TrialLog again = run(setup("recorded:" + (box_ / "first").string(), "again"));
   EXPECT_EQ(again.header.device_kind, "recorded");
-  ASSERT_EQ(again.ticks.size(), first.ticks.size());
+  ASSERT_GE(again.ticks.size(), first.ticks.size()) << "it ends some ticks after its record";
   for (std::size_t i = 0; i < first.ticks.size(); ++i)
     ASSERT_EQ(first_difference(first.ticks[i], again.ticks[i]).field, "") << first.ticks[i].time_s;
 }
