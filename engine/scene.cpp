@@ -12,6 +12,7 @@ namespace vallecula::engine {
 namespace {
 
 constexpr double kRigidSpacing = 0.0007, kRigidBand = 0.005;
+constexpr double kTubePointSpacing = 0.0009;  // between the points of the tissue that a tube meets
 constexpr double kRigidMargin = 0.012;  // the rigid field reaches this far beyond the tissue at rest
 
 void check(const SceneDescription& d) {
@@ -91,6 +92,7 @@ Scene::Scene(const SceneDescription& d)
       rigid(rigid_field(d)),
       lips(d.lips, d.soft.bodies, d.step_s),
       sight(d.sight, d.soft.bodies),
+      tube_areas(thinned_areas(tree, surface, d.soft.nodes, kTubePointSpacing)),
       proxy(proxy_settings(d)) {
   contact_stiffness = contact_stiffness_per_area(model, surface);
   if (d.intubation) intubation.emplace(*d.intubation, d.soft.bodies);

@@ -1,7 +1,7 @@
 // The scene as the engine steps it: everything precomputed from the description and never changed again.
 #pragma once
 
-#include "engine/aist/sphere_tree.h"
+#include "engine/aist/thinned_areas.h"
 #include "engine/contact/lips.h"
 #include "engine/contact/rigid_field.h"
 #include "engine/contact/tool_field.h"
@@ -10,7 +10,7 @@
 #include "engine/scene.h"
 #include "engine/sight/line_of_sight.h"
 #include "engine/tissue/tissue_model.h"
-#include "engine/tube/intubation_step.h"
+#include "engine/tube/intubation_data.h"
 
 namespace vallecula::engine {
 
@@ -27,6 +27,7 @@ class Scene {
   RigidField rigid;              ///< empty (nothing inside) without rigid anatomy
   Lips lips;
   LineOfSight sight;
+  std::vector<float> tube_areas;   ///< of the tree's points that a tube meets (thinned_areas.h)
   ProxySettings proxy;
   std::optional<Intubation> intubation;
   float contact_stiffness = 0.0f;  ///< N/m^3

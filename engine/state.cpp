@@ -140,7 +140,7 @@ SceneState::SceneState(const Scene& scene)
       sight(scene.sight.make_scratch(
           std::max({scene.model.rest.size(), scene.description.tool.surface.points.size(),
                     scene.intubation ? std::size_t{kTubeNodes * kTubeSides} : 0}))) {
-  if (scene.intubation) intubation.emplace(*scene.intubation, scene.model.bodies.size());
+  if (scene.intubation) intubation.emplace(scene);
 }
 
 Pose within_reach(const Scene& scene, const Pose& pose) noexcept {
@@ -152,7 +152,8 @@ Pose within_reach(const Scene& scene, const Pose& pose) noexcept {
 }
 
 StepStatistics step_tissue(const Scene& scene, SceneState& state, const Pose& before,
-                           std::array<StructureLoad, kLoadedStructures>& loads, StageTimes& times) noexcept {
+                           std::array<StructureLoad, kLoadedStructures>& loads, StageTimes& times,
+                           SoftContactState* tube) noexcept {
   StageClock clock;
   if (state.placed && scene.description.collision == Collision::triangles)
     find_triangle_contacts(scene.triangles, scene.surface, scene.model, state.tissue, state.proxy.pose, before,
@@ -162,9 +163,16 @@ StepStatistics step_tissue(const Scene& scene, SceneState& state, const Pose& be
                   state.proxy.pose, before, scene.contact_stiffness,
                   static_cast<float>(scene.description.friction), state.contacts);
   clock.add_to(times.collision_s);
+  state.contacts.of_tube = tube ? tube->count : 0;
+  ContactConstraint* of_tube = state.contacts.constraints.data() + state.contacts.count;
+  if (tube) std::copy_n(tube->constraints.begin(), tube->count, of_tube);
   const StepStatistics statistics = respond(scene.description.response, scene.description.sphere_distances, scene.tree,
                                             scene.model, state.proxy.pose, state.tissue, state.contacts, times);
   clock = StageClock();
+  if (tube) {
+    std::copy_n(of_tube, tube->count, tube->constraints.begin());
+    keep_soft_contacts(*tube);
+  }
   collect_tissue_load(scene, state, loads);
   clock.add_to(times.response_s);
   return statistics;
@@ -204,7 +212,7 @@ StepResult step(const Scene& scene, SceneState& state, const StepInput& input) n
 
   StageTimes times;
   load_bodies(scene, state);
-  step_tissue(scene, state, before, result.loads, times);
+  step_tissue(scene, state, before, result.loads, times, state.intubation ? &state.intubation->soft : nullptr);
   scene.rigid.place(state.tissue.body_displacement, state.tissue.body_velocity, state.parts);
   if (state.placed && scene.rigid.part_count() > 0)  // as they press now that the bodies have given way
     rigid = rigid_contacts(scene.rigid, state.parts, scene.tool, scene.model.step_s, state.rigid_scan, state.proxy.pose);
@@ -220,6 +228,7 @@ StepResult step(const Scene& scene, SceneState& state, const StepInput& input) n
     state.rigid_scan.begin_anew(state.free_pose);
     state.parts = PartPoses{};
     state.lips.set_rest();
+    if (state.intubation) state.intubation->soft.forget();
     result.loads = {};
     rigid = RigidContacts{};
     result.faults |= kFaultTissue;

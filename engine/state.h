@@ -65,8 +65,10 @@ Pose within_reach(const Scene& scene, const Pose& pose) noexcept;
 
 /// The tissue's part of a step, with the tool brought from `before` to state.proxy.pose: contacts, response, and the
 /// tissue's force on the tool (state.tissue_wrench) with its split in `loads`. Adds the stages' times to `times`.
+/// `tube`, if there is one: its contacts as press_tissue left them, which are solved along (soft_contacts.h).
 StepStatistics step_tissue(const Scene& scene, SceneState& state, const Pose& before,
-                           std::array<StructureLoad, kLoadedStructures>& loads, StageTimes& times) noexcept;
+                           std::array<StructureLoad, kLoadedStructures>& loads, StageTimes& times,
+                           SoftContactState* tube = nullptr) noexcept;
 
 /// Advances the scene by one step. No allocation, lock, I/O or exception; a non-finite tissue is put back to rest and
 /// reported as kFaultTissue, with no force.

@@ -71,12 +71,15 @@ void hold_distances(const SphereTree& tree, const TissueModel& model, TissueStat
   }
 }
 
+/// The tube's contacts are always part of the implicit step, whatever the tool's response.
+ContactConstraint* tube_contacts(ContactState& contacts) { return contacts.constraints.data() + contacts.count; }
+
 /// The paper to the letter: free step, then each colliding sphere's centre is projected out along its normal and the
 /// correction goes to the vertices of its tetrahedra; the velocity is taken from the corrected positions. Its force
 /// reading is M dp / h^2, which depends on the step (DESIGN 4.3): shown, never scored.
 StepStatistics projection(bool sphere_distances, const SphereTree& tree, const TissueModel& model, TissueState& tissue,
                           ContactState& contacts, StageTimes& times) {
-  const StepStatistics statistics = implicit_step(model, tissue, nullptr, 0, times);
+  const StepStatistics statistics = implicit_step(model, tissue, tube_contacts(contacts), contacts.of_tube, times);
   StageClock clock;
   const double h = model.step_s;
   for (int c = 0; c < contacts.count; ++c) contacts.constraints[c].multiplier = 0.0f;
@@ -116,7 +119,7 @@ StepStatistics penalty(const TissueModel& model, TissueState& tissue, ContactSta
       tissue.external[contact.node[k]].v += splat(contact.multiplier * contact.weight[k]) * contact.normal;
   }
   clock.add_to(times.response_s);
-  return implicit_step(model, tissue, nullptr, 0, times);
+  return implicit_step(model, tissue, tube_contacts(contacts), contacts.of_tube, times);
 }
 
 }  // namespace
@@ -126,7 +129,7 @@ StepStatistics respond(Response response, bool sphere_distances, const SphereTre
   StepStatistics statistics;
   switch (response) {
     case Response::compliant:
-      statistics = implicit_step(model, tissue, contacts.constraints.data(), contacts.count, times);
+      statistics = implicit_step(model, tissue, contacts.constraints.data(), contacts.count + contacts.of_tube, times);
       break;
     case Response::projection:
       statistics = projection(sphere_distances, tree, model, tissue, contacts, times);

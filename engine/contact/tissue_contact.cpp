@@ -44,7 +44,7 @@ void ContactState::forget() {
   std::fill(memory.begin(), memory.end(), SphereContact{});
   std::fill(cluster_check.begin(), cluster_check.end(), 0.0);
   std::fill(cluster_near.begin(), cluster_near.end(), 0);
-  count = 0;
+  count = of_tube = 0;
   travel = 0.0;
 }
 

@@ -23,18 +23,23 @@ struct SphereContact {
   double next_check = 0.0;   ///< of ContactState::travel: until then the tool cannot be in reach
 };
 
+/// Contacts between the tissue and the tube are at most so many at once.
+constexpr int kMostSoftContacts = 192;
+
 struct ContactState {
   /// For the sphere tree.
   explicit ContactState(const SphereTree& tree)
-      : memory(tree.spheres.size()), constraints(tree.spheres.size()), cluster_check(tree.clusters.size(), 0.0),
-        cluster_near(tree.clusters.size(), 0) {}
+      : memory(tree.spheres.size()), constraints(tree.spheres.size() + kMostSoftContacts),
+        cluster_check(tree.clusters.size(), 0.0), cluster_near(tree.clusters.size(), 0) {}
   /// For `vertices` surface vertices that give at most `most` constraints.
-  ContactState(std::size_t vertices, std::size_t most) : memory(vertices), of_spheres(false), constraints(most) {}
+  ContactState(std::size_t vertices, std::size_t most)
+      : memory(vertices), of_spheres(false), constraints(most + kMostSoftContacts) {}
 
   std::vector<SphereContact> memory;           ///< per sphere, or per surface vertex where triangles are tested
   bool of_spheres = true;                      ///< which of the two
   std::vector<ContactConstraint> constraints;  ///< the first `count` are this tick's
   int count = 0;
+  int of_tube = 0;  ///< behind these, so many of the tube's: solved in the same system, but none of the tool's
   /// What tool and tissue can have moved towards each other since rest, m: the sum over the ticks of the tool's way and
   /// of the fastest node's. A sphere or cluster seen far away need not be looked at before the travel has used up the
   /// distance.

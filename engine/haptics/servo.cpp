@@ -44,7 +44,7 @@ void second_hand(const Scene& scene, const PortInput& input, const StepResult& u
                  TickRecord& record) {
   record.has_intubation = true;
   IntubationRecord& r = record.intubation;
-  r = used.intubation;
+  r = used.step >= 0 ? used.intubation : scene.intubation->at_start;
   r.hand_pose = input.second_pose;
   r.hand_valid = input.second_valid;
   if (!input.second_valid) r.faults |= kIntubationFaultHand;

@@ -31,4 +31,16 @@ struct AirwayCourse {
   int larynx_body = -1;                            ///< index into SoftBodyDescription::bodies; -1: nothing moves
 };
 
+/// From the cut at the cords to the last of the airway, the carina, along the cuts' centres, m; 0 where there are no
+/// cords.
+inline double cords_to_carina_m(const AirwayCourse& course) {
+  double way = 0.0;
+  const AirwayRing* before = nullptr;  // none yet: above the cords
+  for (const AirwayRing& ring : course.airway) {
+    if (before != nullptr) way += (ring.centre - before->centre).norm();
+    if (before != nullptr || ring.part == AirwayPart::cords) before = &ring;
+  }
+  return way;
+}
+
 }  // namespace vallecula::engine

@@ -15,12 +15,12 @@ using Chain = Passage::Chain;
 struct Wall {
   double soft, give, hard;
 };
-constexpr Wall kVestibule{4e5, 2e-3, 1e7};
-constexpr Wall kCommissure{1e6, 5e-4, 3e7};    // the cords' front, and the arytenoids behind
-constexpr Wall kCricoid{1.5e6, 3e-4, 1.5e8};   // and the subglottis within it: a closed ring of cartilage
-constexpr Wall kTrachea{3e5, 3e-4, 3e7};       // horseshoes, and between them membrane
-constexpr Wall kMembrane{1.5e5, 1e-3, 3e7};    // the trachea's back
-constexpr Wall kOesophagus{6e3, 5e-3, 1e6};    // presses with about 6 kPa on a 3.5 tube
+constexpr Wall kVestibule{4e5, 1.5e-3, 3e7};
+constexpr Wall kCommissure{1e6, 5e-4, 3e7};   // the cords' front, and the arytenoids behind
+constexpr Wall kCricoid{1.5e6, 3e-4, 1.5e8};  // and the subglottis within it: a closed ring of cartilage
+constexpr Wall kTrachea{3e5, 3e-4, 3e7};      // horseshoes, and between them membrane
+constexpr Wall kMembrane{1.5e5, 1e-3, 3e7};   // the trachea's back
+constexpr Wall kOesophagus{4e3, 5e-3, 1e6};   // presses with about 4 kPa on a 3.5 tube
 
 // The cords, per side: a soft edge, and muscles that hold them shut. Once parted by the tube's full width they are held
 // apart against the muscles' tone alone.
@@ -29,12 +29,12 @@ constexpr double kCordsThickness = 2e-3;                                       /
 constexpr double kCordGive = 3e-3, kBesideCords = 2e4;                         // m, N/m: then cartilage
 constexpr double kShutBelow = 0.4;  // of the opening: no breath narrows them to this, muscles do
 
-constexpr double kNear = 3e-4;          // m: contacts are given from here on, besides what a point does in a tick
-constexpr double kWayIn = 2e-3;         // m beyond a first ring's plane within which a tip that comes from aside is let in
-constexpr double kMouthGive = 3e-3;     // m: the oesophagus' mouth opens by this before a tip (assumed)
-constexpr double kRightFavoured = 1e-3; // m: the left bronchus has to be nearer by this (assumed)
-constexpr double kLeastAlong = 0.3;     // cosine of the tilt to which a ring's edge is reckoned with
-constexpr double kMostStiffness = 1e6;  // N/m, RodContact's bound
+constexpr double kNear = 3e-4;       // m: contacts are given from here on, besides what a point does in a tick
+constexpr double kWayIn = 2e-3;      // m beyond a first ring's plane within which a tip that comes from aside is let in
+constexpr double kMouthGive = 3e-3;  // m: the oesophagus' mouth opens by this before a tip (assumed)
+constexpr double kRightFavoured = 1e-3;  // m: the left bronchus has to be nearer by this (assumed)
+constexpr double kLeastAlong = 0.3;      // cosine of the tilt to which a ring's edge is reckoned with
+constexpr double kMostStiffness = 1e6;   // N/m, RodContact's bound
 
 constexpr int kDirections = 8;
 constexpr double kDiagonal = 0.70710678118654752440;
@@ -71,14 +71,6 @@ void enter(const Passage& p, const Vec3& larynx_way, const RodState& tube, doubl
   }
 }
 
-/// Index of the last ring passed, of the first `rings` ones.
-std::int16_t passed_by(const Vec3& x, const Chain& chain, int rings, const Vec3& larynx_way, int before) {
-  int k = std::min(before, rings - 1);
-  while (k + 1 < rings && chain[static_cast<std::size_t>(k) + 1].beyond(x, larynx_way) >= 0) ++k;
-  while (k >= 0 && chain[static_cast<std::size_t>(k)].beyond(x, larynx_way) < 0) --k;
-  return static_cast<std::int16_t>(k);
-}
-
 int side_at_carina(const Passage& p, const Vec3& point) {
   const std::size_t carina = static_cast<std::size_t>(p.carina());
   const Vec3& along = p.airway(0)[carina].cut.along;
@@ -100,8 +92,8 @@ struct At {
   double near;   ///< m
 };
 
-/// What a wall there is: unit direction outwards, how far the tube is pressed into it, and how that changes as the axis'
-/// point moves.
+/// What a wall there is: unit direction outwards, how far the tube is pressed into it, and how that changes as the
+/// axis' point moves.
 struct Press {
   Vec3 outward;
   double depth;
@@ -167,8 +159,8 @@ class Walls {
     return outside_.reach(tube_.rotation[static_cast<std::size_t>(a.node)].conjugate() * u, a.from_tip_m);
   }
 
-  /// Where on the way from front to back of the gap the tube's middle is: the cords' half width there, and by how much it
-  /// grows to the front (it narrows: below 0).
+  /// Where on the way from front to back of the gap the tube's middle is: the cords' half width there, and by how much
+  /// it grows to the front (it narrows: below 0).
   struct Gap {
     double half_m, slope;
   };
@@ -193,13 +185,18 @@ class Walls {
   Wall wall(const Ring& r, int direction, double from_tip_m) const {
     const bool back = kFrontward[direction] < 0;
     switch (r.cut.part) {
-      case AirwayPart::vestibule: return kVestibule;
-      case AirwayPart::cords: return kFrontward[direction] == 0 ? cord(from_tip_m) : kCommissure;
+      case AirwayPart::vestibule:
+        return kVestibule;
+      case AirwayPart::cords:
+        return kFrontward[direction] == 0 ? cord(from_tip_m) : kCommissure;
       case AirwayPart::subglottis:
-      case AirwayPart::cricoid: return kCricoid;
+      case AirwayPart::cricoid:
+        return kCricoid;
       case AirwayPart::trachea:
-      case AirwayPart::main_bronchus: return back ? kMembrane : kTrachea;
-      case AirwayPart::oesophagus: return kOesophagus;
+      case AirwayPart::main_bronchus:
+        return back ? kMembrane : kTrachea;
+      case AirwayPart::oesophagus:
+        return kOesophagus;
     }
     return kTrachea;
   }
@@ -214,7 +211,9 @@ class Walls {
     const double here = beyond(k, node), there = beyond(k, node + 1), whole = here - there;
     const At a = at(node, std::abs(whole) > 1e-9 ? std::clamp(here / whole, 0.0, 1.0) : 0.0);
     const Vec3 offset = a.point - centre(k);
-    const double frontward = offset.dot(r.front), length = r.before_m + share * r.after_m;
+    const double frontward = offset.dot(r.front);
+    // Of the entrance's rim no more than what of the tube is in.
+    const double length = (k == 0 ? std::min(r.before_m, a.from_tip_m) : r.before_m) + share * r.after_m;
     const double cosine = a.towards.dot(r.cut.along);
     const double along = std::copysign(std::max(std::abs(cosine), kLeastAlong), cosine);
     const bool cords = r.cut.part == AirwayPart::cords;
@@ -254,8 +253,11 @@ class Walls {
       const Vec3 gradient = u + std::clamp((room - room_next - way.dot(u)) / spacing, -3.0, 3.0) * along;
       const Wall w = wall(r, d, 0.0), w_next = wall(next, d, 0.0);
       const auto mixed = [share](double here, double there) { return (1 - share) * here + share * there; };
-      add(a, {u, depth, gradient,
-              {length * mixed(w.soft, w_next.soft), mixed(w.give, w_next.give), length * mixed(w.hard, w_next.hard)}},
+      add(a,
+          {u,
+           depth,
+           gradient,
+           {length * mixed(w.soft, w_next.soft), mixed(w.give, w_next.give), length * mixed(w.hard, w_next.hard)}},
           share < 0.5 ? r.cut.part : next.cut.part, larynx);
     }
   }
@@ -266,8 +268,7 @@ class Walls {
     const Ring& r = ring(k);
     const Wall w = wall(r, 0, 0.0);
     const double length = r.before_m;
-    add(at(0, 0.0),
-        {r.cut.along, beyond(k, 0), r.cut.along, {w.soft * length, w.give, w.hard * length}}, r.cut.part,
+    add(at(0, 0.0), {r.cut.along, beyond(k, 0), r.cut.along, {w.soft * length, w.give, w.hard * length}}, r.cut.part,
         r.cut.larynx_share);
   }
 
@@ -307,6 +308,13 @@ class Walls {
 
 }  // namespace
 
+int last_passed(const Vec3& x, const Chain& chain, int rings, const Vec3& larynx_way, int before) noexcept {
+  int k = std::min(before, rings - 1);
+  while (k + 1 < rings && chain[static_cast<std::size_t>(k) + 1].beyond(x, larynx_way) >= 0) ++k;
+  while (k >= 0 && chain[static_cast<std::size_t>(k)].beyond(x, larynx_way) < 0) --k;
+  return k;
+}
+
 void follow_canals(const Passage& p, const Vec3& larynx_way, const TubeOutside& outside, const RodState& tube,
                    double dt, PassageState& s) noexcept {
   if (s.inside == 0) enter(p, larynx_way, tube, dt, s);
@@ -318,7 +326,8 @@ void follow_canals(const Passage& p, const Vec3& larynx_way, const TubeOutside& 
   };
   const auto follow = [&](std::size_t node) {
     const int before = static_cast<int>(node) < s.inside ? s.passed[node] : -1;
-    s.passed[node] = passed_by(tube.position[node], p.chain(s.canal, s.side), rings(), larynx_way, before);
+    s.passed[node] = static_cast<std::int16_t>(
+        last_passed(tube.position[node], p.chain(s.canal, s.side), rings(), larynx_way, before));
   };
   follow(0);
   if (s.canal == Canal::airway && s.side < 0 && s.passed[0] == p.carina()) {

@@ -1,11 +1,9 @@
-#include "engine/tube/intubation.h"
-
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>
 
-#include "engine/tube/intubation_step.h"
+#include "engine/tube/intubation_data.h"
 #include "engine/tube/secretions.h"
 
 namespace vallecula::engine {
@@ -55,6 +53,19 @@ const IntubationDescription& checked(const IntubationDescription& d, const std::
   return d;
 }
 
+IntubationRecord record_at_start(const IntubationDescription& d, const Infant& infant) {
+  IntubationRecord r;
+  const InfantState s = start(infant);
+  r.in_hand = d.stylet ? InHand::tube_with_stylet : InHand::tube;
+  r.glottis_opening = start(d.glottis).opening;
+  r.spasm = start(d.glottis).spasm;
+  r.secretions_ml = 1e6 * d.secretions.volume_m3;
+  r.sao2 = s.oxygen.arterial;
+  r.spo2 = s.oximeter.percent / 100.0;
+  r.heart_per_min = s.heart.per_min;
+  return r;
+}
+
 std::vector<std::array<int, 3>> sleeve_triangles() {
   std::vector<std::array<int, 3>> triangles;
   for (int i = 0; i + 1 < kTubeNodes; ++i)
@@ -72,6 +83,7 @@ Intubation::Intubation(const IntubationDescription& d, const std::vector<SprungB
     : description(checked(d, bodies)),
       infant(build_infant(d.infant)),
       passage(d.course, d.glottis, d.mouth, d.mouth_inward),
+      at_start(record_at_start(d, infant)),
       sleeve(sleeve_triangles()),
       catheter_(suction_catheter(d.catheter_outer_m)),
       tube_outside_(d.tube),
@@ -91,15 +103,5 @@ double press_for(const IntubationDescription& d, const std::vector<SprungBody>& 
   // The larynx goes share times the body's way, which is share times the force over the body's stiffness.
   return way_m * bodies[static_cast<std::size_t>(d.course.larynx_body)].stiffness / (share * share);
 }
-
-IntubationState::IntubationState(const Intubation& in, std::size_t bodies)
-    : in_hand(in.has(InHand::tube_with_stylet) ? InHand::tube_with_stylet : InHand::tube),
-      stylet_in(in.has(InHand::tube_with_stylet)),
-      rod(in.rod(in_hand), Pose{}),
-      glottis(start(in.description.glottis)),
-      infant(start(in.infant)),
-      secretions_m3(in.description.secretions.volume_m3),
-      body_load(bodies, Vec3::Zero()),
-      body_load_stiffness(bodies, 0.0) {}
 
 }  // namespace vallecula::engine

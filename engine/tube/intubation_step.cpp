@@ -38,6 +38,7 @@ bool approach(const Pose& to, double most_m, double most_rad, Pose& from) {
 void put_to_rest(const Intubation& in, const Pose& grip, IntubationState& s) {
   s.rod.set_rest(in.rod(s.in_hand), grip);
   s.passage.set_rest();
+  s.soft.forget();
 }
 
 /// Where the grip is to be in this step: the hand's place, or where it was left.
@@ -61,7 +62,7 @@ Pose take_hand(const Scene& scene, const StepInput& input, IntubationState& s, s
 }
 
 /// What the hand holds: the stylet is drawn in the mouth as well, tube and catheter change places outside of it.
-void take_tools(const Intubation& in, std::uint32_t actions, IntubationState& s) {
+void take_tools(const Intubation& in, std::uint32_t actions, const Pose& grip, IntubationState& s) {
   if ((actions & kActionStyletOut) != 0) s.stylet_in = false;
   InHand wanted = s.stylet_in ? InHand::tube_with_stylet : InHand::tube;
   if ((actions & kActionCatheter) != 0 && in.has(InHand::catheter)) wanted = InHand::catheter;
@@ -69,7 +70,7 @@ void take_tools(const Intubation& in, std::uint32_t actions, IntubationState& s)
   const bool exchange = wanted == InHand::catheter || s.in_hand == InHand::catheter;
   if (exchange && deep(in.description, s.rod.position[0]) >= 0) return;
   s.in_hand = wanted;
-  if (exchange) put_to_rest(in, s.rod.grip, s);
+  if (exchange) put_to_rest(in, grip, s);
 }
 
 /// True in the step of a breath that is asked for.
@@ -119,7 +120,7 @@ void step_secretions(const Scene& scene, const IntubationRecord& r, std::uint32_
 
 /// Infant and cords: one step each; a breath asked for goes the way that is open.
 void step_patient(const Scene& scene, const SceneState& state, std::uint32_t actions, const StepResult& result,
-                  const PassageLoads& loads, IntubationState& s, IntubationRecord& r) {
+                  const PassageLoads& loads, IntubationState& s, std::uint32_t& fault, const IntubationRecord& r) {
   const Intubation& in = *scene.intubation;
   const double dt = scene.model.step_s;
 
@@ -131,25 +132,27 @@ void step_patient(const Scene& scene, const SceneState& state, std::uint32_t act
   input.tube_load_n = loads.vagal_n;
   input.glottis_opening = s.glottis.opening;
   input.breathing = in.description.breathes;
-  const InfantSigns signs = step(in.infant, s.infant, input, dt);
-  s.breath_phase = signs.breath_phase;
+  s.signs = step(in.infant, s.infant, input, dt);
 
   GlottisInput cords;
   cords.breathing = in.description.breathes;
-  cords.breath_phase = signs.breath_phase;
+  cords.breath_phase = s.signs.breath_phase;
   cords.touched = std::max(loads.glottis_n, load_on(result, Structure::larynx)) > kTouch;
   step(in.description.glottis, s.glottis, cords, dt);
-  if ((signs.faults & kInfantFaultState) != 0 || (s.glottis.faults & kGlottisFaultState) != 0)
-    r.faults |= kIntubationFaultInfant;
+  if ((s.signs.faults & kInfantFaultState) != 0 || (s.glottis.faults & kGlottisFaultState) != 0)
+    fault |= kIntubationFaultInfant;
+}
 
+void write_signs(const IntubationState& s, IntubationRecord& r) {
+  r.secretions_ml = 1e6 * s.secretions_m3;
   r.glottis_opening = s.glottis.opening;
   r.spasm = s.glottis.spasm;
-  r.sao2 = signs.sao2;
-  r.spo2 = signs.spo2;
-  r.heart_per_min = signs.heart_per_min;
-  r.detector_yellow = signs.detector == DetectorColour::yellow;
+  r.sao2 = s.signs.sao2;
+  r.spo2 = s.signs.spo2;
+  r.heart_per_min = s.signs.heart_per_min;
+  r.detector_yellow = s.signs.detector == DetectorColour::yellow;
   r.breaths_given = s.infant.breaths_given;
-  r.given_per_min = signs.given_per_min;
+  r.given_per_min = s.signs.given_per_min;
 }
 
 /// The assistant's force on the larynx for the next step of its body.
@@ -187,6 +190,27 @@ PassageInput about_tube(const Scene& scene, const SceneState& state) {
   return about;
 }
 
+/// Those with tongue and epiglottis, behind the others.
+void add_soft_contacts(const Scene& scene, const TissueState& tissue, const PassageInput& about, IntubationState& s) {
+  const Rod& rod = scene.intubation->rod(s.in_hand);
+  const auto free = static_cast<std::size_t>(s.contacts.count);
+  const double from = inside_canal_m(scene.intubation->passage, s.passage, rod, s.rod, about.larynx_way);
+  s.contacts.count += find_soft_contacts(scene, tissue, rod, s.rod, from, about.friction, s.soft,
+                                         s.contacts.contact.data() + free, kMostTubeContacts - s.contacts.count);
+  for (int i = 0; i < s.soft.count; ++i) {
+    const SoftContact& at = s.soft.found[static_cast<std::size_t>(i)];
+    const int tet =
+        scene.surface.tet[static_cast<std::size_t>(scene.tree.spheres[static_cast<std::size_t>(at.sphere)].triangle)];
+    ContactTag& tag = s.contacts.tag[free + static_cast<std::size_t>(i)];
+    tag = ContactTag{};
+    tag.load = scene.description.soft.tet_structure[static_cast<std::size_t>(tet)] == Structure::epiglottis
+                   ? kLoadEpiglottis
+                   : kLoadTongue;
+    tag.before_tip =
+        (at.segment + at.weight) * rod.segment_m() < rod.description().outer_radius_m + rod.segment_m() / 2;
+  }
+}
+
 /// What the tube asks of blade and bodies in the next step.
 void keep_loads(const Scene& scene, const PassageLoads& loads, IntubationState& s) {
   s.on_blade = loads.on_blade;
@@ -214,12 +238,16 @@ PassageLoads step_tool(const Scene& scene, const SceneState& state, const Pose& 
       find_contacts(in.passage, s.passage, in.outside(s.in_hand), rod, s.rod, about, dt, s.contacts);
   if ((faults & kPassageFaultTube) != 0) r.faults |= kIntubationFaultTube;
   if ((faults & kPassageFaultLarynx) != 0) r.faults |= kIntubationFaultInfant;
+  const int first_soft = s.contacts.count;
+  add_soft_contacts(scene, state.tissue, about, s);
   const RodStep moved = step(rod, s.rod, grip, s.contacts.contact.data(), s.contacts.count, dt);
   if ((moved.faults & kRodFaultState) != 0) {
     r.faults |= kIntubationFaultTube;
     s.passage.set_rest();
+    s.soft.forget();
     s.contacts.clear();
   }
+  press_tissue(scene, s.rod, s.contacts.contact.data() + first_soft, s.soft);
   const PassageLoads loads = read_loads(&scene.rigid, s.rod, about.blade_pose.position, s.contacts);
   write_loads(loads, r);
   r.model_force_n = moved.on_hand.force;
@@ -233,6 +261,17 @@ PassageLoads step_tool(const Scene& scene, const SceneState& state, const Pose& 
 }
 
 }  // namespace
+
+IntubationState::IntubationState(const Scene& scene)
+    : in_hand(scene.intubation->at_start.in_hand),
+      stylet_in(in_hand == InHand::tube_with_stylet),
+      rod(scene.intubation->rod(in_hand), Pose{}),
+      soft(scene),
+      glottis(start(scene.intubation->description.glottis)),
+      infant(start(scene.intubation->infant)),
+      secretions_m3(scene.intubation->description.secretions.volume_m3),
+      body_load(scene.model.bodies.size(), Vec3::Zero()),
+      body_load_stiffness(scene.model.bodies.size(), 0.0) {}
 
 void step_intubation(const Scene& scene, SceneState& state, const StepInput& input, StepResult& result) noexcept {
   const Intubation& in = *scene.intubation;
@@ -248,16 +287,22 @@ void step_intubation(const Scene& scene, SceneState& state, const StepInput& inp
   std::fill(s.body_load.begin(), s.body_load.end(), Vec3::Zero());
   std::fill(s.body_load_stiffness.begin(), s.body_load_stiffness.end(), 0.0);
   const Pose grip = take_hand(scene, input, s, r.faults);
-  take_tools(in, input.actions, s);
+  take_tools(in, input.actions, grip, s);
   r.in_hand = s.in_hand;
   PassageLoads loads;
   if (s.placed) loads = step_tool(scene, state, grip, s, r);
   keep_loads(scene, loads, s);
-  step_secretions(scene, r, input.actions, s);
-  r.secretions_ml = 1e6 * s.secretions_m3;
-  step_patient(scene, state, input.actions, result, loads, s, r);
-  press_larynx(scene, input.actions, s);
-  s.actions = input.actions;
+  if (s.started && !(input.valid && input.second_valid)) {
+    // A trial without one of its hands stands still, and the infant with it: nobody could help it meanwhile.
+    press_larynx(scene, s.actions, s);
+  } else {
+    s.started = true;
+    step_secretions(scene, r, input.actions, s);
+    step_patient(scene, state, input.actions, result, loads, s, r.faults, r);
+    press_larynx(scene, input.actions, s);
+    s.actions = input.actions;
+  }
+  write_signs(s, r);
 }
 
 }  // namespace vallecula::engine

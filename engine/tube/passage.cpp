@@ -14,8 +14,9 @@ namespace {
 
 constexpr double kLeastSpacing = 0.0005, kMostSpacing = 0.004;
 constexpr std::size_t kMostRings = 400;
-constexpr double kMostBranch = 0.010;         // m, from the carina to a bronchus' first ring: it begins aside
+constexpr double kMostBranch = 0.010;          // m, from the carina to a bronchus' first ring: it begins aside
 constexpr double kCordsHalfThickness = 0.001;  // m (assumed)
+constexpr double kRim = 0.002;                 // m, of the fold about an entrance (assumed)
 
 [[noreturn]] void fault(const std::string& what) { throw std::invalid_argument("airway: " + what); }
 
@@ -37,7 +38,8 @@ void check_ring(const AirwayRing& r, const std::string& name) {
 
 void check_way(const AirwayRing& before, const AirwayRing& after, double most, const std::string& name) {
   const Vec3 way = after.centre - before.centre;
-  if (!(way.norm() >= kLeastSpacing && way.norm() <= most))
+  constexpr double kRounding = 1e-6;  // m
+  if (!(way.norm() >= kLeastSpacing - kRounding && way.norm() <= most + kRounding))
     fault(name + " lies " + mm(way.norm()) + " from the one before it; " + mm(kLeastSpacing) + " to " + mm(most) +
           " are possible");
   if (!(way.dot(before.along) > 0) || !(way.dot(after.along) > 0))
@@ -68,7 +70,8 @@ void check(const AirwayCourse& c) {
     cords += part == AirwayPart::cords;
     trachea += part == AirwayPart::trachea;
     if (part > AirwayPart::trachea || (n > 0 && part < c.airway[n - 1].part))
-      fault("the part of " + ring_name("the airway", n) + " is out of order: from the inlet to the carina there are "
+      fault("the part of " + ring_name("the airway", n) +
+            " is out of order: from the inlet to the carina there are "
             "vestibule, cords, subglottis, cricoid, trachea");
   }
   if (cords != 1) fault("it has " + std::to_string(cords) + " rings at the cords; it needs one");
@@ -101,19 +104,21 @@ Passage::Chain made_chain(const std::vector<AirwayRing>& first, const std::vecto
       }
       all.push_back(r);
     }
+  all.front().before_m = kRim;
   for (Passage::Ring& r : all)
     if (r.cut.part == AirwayPart::cords) r.before_m = r.after_m = kCordsHalfThickness;
   return all;
 }
 
-/// m along a chain from its first ring to the tip.
+/// m along a chain from its first ring to the tip, which may have gone on since it had passed that ring.
 double along_chain(const Passage::Chain& chain, int passed, const Vec3& tip, const Vec3& larynx_way) {
+  passed = std::max(0, last_passed(tip, chain, static_cast<int>(chain.size()), larynx_way, passed));
   const Passage::Ring& r = chain[static_cast<std::size_t>(passed)];
-  const double here = r.beyond(tip, larynx_way);
+  const double here = std::max(0.0, r.beyond(tip, larynx_way));
   if (passed + 1 == static_cast<int>(chain.size())) return r.from_start_m + here;
   const Passage::Ring& next = chain[static_cast<std::size_t>(passed) + 1];
   const double there = next.beyond(tip, larynx_way);
-  const double share = here > 0 ? std::min(1.0, here / std::max(here - there, 1e-9)) : 0.0;
+  const double share = std::min(1.0, here / std::max(here - there, 1e-9));
   return r.from_start_m + share * (next.from_start_m - r.from_start_m);
 }
 
@@ -132,8 +137,8 @@ TubeOutside::Reach TubeOutside::reach(const Vec3& u, double s) const noexcept {
   constexpr double kSteepest = 3.0;  // a chord's ends part infinitely fast at the very point
   Reach reach{radius_, 0.0};
   if (s < bevel_length_) {
-    // Disc with what lies short of the chord `towards` cut off: where u's own point of the rim is gone, a corner reaches
-    // farthest.
+    // Disc with what lies short of the chord `towards` cut off: where u's own point of the rim is gone, a corner
+    // reaches farthest.
     const double along = u.dot(point_side_), towards = radius_ - std::max(0.0, s) * steepness_;
     if (radius_ * along < towards) {
       const double across = std::sqrt(std::max(0.0, 1 - along * along - u.x() * u.x()));
@@ -219,7 +224,8 @@ std::uint32_t find_contacts(const Passage& passage, PassageState& state, const T
     input.glottis_opening = 1.0;
     faults |= kPassageFaultLarynx;
   }
-  if (input.blade && (!usable(input.blade_pose) || !input.blade_velocity.allFinite() || !input.blade_spin.allFinite())) {
+  if (input.blade &&
+      (!usable(input.blade_pose) || !input.blade_velocity.allFinite() || !input.blade_spin.allFinite())) {
     input.blade = nullptr;
     faults |= kPassageFaultBlade;
   }
@@ -236,11 +242,14 @@ double inside_canal_m(const Passage& passage, const PassageState& state, const R
                       const Vec3& larynx_way) noexcept {
   if (state.inside == 0) return 0.0;
   const Passage::Ring& first = passage.chain(state.canal, state.side).front();
-  const std::size_t last = static_cast<std::size_t>(state.inside) - 1;
-  if (state.inside == kTubeNodes) return rod.description().length_m;
-  const double in = std::max(0.0, first.beyond(tube.position[last], larynx_way));
-  const double out = std::max(0.0, -first.beyond(tube.position[last + 1], larynx_way));
-  return rod.segment_m() * (static_cast<double>(last) + in / std::max(in + out, 1e-9));
+  const auto beyond = [&](int node) { return first.beyond(tube.position[static_cast<std::size_t>(node)], larynx_way); };
+  int out = state.inside;  // what has come in or gone out since then is taken along
+  while (out > 0 && beyond(out - 1) < 0) --out;
+  while (out < kTubeNodes && beyond(out) >= 0) ++out;
+  if (out == 0) return 0.0;
+  if (out == kTubeNodes) return rod.description().length_m;
+  const double in_m = beyond(out - 1), out_m = -beyond(out);
+  return rod.segment_m() * (out - 1 + in_m / (in_m + out_m));
 }
 
 TipPlace place(const Passage& passage, const PassageState& state, const RodState& tube) noexcept {

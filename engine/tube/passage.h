@@ -1,7 +1,7 @@
 // The way of what the second hand holds, along its whole length: above the laryngeal inlet and the mouth of the
-// oesophagus it meets surfaces, from there on it is inside a canal and meets only that, so it can neither break out of a
-// windpipe nor step over into the gullet. A canal is a chain of rings; where the tube's axis crosses a ring's plane, that
-// ring's wall pushes it towards the middle.
+// oesophagus it meets surfaces, from there on it is inside a canal and meets only that, so it can neither break out of
+// a windpipe nor step over into the gullet. A canal is a chain of rings; where the tube's axis crosses a ring's plane,
+// that ring's wall pushes it towards the middle.
 //
 // In a tick: find_contacts, others add theirs (TubeContacts::add), the rod's step, read_loads.
 #pragma once
@@ -15,8 +15,8 @@
 
 namespace vallecula::engine {
 
-/// The outside of what is pushed in, near its tip. A bevelled end is the tube cut by a plane: `s` behind the tip there is
-/// only what lies beyond a chord, at the tip itself but a point of the rim opposite to where the opening looks.
+/// The outside of what is pushed in, near its tip. A bevelled end is the tube cut by a plane: `s` behind the tip there
+/// is only what lies beyond a chord, at the tip itself but a point of the rim opposite to where the opening looks.
 class TubeOutside {
  public:
   explicit TubeOutside(const TubeDesign& design) noexcept;
@@ -56,8 +56,8 @@ class Passage {
     AirwayRing cut;  ///< its axes made exact
     Vec3 front;
     double from_start_m = 0.0;  ///< along the chain's centres, from its first ring
-    /// Of the canal's length, m, what this ring's wall stands for: half the way to either neighbour; of the cords a fixed
-    /// thickness.
+    /// Of the canal's length, m, what this ring's wall stands for: half the way to either neighbour; of the cords and
+    /// of an entrance's rim a fixed thickness.
     double before_m = 0.0, after_m = 0.0;
 
     Vec3 centre(const Vec3& larynx_way) const { return cut.centre + cut.larynx_share * larynx_way; }
@@ -71,10 +71,10 @@ class Passage {
   const Chain& chain(Canal canal, int side) const noexcept {
     return canal == Canal::oesophagus ? oesophagus_ : airway_[side == 1 ? 1 : 0];
   }
-  int cords() const noexcept { return cords_; }            ///< index of the cords' ring in the airway
-  int trachea() const noexcept { return trachea_; }        ///< of the last ring above the trachea: the cricoid
-  int carina() const noexcept { return carina_; }          ///< of the last ring before the main bronchi
-  double cords_to_carina_m() const noexcept;               ///< along the centres
+  int cords() const noexcept { return cords_; }      ///< index of the cords' ring in the airway
+  int trachea() const noexcept { return trachea_; }  ///< of the last ring above the trachea: the cricoid
+  int carina() const noexcept { return carina_; }    ///< of the last ring before the main bronchi
+  double cords_to_carina_m() const noexcept;         ///< along the centres
   const Glottis& glottis() const noexcept { return glottis_; }
   const Vec3& mouth() const noexcept { return mouth_; }
   const Vec3& mouth_inward() const noexcept { return mouth_inward_; }
@@ -143,9 +143,9 @@ enum PassageFault : std::uint32_t {
   kPassageFaultFull = 1u << 3,    ///< more contacts than there is room for
 };
 
-/// Follows the nodes into and out of the canals and leaves this tick's contacts in `contacts` (cleared first; those nearly
-/// touching are there too, with a depth below 0, so that the rod's implicit step meets them in time). Returns faults. No
-/// allocation, lock, I/O or exception.
+/// Follows the nodes into and out of the canals and leaves this tick's contacts in `contacts` (cleared first; those
+/// nearly touching are there too, with a depth below 0, so that the rod's implicit step meets them in time). Returns
+/// faults. No allocation, lock, I/O or exception.
 std::uint32_t find_contacts(const Passage& passage, PassageState& state, const TubeOutside& outside, const Rod& rod,
                             const RodState& tube, const PassageInput& input, double dt_s,
                             TubeContacts& contacts) noexcept;
@@ -181,13 +181,13 @@ double inside_canal_m(const Passage& passage, const PassageState& state, const R
 
 TipPlace place(const Passage& passage, const PassageState& state, const RodState& tube) noexcept;
 
-/// As IntubationRecord::past_cords_m: of the tip along the airway from the cords, in the oesophagus from its mouth; above
-/// the inlet as at the inlet.
+/// As IntubationRecord::past_cords_m: of the tip along the airway from the cords, in the oesophagus from its mouth;
+/// above the inlet as at the inlet.
 double past_cords_m(const Passage& passage, const PassageState& state, const RodState& tube,
                     const Vec3& larynx_way) noexcept;
 
-/// As IntubationRecord::at_mouth_m: m along the tube from the tip to where it first crosses the mouth's front; 0: the tip is
-/// outside.
+/// As IntubationRecord::at_mouth_m: m along the tube from the tip to where it first crosses the mouth's front; 0: the
+/// tip is outside.
 double at_mouth_m(const Passage& passage, const Rod& rod, const RodState& tube) noexcept;
 
 }  // namespace vallecula::engine

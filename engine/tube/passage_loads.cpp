@@ -8,7 +8,8 @@ namespace vallecula::engine {
 namespace {
 
 bool of_glottis(std::uint8_t load) {
-  return load == static_cast<std::uint8_t>(AirwayPart::vestibule) || load == static_cast<std::uint8_t>(AirwayPart::cords);
+  return load == static_cast<std::uint8_t>(AirwayPart::vestibule) ||
+         load == static_cast<std::uint8_t>(AirwayPart::cords);
 }
 bool of_larynx(std::uint8_t load) { return load <= static_cast<std::uint8_t>(AirwayPart::cricoid); }
 
@@ -42,8 +43,7 @@ PassageLoads read_loads(const RigidField* rigid, const RodState& tube, const Vec
     if (tag.part >= 0 && rigid) {
       const std::size_t part = static_cast<std::size_t>(tag.part);
       loads.on_part[part] -= force * rigid->lever(tag.part, tag.at, c.force / force);
-      loads.on_part_stiffness[part] +=
-          c.stiffness_n_m * rigid->lever(tag.part, tag.at, c.normal).squaredNorm();
+      loads.on_part_stiffness[part] += c.stiffness_n_m * rigid->lever(tag.part, tag.at, c.normal).squaredNorm();
     }
   }
   double most = 0.0;

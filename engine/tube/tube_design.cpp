@@ -8,7 +8,7 @@ namespace vallecula::engine {
 
 namespace {
 
-constexpr double kGripShortOfConnector = 0.040;
+constexpr double kGripShortOfConnector = 0.060;
 
 /// Sources. Outer diameters of 3.5 and 4.0: CLINICAL.md (of 5.4 to 5.6 mm the middle); of 2.5 and 3.0, and the lengths:
 /// makers' catalogues (assumed). Cord mark, a line 2 mm wide: 24, 26, 28 mm for 2.5, 3.0, 3.5 as first described (in

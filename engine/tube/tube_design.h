@@ -48,7 +48,7 @@ struct Stylet {
 /// beyond its ends or a stylet that does not fit the lumen.
 RodDescription tube_rod(const TubeDesign& tube, const Stylet* stylet, double grip_from_tip);
 
-/// Where a hand holds a tube: 40 mm short of the connector (assumed).
+/// Where a hand holds a tube: 60 mm short of the connector (assumed): held farther back it bends before it passes a cricoid.
 double usual_grip_from_tip(const TubeDesign& tube);
 
 }  // namespace vallecula::engine

@@ -11,39 +11,46 @@ namespace {
 struct Surface {
   double soft, give, hard;
 };
-constexpr Surface kBone{3e6, 1e-3, 3e7};     // gum, palate, teeth
+constexpr Surface kBone{3e6, 1e-3, 3e7};      // gum, palate, teeth
 constexpr Surface kLarynx{8e5, 1.5e-3, 1e7};  // the larynx from above: arytenoids, folds
-constexpr Surface kMucosa{4e5, 2e-3, 1e7};   // cheek, pharynx, what else there is
-constexpr Surface kLip{8e4, 4e-3, 5e6};      // at and before the mouth's front
-constexpr Surface kBlade{5e6, 1.0, 0.0};     // metal: what gives is the tube's wall
-constexpr double kLipDepth = 4e-3;           // m behind the mouth's front
+constexpr Surface kMucosa{4e5, 2e-3, 1e7};    // cheek, pharynx, what else there is
+constexpr Surface kLip{8e4, 4e-3, 5e6};       // at and before the mouth's front
+constexpr Surface kBlade{5e6, 1.0, 0.0};      // metal: what gives is the tube's wall
+constexpr double kLipDepth = 4e-3;            // m behind the mouth's front
 
-constexpr double kNear = 3e-4;       // m: contacts are given from here on, besides what a point does in a tick
-constexpr double kFineFrom = 1e-3;   // m: nearer to the blade its fine field is asked
+constexpr double kNear = 3e-4;         // m: contacts are given from here on, besides what a point does in a tick
+constexpr double kFineFrom = 1e-3;     // m: nearer to the blade its fine field is asked
 constexpr double kCoarseError = 1e-3;  // m, of the coarse one near edges
 
 const Surface& surface_of(Structure s, bool at_lips) {
   switch (s) {
     case Structure::gum:
     case Structure::palate:
-    case Structure::teeth: return kBone;
-    case Structure::larynx: return kLarynx;
+    case Structure::teeth:
+      return kBone;
+    case Structure::larynx:
+      return kLarynx;
     case Structure::tongue:
     case Structure::epiglottis:
-    case Structure::other: break;
+    case Structure::other:
+      break;
   }
   return at_lips ? kLip : kMucosa;
 }
 
 std::uint8_t load_of(Structure s) {
   switch (s) {
-    case Structure::larynx: return static_cast<std::uint8_t>(AirwayPart::vestibule);
-    case Structure::tongue: return kLoadTongue;
-    case Structure::epiglottis: return kLoadEpiglottis;
+    case Structure::larynx:
+      return static_cast<std::uint8_t>(AirwayPart::vestibule);
+    case Structure::tongue:
+      return kLoadTongue;
+    case Structure::epiglottis:
+      return kLoadEpiglottis;
     case Structure::gum:
     case Structure::palate:
     case Structure::teeth:
-    case Structure::other: break;
+    case Structure::other:
+      break;
   }
   return kLoadPharynx;
 }
@@ -89,7 +96,8 @@ class Surfaces {
           tag.before_tip = s.from_tip_m < s.radius_m + length_;
           tag.part = static_cast<std::int8_t>(touch.part);
           tag.at = touch.rest;
-          add(at, touch.distance, touch.normal.normalized(), surface_of(touch.structure, lips), length_, tag, contacts_);
+          add(at, touch.distance, touch.normal.normalized(), surface_of(touch.structure, lips), length_, tag,
+              contacts_);
         },
         [](int, double) {});
   }
@@ -118,8 +126,7 @@ class Surfaces {
     tag.load = kLoadBlade;
     tag.before_tip = s.from_tip_m < s.radius_m + length_;
     tag.at = s.point - distance * normal;
-    at.contact.surface_velocity =
-        input_.blade_velocity + input_.blade_spin.cross(tag.at - input_.blade_pose.position);
+    at.contact.surface_velocity = input_.blade_velocity + input_.blade_spin.cross(tag.at - input_.blade_pose.position);
     add(at, distance, normal, kBlade, length_, tag, contacts_);
     return distance;
   }

@@ -259,16 +259,6 @@ std::map<std::string, double> settings_of(const engine::IntubationDescription& i
           {"second_device_limit_n", intubation.device_limit_n}};
 }
 
-double cords_to_carina_m(const engine::AirwayCourse& course) {
-  double way = 0.0;
-  const engine::AirwayRing* before = nullptr;  // none yet: above the cords
-  for (const engine::AirwayRing& ring : course.airway) {
-    if (before != nullptr) way += (ring.centre - before->centre).norm();
-    if (before != nullptr || ring.part == engine::AirwayPart::cords) before = &ring;
-  }
-  return way;
-}
-
 std::map<std::string, double> settings_of(const engine::SceneDescription& description) {
   const engine::HapticSettings& haptics = description.haptics;
   std::map<std::string, double> settings = {{"device_limit_n", haptics.device_limit_n},

@@ -21,9 +21,6 @@ std::map<std::string, double> settings_of(const engine::SceneDescription& descri
 /// Of the tube, the cords, the infant and the helps likewise; part of those of its scene.
 std::map<std::string, double> settings_of(const engine::IntubationDescription& intubation);
 
-/// This infant's way from the cords to the carina, along the middle of its airway; 0 where there are no cords.
-double cords_to_carina_m(const engine::AirwayCourse& course);
-
 /// What stood between the engine and the device, likewise.
 std::map<std::string, double> settings_of(const device::GuardSettings& guard);
 

@@ -196,9 +196,13 @@ pipeline::Approach usual_approach(const PatientPackage& package) {
 
 device::Trajectory expert_laryngoscopy(const PatientPackage& package, double hold_until_s) {
   std::vector<Waypoint> plan = adapted(kExpert, package.approach);
-  const double longer = hold_until_s - kLiftHeldUntil;
   for (Waypoint& w : plan)
-    if (w.time_s >= kLiftHeldUntil) w.time_s += std::max(0.0, longer);
+    if (w.time_s > kLiftHeldUntil) {
+      // Past the tube, which lies in the right corner: out over the middle.
+      w.tip[2] = w.mouth[2] = 1.0;
+    }
+  for (Waypoint& w : plan)
+    if (w.time_s >= kLiftHeldUntil) w.time_s += std::max(0.0, hold_until_s - kLiftHeldUntil);
   return follow(OperatorFrame(package), plan);
 }
 

@@ -16,7 +16,7 @@ namespace vallecula::gui {
 device::Trajectory scripted_hand(const std::string& kind, const pipeline::PatientPackage& package,
                                  const curricula::Scenario& scenario);
 
-/// The expert's, with the lift held until a time (s; 11.5 or later) and the withdrawal after it.
+/// The expert's, with the lift held until a time (s; 11.5 or later) and then a withdrawal that leaves a tube alone.
 device::Trajectory expert_laryngoscopy(const pipeline::PatientPackage& package, double hold_until_s);
 
 /// The package's own approach; where none was found yet and the vallecula lies clearly elsewhere before the glottis than

@@ -28,6 +28,9 @@ constexpr double kGivenUp = 13.0;         // s: until then the view is looked at
 constexpr double kRolled = 0.43;          // of the concave side to the right: from the corner of the mouth the way turns back
 constexpr double kLook = 0.5;             // s before the tube is pushed on
 constexpr double kPushSpeed = 0.008;      // m/s along the tube
+// The tube's tip, m (term) past the cords, until where the stylet is in it: bent as it is it goes no deeper into a straight
+// windpipe than its bend does.
+constexpr double kStyletUntil = 0.020;
 constexpr double kStyletTakes = 0.6;      // s
 constexpr double kBladeOutAfter = 0.6;    // s that the tube is held before the blade goes
 constexpr double kWithdrawal = 4.5;       // s that the blade takes (expert_laryngoscopy)
@@ -137,8 +140,11 @@ class Planner {
     go(kBeforeInlet, {way.at(0) + 1e-3 * frame_.size * (8 * frame_.sight - 1.5 * frame_.left), mouth_});
     go(kAtInlet, {way.at(0), mouth_});
     go(time_s_ + kLook, aim_);
-    along(way, 0.0, to_cords + share * (to_carina - to_cords) + beyond_m);
+    const double goal = to_cords + share * (to_carina - to_cords) + beyond_m;
+    const double stiff = std::min(goal, to_cords + kStyletUntil * frame_.size);
+    along(way, 0.0, stiff);
     draw_stylet();
+    if (goal > stiff) along(way, stiff, goal);
     return confirmed();
   }
 
@@ -231,10 +237,10 @@ class Planner {
 ScriptedPair scripted_pair(const std::string& kind, const pipeline::PatientPackage& package,
                            const curricula::Scenario& scenario, const engine::IntubationDescription& intubation) {
   Planner planner(package, intubation);
-  if (kind == "expert") return planner.intubate(0.5, 0.0);
-  if (kind == "shallow") return planner.intubate(0.25, 0.0);
-  if (kind == "deep") return planner.intubate(0.85, 0.0);
-  if (kind == "mainstem") return planner.intubate(1.0, 0.008);
+  if (kind == "expert") return planner.intubate(0.6, 0.0);
+  if (kind == "shallow") return planner.intubate(0.3, 0.0);
+  if (kind == "deep") return planner.intubate(0.95, 0.0);
+  if (kind == "mainstem") return planner.intubate(1.0, 0.018);
   if (kind == "oesophagus") return planner.oesophagus();
   if (kind == "abandon") return planner.look_only(kGivenUp);
   if (kind == "late") return planner.look_only(std::max(kGivenUp, scenario.max_attempt_s));

@@ -11,7 +11,7 @@
 #include "pipeline/manikin/manikin.h"
 #include "pipeline/manikin/manikin_data.h"
 #include "pipeline/manikin/shapes.h"
-#include "tests/gui/block_patient.h"
+#include "tests/gui/arc_patient.h"
 #include "tests/gui/program.h"
 
 namespace vallecula::gui::test {
@@ -66,68 +66,15 @@ const AirwayRing& ring_of(const engine::AirwayCourse& course, AirwayPart part) {
   throw std::logic_error("no such ring");
 }
 
-/// An airway along an arc of 150 mm radius in the middle plane, its half axes those of ANATOMY's larynx and trachea.
-struct ArcAirway {
-  static constexpr double kRadius = 150.0, kAbove = 4.0;
-  Vec3 at(double s) const { return Vec3(0, 30 + kRadius * (1 - std::cos(s / kRadius)), -kRadius * std::sin(s / kRadius)); }
-  Vec3 along(double s) const { return Vec3(0, std::sin(s / kRadius), -std::cos(s / kRadius)); }
-  Vec3 front(double s) const { return along(s).cross(Vec3::UnitX()); }
-  static double blend(double from, double to, double s, double a, double b) {
-    const double t = std::clamp((s - from) / (to - from), 0.0, 1.0);
-    return a + t * t * (3 - 2 * t) * (b - a);
-  }
-  double half_left(double s) const { return s < 5 ? blend(0, 4.2, s, 1.6, 2.25) : blend(7, 15, s, 2.25, 2.6); }
-  double half_front(double s) const { return s < 5 ? blend(0, 4.2, s, 3.5, 2.73) : blend(7, 15, s, 2.73, 2.6); }
-
-  /// The block's patient with this for its airway down to `end`, at term size, its carina at `carina` mm.
-  pipeline::PatientPackage patient(double end, double carina) const {
-    pipeline::PatientPackage package = block_patient();
-    const auto point = [](const Vec3& p) { return pipeline::Point{p.x(), p.y(), p.z()}; };
-    package.landmarks["upper_gum_midline"] = {0, 0, 0};
-    package.landmarks["vallecula"] = {0, 30.18, -40.24};  // 50.3 mm off
-    package.landmarks["glottis_centre"] = point(at(0));
-    package.landmarks["glottis_normal"] = point(-along(0));
-    package.landmarks["carina"] = point(at(carina));
-    package.surfaces["glottis"].points = {{-1.6, at(0).y() + 3.5, at(0).z()}, {1.6, at(0).y() + 3.5, at(0).z()},
-                                          {0, at(0).y() - 3.5, at(0).z()}};
-    package.surfaces["glottis"].triangles = {{0, 1, 2}};
-    pipeline::Surface& airway = package.surfaces["airway"];
-    airway = {};
-    constexpr int kAround = 96;
-    const int rows = static_cast<int>(std::lround((end + kAbove) / 0.4));
-    for (int row = 0; row <= rows; ++row) {
-      const double s = -kAbove + (end + kAbove) * row / rows;
-      for (int i = 0; i < kAround; ++i) {
-        const double a = 2 * M_PI * i / kAround;
-        airway.points.push_back(point(at(s) + half_left(s) * std::cos(a) * Vec3::UnitX() + half_front(s) * std::sin(a) * front(s)));
-      }
-    }
-    const int top = static_cast<int>(airway.points.size()), bottom = top + 1;
-    airway.points.push_back(point(at(-kAbove)));
-    airway.points.push_back(point(at(end)));
-    for (int i = 0; i < kAround; ++i) {
-      const int j = (i + 1) % kAround, last = rows * kAround;
-      airway.triangles.push_back({top, j, i});
-      airway.triangles.push_back({bottom, last + i, last + j});
-      for (int row = 0; row < rows; ++row) {
-        const int a = row * kAround;
-        airway.triangles.push_back({a + i, a + j, a + kAround + i});
-        airway.triangles.push_back({a + j, a + kAround + j, a + kAround + i});
-      }
-    }
-    return package;
-  }
-};
-
 TEST(AirwayCourse, FollowsAnArcOfEllipsesToWithinATenthOfAMillimetre) {
   const ArcAirway truth;
-  const PatientAirway found = airway_of(truth.patient(56, 50));
+  const PatientAirway found = airway_of(truth.patient(51, 50));
   expect_sound(found.course, 1.0);
   EXPECT_NEAR(1e3 * found.glottis_length_m, 7.0, 1e-9);
   EXPECT_NEAR(1e6 * found.cricoid_area_m2, M_PI * (2.25 + 0.066) * (2.73 + 0.066), 0.01 * kAreaOfCricoid);
   for (const AirwayRing& r : found.course.airway) {
     if (r.part == AirwayPart::vestibule || r.part == AirwayPart::cords) continue;
-    const double s = ArcAirway::kRadius * std::atan2(-1e3 * r.centre.z(), 30 + ArcAirway::kRadius - 1e3 * r.centre.y());
+    const double s = ArcAirway::kRadius * std::atan2(-40 - 1e3 * r.centre.z(), 50 + ArcAirway::kRadius - 1e3 * r.centre.y());
     EXPECT_LT((1e3 * r.centre - truth.at(s)).norm(), 0.1) << s;
     EXPECT_GT(r.along.dot(truth.along(s)), std::cos(3 * M_PI / 180)) << s;
     // Above the cricoid the cords' slit gives way to the cricoid's width.
@@ -144,7 +91,7 @@ TEST(AirwayCourse, FollowsAnArcOfEllipsesToWithinATenthOfAMillimetre) {
 
 TEST(AirwayCourse, WhatIsNotImagedIsAssumedAndSaid) {
   const ArcAirway truth;
-  const PatientAirway found = airway_of(truth.patient(56, 50));
+  const PatientAirway found = airway_of(truth.patient(51, 50));
   ASSERT_EQ(found.assumed.size(), 3u) << "both bronchi and the oesophagus' mouth";
   const AirwayRing& last = found.course.airway.back();
   for (int side = 0; side < 2; ++side) {
@@ -185,10 +132,10 @@ TEST(AirwayCourse, GoesStraightOnWhereTheSurfaceEndsAndSaysSo) {
 TEST(AirwayCourse, RefusesAPatientWithoutAnAirwayBelowTheCords) {
   const ArcAirway truth;
   EXPECT_THROW(airway_of(truth.patient(5, 50)), std::runtime_error);
-  pipeline::PatientPackage elsewhere = truth.patient(56, 50);
-  elsewhere.landmarks["glottis_centre"] = {40, 30, 0};
+  pipeline::PatientPackage elsewhere = truth.patient(51, 50);
+  elsewhere.landmarks["glottis_centre"] = {40, 50, -40};
   EXPECT_THROW(airway_of(elsewhere), std::runtime_error);
-  pipeline::PatientPackage lacking = truth.patient(56, 50);
+  pipeline::PatientPackage lacking = truth.patient(51, 50);
   lacking.landmarks.erase("carina");
   try {
     airway_of(lacking);

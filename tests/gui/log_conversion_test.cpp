@@ -68,7 +68,7 @@ TEST(LogConversion, SettingsNameTheTubeAndTheWayToTheCarina) {
   ring(0.003, -0.009, AirwayPart::cricoid);     // 5 mm
   ring(0.015, -0.014, AirwayPart::trachea);     // 13 mm
   EXPECT_NEAR(cords_to_carina_m(intubation.course), 0.023, 1e-15);
-  EXPECT_EQ(cords_to_carina_m({}), 0.0);
+  EXPECT_EQ(cords_to_carina_m(engine::AirwayCourse{}), 0.0);
   intubation.tube = engine::tube_design("3.0");
   scene.intubation = intubation;
   const auto settings = settings_of(scene);

@@ -66,19 +66,19 @@ inline AirwayCourse straight_airway(const AirwaySizes& a = {}) {
   return c;
 }
 
-/// Tube of TubeDesign without its curve, in a stiff hand, so stiff that it stays straight: what an airway asks of it can be
-/// reckoned by hand.
+/// Tube of TubeDesign without its curve, in a stiff hand, so stiff that it stays straight: what an airway asks of it
+/// can be reckoned by hand.
 inline RodDescription stiff_rod(const TubeDesign& tube, double length_m = 0.12) {
   RodDescription d = tube_rod(tube, nullptr, length_m);
-  for (RodSection& s : d.section) s = {1.0, 1.0, 0.0};
-  d.stretching_n = 2e4;
-  d.grip_n_m = 1e5;
-  d.grip_nm_rad = 100.0;
+  for (RodSection& s : d.section) s = {100.0, 100.0, 0.0};
+  d.stretching_n = 2e5;
+  d.grip_n_m = 1e6;
+  d.grip_nm_rad = 1e4;
   return d;
 }
 
-/// The hand that holds a tube pointing down, its tip at `tip` if it is straight and `length` long, concave to the front and
-/// turned about itself by `turn` rad.
+/// The hand that holds a tube pointing down, its tip at `tip` if it is straight and `length` long, concave to the front
+/// and turned about itself by `turn` rad.
 inline Pose hand_above(const Vec3& tip, double length, double turn = 0.0) {
   Mat3 axes;
   axes.col(0) = Vec3::UnitZ();

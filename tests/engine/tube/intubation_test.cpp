@@ -87,6 +87,25 @@ TEST(Intubation, ApnoeaIsTheInfantsOwn) {
             alone.infant.oxygen.first_mmhg[0] > 0 ? start(alone.infant).oxygen.arterial : 0.0);
 }
 
+TEST(Intubation, WhileEitherHandIsLostTheInfantStandsStill) {
+  Trial t(intubation_scene()), whole(intubation_scene());
+  t.hold(20, kBeforeMouth);
+  for (const bool second : {false, true}) {
+    const IntubationRecord before = t.record.intubation;
+    ASSERT_LT(before.sao2, 0.97);
+    for (int n = 0; n < 5000; ++n) {
+      PortInput in = t.hands(kBeforeMouth, kActionBreath);  // nobody is there to give it
+      (second ? in.second_valid : in.valid) = false;
+      const IntubationRecord& r = t.tick(in);
+      ASSERT_EQ(r.sao2, before.sao2);
+      ASSERT_EQ(r.heart_per_min, before.heart_per_min);
+      ASSERT_EQ(r.breaths_given, 0);
+    }
+  }
+  // And goes on where it was.
+  EXPECT_EQ(t.hold(10, kBeforeMouth).sao2, whole.hold(30, kBeforeMouth).sao2);
+}
+
 TEST(Intubation, BreathsByMaskWhileTheMouthIsFree) {
   Trial t(intubation_scene());
   t.hold(20.0, kBeforeMouth);
@@ -115,6 +134,34 @@ TEST(Intubation, BreathsByMaskWhileTheMouthIsFree) {
   }
   t.hold(3.0, kBeforeMouth, kActionBreath);
   EXPECT_EQ(t.record.intubation.breaths_given, 15);
+}
+
+// What the tube presses on the tongue with is what the hand feels, and the tongue gives way.
+TEST(Intubation, TheTonguePressedByTheTubeGivesWayAndBears) {
+  SceneDescription d = intubation_scene({10, 10, 5});
+  d.intubation->stylet = Stylet{};
+  d.intubation->stylet->bend_rad = 0;
+  Trial t(d);
+  const Vec3 above(0.015, 0.015, 0.020), pressed(0.015, 0.015, 0.012);  // the tongue's top is at 15 mm
+  t.hold(0.1, above);
+  EXPECT_EQ(t.record.intubation.loads_n[kLoadTongue], 0.0);
+  t.go(above, pressed);
+  const IntubationRecord& r = t.hold(1.0, pressed);
+  const double load = r.loads_n[kLoadTongue];
+  EXPECT_GT(load, 0.05);
+  // Its sides press on the round tip as well, and cancel.
+  EXPECT_GT(r.model_force_n.z(), 0.5 * load);
+  EXPECT_LT(r.model_force_n.z(), load);
+  EXPECT_NEAR(r.tip_load_n, r.model_force_n.z(), 0.2 * load);
+  EXPECT_EQ(r.tip_against, kLoadTongue);
+  double deepest = 0.0;
+  for (const Vec3& u : t.loop.state.tissue.displacement) deepest = std::max(deepest, -u.z());
+  EXPECT_GT(deepest, 0.001);
+  EXPECT_LT(deepest, 0.004);
+  EXPECT_EQ(t.record.faults | r.faults, 0u);
+  t.go(pressed, above);
+  t.hold(1.0, above);
+  for (const Vec3& u : t.loop.state.tissue.displacement) ASSERT_LT(u.norm(), 2e-5);
 }
 
 /// Both hands' way to where the tube ends, then `breaths` of 40 a minute through it.

@@ -1,0 +1,181 @@
+// Two devices, or one in turn, as the engine sees them.
+#include "gui/session/hands_port.h"
+
+#include <gtest/gtest.h>
+
+#include "device/drivers/scripted_device.h"
+
+namespace vallecula::gui::test {
+namespace {
+
+using device::DeviceFault;
+using device::DeviceReading;
+using engine::Vec3;
+
+/// A device that does what it is told.
+class Puppet final : public device::HapticDevice {
+ public:
+  device::DeviceInfo info() const override {
+    device::DeviceInfo info;
+    info.kind = "puppet";
+    info.peak_force_n = 7.9;
+    info.actuated_dof = 3;
+    return info;
+  }
+  DeviceReading read(double) noexcept override { return reading; }
+  void write(const std::array<double, 3>& force_n) noexcept override { force = force_n; }
+  DeviceFault fault() const noexcept override { return broken; }
+
+  DeviceReading reading;
+  DeviceFault broken = DeviceFault::none;
+  std::array<double, 3> force{0, 0, 0};
+};
+
+device::GuardSettings settings() {
+  device::GuardSettings settings = device::guard_for(Puppet().info());
+  settings.limits.soft_start_s = 1e-3;
+  return settings;
+}
+
+class HandsPortTest : public ::testing::Test {
+ protected:
+  /// One tick, with forces on both tools.
+  engine::PortInput tick(HandsPort& port, const Vec3& on_blade = Vec3::Zero(), const Vec3& on_tube = Vec3::Zero()) {
+    time_s_ += 0.001;
+    const engine::PortInput input = port.read(time_s_);
+    port.see_tool(input.pose);
+    port.write(on_blade);
+    port.write_second(on_tube);
+    return input;
+  }
+  engine::PortInput ticks(HandsPort& port, int count, const Vec3& on_blade, const Vec3& on_tube) {
+    engine::PortInput last;
+    for (int i = 0; i < count; ++i) last = tick(port, on_blade, on_tube);
+    return last;
+  }
+  static constexpr std::uint32_t kChange = 1, kOther = 2;
+  const engine::Pose tube_{Vec3(0.1, 0, 0), engine::Quat::Identity()};
+  Puppet blade_device_, tube_device_;
+  device::GuardedDevice blade_{blade_device_, settings()}, second_{tube_device_, settings()};
+  HandActions actions_;
+  device::ActionPlan plan_;
+  double time_s_ = 0.0;
+};
+
+TEST_F(HandsPortTest, EachDeviceMovesItsToolAndFeelsIt) {
+  HandsPort port(blade_, second_, plan_, actions_);
+  blade_device_.reading.position_m = {0.01, 0, 0};
+  tube_device_.reading.position_m = {0, 0.02, 0};
+  const engine::PortInput input = ticks(port, 200, Vec3(1, 0, 0), Vec3(0, 2, 0));
+  EXPECT_EQ(input.pose.position, Vec3(0.01, 0, 0));
+  EXPECT_EQ(input.second_pose.position, Vec3(0, 0.02, 0));
+  EXPECT_TRUE(input.valid && input.second_valid);
+  EXPECT_NEAR(blade_device_.force[0], 1.0, 1e-3);
+  EXPECT_NEAR(tube_device_.force[1], 2.0, 1e-3);
+  EXPECT_EQ(blade_device_.force[1], 0.0);
+}
+
+TEST_F(HandsPortTest, EitherDevicesFaultPausesBothAndShowsNoForceOfIts) {
+  HandsPort port(blade_, second_, plan_, actions_);
+  ticks(port, 200, Vec3(1, 0, 0), Vec3(0, 2, 0));
+  for (Puppet* broken : {&tube_device_, &blade_device_}) {
+    broken->broken = DeviceFault::unplugged;
+    engine::PortInput input = tick(port, Vec3(1, 0, 0), Vec3(0, 2, 0));
+    EXPECT_FALSE(input.valid);
+    EXPECT_FALSE(input.second_valid);
+    EXPECT_EQ(broken->force, (std::array<double, 3>{0, 0, 0})) << "in the very tick";
+    broken->broken = DeviceFault::none;
+    input = tick(port);
+    EXPECT_FALSE(input.valid || input.second_valid) << "it is back, and the hand has not confirmed";
+    (broken == &tube_device_ ? second_ : blade_).confirm();
+    tick(port);
+    input = tick(port);
+    EXPECT_TRUE(input.valid && input.second_valid);
+  }
+}
+
+TEST_F(HandsPortTest, ActionsComeFromKeysAndPlanAboveTheDevicesButtons) {
+  const device::ActionPlan plan({{0.005, engine::kActionSuction}, {0.010, 0}});
+  HandsPort port(blade_, second_, plan, actions_);
+  blade_device_.reading.buttons = 0x80000001u;  // what lies above the low 16 bits is no action
+  actions_.hold(engine::kActionPress, true);
+  EXPECT_EQ(tick(port).buttons, 1u | engine::kActionPress);
+  time_s_ = 0.006;
+  EXPECT_EQ(tick(port).buttons, 1u | engine::kActionPress | engine::kActionSuction);
+  actions_.hold(engine::kActionPress, false);
+  time_s_ = 0.011;
+  EXPECT_EQ(tick(port).buttons, 1u);
+}
+
+TEST_F(HandsPortTest, APauseAsksForNothingThatGoesByTime) {
+  HandsPort port(blade_, second_, plan_, actions_);
+  actions_.hold(engine::kActionBreath, true);
+  actions_.hold(engine::kActionCatheter, true);
+  EXPECT_EQ(tick(port).buttons, engine::kActionBreath | engine::kActionCatheter);
+  tube_device_.broken = DeviceFault::unplugged;
+  EXPECT_EQ(tick(port).buttons, static_cast<std::uint32_t>(engine::kActionCatheter));
+}
+
+TEST_F(HandsPortTest, OneDeviceTakesTheToolsInTurnByKeyAndByButton) {
+  HandsPort port(blade_, tube_, kChange, plan_, actions_);
+  blade_device_.reading.position_m = {0.01, 0, 0};
+  engine::PortInput input = ticks(port, 200, Vec3(1, 0, 0), Vec3(0, 2, 0));
+  EXPECT_EQ(input.second_pose.position, tube_.position);
+  EXPECT_NEAR(blade_device_.force[0], 1.0, 1e-3) << "the blade's force";
+  EXPECT_EQ(blade_device_.force[1], 0.0);
+
+  actions_.change_hand();
+  input = tick(port, Vec3(1, 0, 0), Vec3(0, 2, 0));
+  EXPECT_EQ(port.in_hand(), Tool::tube);
+  EXPECT_LT((input.second_pose.position - tube_.position).norm(), 1e-12) << "no jump";
+  blade_device_.reading.position_m = {0.01, 0.005, 0};
+  input = ticks(port, 400, Vec3(1, 0, 0), Vec3(0, 2, 0));
+  EXPECT_EQ(input.pose.position, Vec3(0.01, 0, 0)) << "the blade is held where it was left";
+  EXPECT_LT((input.second_pose.position - (tube_.position + Vec3(0, 0.005, 0))).norm(), 1e-12);
+  EXPECT_NEAR(blade_device_.force[1], 2.0, 1e-3) << "the tube's force";
+  EXPECT_NEAR(blade_device_.force[0], 0.0, 1e-3);
+
+  blade_device_.reading.buttons = kOther;
+  tick(port);
+  EXPECT_EQ(port.in_hand(), Tool::tube) << "another button";
+  blade_device_.reading.buttons = kChange;
+  tick(port);
+  EXPECT_EQ(port.in_hand(), Tool::blade);
+  tick(port);
+  EXPECT_EQ(port.in_hand(), Tool::blade) << "held down it changes once";
+}
+
+TEST_F(HandsPortTest, ThePressThatEndsAPauseChangesNoHandAndNothingJumps) {
+  HandsPort port(blade_, tube_, kChange, plan_, actions_);
+  actions_.change_hand();
+  tick(port);
+  blade_device_.reading.position_m = {0, 0.004, 0};
+  const engine::PortInput before = tick(port);
+  blade_device_.broken = DeviceFault::unplugged;
+  EXPECT_FALSE(tick(port).second_valid);
+  blade_device_.broken = DeviceFault::none;
+  tick(port);
+  blade_device_.reading.buttons = kChange;
+  engine::PortInput input = tick(port);
+  EXPECT_TRUE(input.valid && input.second_valid);
+  EXPECT_EQ(port.in_hand(), Tool::tube);
+  EXPECT_LT((input.second_pose.position - before.second_pose.position).norm(), 1e-12);
+  // A pose that is none is recorded, moves nothing for good and changes no hand.
+  blade_device_.reading.buttons = 0;
+  tick(port);
+  const auto good = blade_device_.reading.position_m;
+  blade_device_.reading.position_m[0] = std::nan("");
+  actions_.change_hand();
+  tick(port);
+  blade_device_.reading.position_m = good;
+  ticks(port, 3, Vec3::Zero(), Vec3::Zero());
+  blade_.confirm();
+  tick(port);
+  input = tick(port);
+  EXPECT_TRUE(input.valid);
+  EXPECT_TRUE(input.second_pose.position.allFinite());
+  EXPECT_LT((input.second_pose.position - before.second_pose.position).norm(), 1e-12);
+}
+
+}  // namespace
+}  // namespace vallecula::gui::test
