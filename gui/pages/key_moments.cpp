@@ -9,7 +9,7 @@ constexpr double kAtTheLips = -0.15, kSweeping = 0.42, kLeaving = 0.15;  // of t
 constexpr double kClearlyMore = 0.06;                                    // of the glottis
 constexpr double kPastCords = 0.010, kClearlyDeeper = 0.002;             // m
 constexpr double kBeforeCords = 0.004;                                   // m: the tip is seen, and so are the cords
-constexpr double kValleculaShare = 0.075;  // of the same way: 4 mm in a term infant, there
+constexpr double kValleculaShare = 0.09;  // of the same way: 5 mm in a term infant, there
 
 engine::Vec3 metres(const pipeline::PatientPackage& package, const char* name) {
   const auto& p = package.landmarks.at(name);
@@ -41,7 +41,8 @@ std::vector<std::string> KeyMoments::at(const engine::Snapshot& snapshot) {
   };
   once(lips_, deep > kAtTheLips, "1-lips");
   once(sweep_, deep > kSweeping, "2-sweep");
-  once(vallecula_reached_, (snapshot.proxy_pose.position - vallecula_).norm() < reach_m_, "3-vallecula");
+  once(vallecula_reached_, !tip_at_cords_ && (snapshot.proxy_pose.position - vallecula_).norm() < reach_m_,
+       "3-vallecula");
   once(seen_, seen >= sight_, "4-first-sight");
   if (seen_ && seen > best_ + (best_ > 0.0 ? kClearlyMore : 0.0)) {
     best_ = seen;

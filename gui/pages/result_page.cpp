@@ -56,7 +56,8 @@ ResultPage::ResultPage(QWidget* parent) : QWidget(parent) {
   auto* figures_panel = new QFrame(this);
   figures_panel->setObjectName("panel");
   figures_ = new QGridLayout(figures_panel);
-  figures_->setHorizontalSpacing(18);
+  figures_->setHorizontalSpacing(14);
+  figures_->setColumnStretch(2, 1);
   auto* column = new QWidget(this);
   auto* side = new QVBoxLayout(column);
   side->setContentsMargins(0, 0, 0, 0);
@@ -170,6 +171,7 @@ void ResultPage::show_figures(const TrialOutcome& outcome, const curricula::Scen
     auto* demand =
         new QLabel(QString::fromStdString(line.verdict.empty() ? line.limit : line.verdict + ": " + line.limit));
     demand->setObjectName("faint");
+    demand->setWordWrap(true);  // the column is as wide as the window allows
     figures_->addWidget(caption, row, 0);
     figures_->addWidget(figure, row, 1);
     figures_->addWidget(demand, row, 2);

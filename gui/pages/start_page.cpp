@@ -65,6 +65,7 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
       "Practise neonatal intubation, and see what your hands did. A training tool, not a medical device.", this);
   sub->setObjectName("faint");
   curriculum_ = new QComboBox(this);
+  curriculum_->setObjectName("curriculum");
   curriculum_->setAccessibleName("Curriculum");
   list_ = new QListWidget(this);
   list_->setAccessibleName("Scenarios");
@@ -75,6 +76,7 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
   patient_ = new QComboBox(this);
   patient_->addItem("Built-in manikin, made for the scenario", QString());
   device_ = new QComboBox(this);
+  device_->setObjectName("device");
   for (const device::DeviceKind& kind : device::device_kinds()) {
     if (!kind.argument.empty() || kind.hardware) continue;  // asks for more than a choice; offered when it is found
     device_->addItem(capitalised(QString::fromStdString(kind.description)), QString::fromStdString(kind.kind));
@@ -82,6 +84,7 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
   device_->addItem("Watch a scripted expert", kWatchExpert);
   device_->addItem("Watch a scripted novice", kWatchNovice);
   second_ = new QComboBox(this);
+  second_->setObjectName("second");
   second_->addItem("The same device, blade and tube in turn (X changes)", QString());
   second_->addItem("The mouse", "mouse");
   auto* browse = new QPushButton("Other patient ...", this);
