@@ -128,7 +128,8 @@ void MonitorPanel::paint_breaths(QPainter& painter, const QRectF& place) const {
   painter.drawText(place, Qt::AlignBottom | Qt::AlignLeft,
                    !there_                       ? QString()
                    : record_.given_per_min > 0.0 ? QString("Given %1/min").arg(record_.given_per_min, 0, 'f', 0)
-                                                 : QString("Given: none"));
+                   : record_.breaths_given > 0   ? QString("%1 given").arg(record_.breaths_given)
+                                                 : QString("None given"));
 }
 
 void MonitorPanel::paint_detector(QPainter& painter, const QRectF& place) const {
@@ -176,8 +177,9 @@ void MonitorPanel::paintEvent(QPaintEvent*) {
   if (there_ && record_.heart_per_min > 0.0) {
     painter.setPen(Qt::NoPen);
     painter.setBrush(slow ? QColor(Qt::white) : kHeart);
-    painter.drawPath(heart_shape(heart.topLeft() + QPointF(std::max(0.30 * heart.width(), 40.0), 0.12 * heart.height() + 1.0),
-                                 (beat_ < kBeatShare ? 0.095 : 0.06) * heart.height()));
+    painter.drawPath(
+        heart_shape(heart.topLeft() + QPointF(std::max(0.30 * heart.width(), 40.0), 0.12 * heart.height() + 1.0),
+                    (beat_ < kBeatShare ? 0.095 : 0.06) * heart.height()));
   }
   paint_trend(painter, next(trend).adjusted(0, 4, 0, -4), &Moment::heart, 40.0, 200.0, kSlowHeart, kHeart);
   paint_breaths(painter, next(breaths));
