@@ -182,7 +182,8 @@ struct PassageLoads {
   /// on_larynx where it is the same body.
   std::array<Vec3, kMostRigidParts> on_part;
   std::array<double, kMostRigidParts> on_part_stiffness{};
-  double vagal_n = 0.0;    ///< on epiglottis, larynx and cords together
+  /// On the epiglottis and the larynx down to the cords: what the superior laryngeal nerve feels and the vagus answers.
+  double vagal_n = 0.0;
   double glottis_n = 0.0;  ///< at the cords or above them within the larynx: what may close them
 };
 

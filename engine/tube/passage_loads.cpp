@@ -11,7 +11,6 @@ bool of_glottis(std::uint8_t load) {
   return load == static_cast<std::uint8_t>(AirwayPart::vestibule) ||
          load == static_cast<std::uint8_t>(AirwayPart::cords);
 }
-bool of_larynx(std::uint8_t load) { return load <= static_cast<std::uint8_t>(AirwayPart::cricoid); }
 
 }  // namespace
 
@@ -49,7 +48,7 @@ PassageLoads read_loads(const RigidField* rigid, const RodState& tube, const Vec
   double most = 0.0;
   for (std::uint8_t of = 0; of < kTubeLoads; ++of) {
     loads.tip_load_n += std::max(0.0, before_tip[of]);
-    if (of_larynx(of) || of == kLoadEpiglottis) loads.vagal_n += loads.loads_n[of];
+    if (of_glottis(of) || of == kLoadEpiglottis) loads.vagal_n += loads.loads_n[of];
     if (of_glottis(of)) loads.glottis_n += loads.loads_n[of];
     if (before_tip[of] > most) {
       most = before_tip[of];
