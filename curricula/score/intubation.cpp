@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kStoppedN = 0.5;        ///< along the tube: from here on what stands before the tip stops it (assumed)
 constexpr double kAtTheLastS = 1.0;      ///< before the end: the tube still stands against it (assumed)
+constexpr double kBevelM = 0.008;        ///< a bevelled tip reaches past what holds the tube's full width by less than this
 constexpr double kClosedOpening = 0.25;  ///< cords nearer together let no tube between them (assumed)
 /// The head's flexion moves the tip down by this, for one degree (assumed: 5 mm for the 25 degrees of sniffing; it is
 /// less in smaller infants).
@@ -21,6 +22,7 @@ struct Stop {
   bool was = false;
   bool by_cords = false;
   double at_s = 0.0;
+  double depth_m = 0.0;  ///< of the tip, past the cords
 };
 
 struct Course {
@@ -84,7 +86,7 @@ Course follow(const TrialLog& log, const std::vector<Attempt>& attempts, Intubat
     if (!attempts.empty() && tick.time_s >= attempts.front().start_s) measure_infant(tick, score);
     if (i.in_hand == LoggedInHand::catheter || !(i.tip_load_n >= kStoppedN)) continue;
     const bool by_cords = i.tip_against == kTubeCords && cords_closed(i);
-    if (by_cords || i.tip_against == kTubeCricoid) course.stop = {true, by_cords, tick.time_s};
+    if (by_cords || i.tip_against == kTubeCricoid) course.stop = {true, by_cords, tick.time_s, i.past_cords_m};
   }
   course.worked_s = static_cast<double>(worked) * log.header.servo_period_s;
   return course;
@@ -156,12 +158,14 @@ Outcome outcome_of(const TrialLog& log, const Scenario& scenario, const Course& 
   if (in_oesophagus(last)) return Outcome::oesophagus;
   const bool in = tube_past_cords(last);
   if (in && last.intubation.place == LoggedPlace::main_bronchus) return Outcome::mainstem;
+  const bool stands = course.stop.was && last.time_s - course.stop.at_s <= kAtTheLastS;
+  if (stands && score.deepest_m < course.stop.depth_m + kBevelM)
+    return course.stop.by_cords ? Outcome::cords_closed : Outcome::cricoid_too_narrow;
   if (in && last.intubation.place == LoggedPlace::trachea) return outcome_of_depth(*score.depth_share());
 
   // Not past the cricoid, then: what stopped it?
   const bool by_cricoid = course.stop.was && !course.stop.by_cords && !course.past_cricoid;
   const bool by_cords = (course.stop.was && course.stop.by_cords) || spasm_ended_it(log, score.attempts);
-  const bool stands = course.stop.was && last.time_s - course.stop.at_s <= kAtTheLastS;
   if (by_cricoid && (stands || in)) return Outcome::cricoid_too_narrow;
   if (in) return Outcome::too_shallow;
   if (by_cords && stands) return Outcome::cords_closed;
