@@ -86,7 +86,10 @@ Course follow(const TrialLog& log, const std::vector<Attempt>& attempts, Intubat
     if (!attempts.empty() && tick.time_s >= attempts.front().start_s) measure_infant(tick, score);
     if (i.in_hand == LoggedInHand::catheter || !(i.tip_load_n >= kStoppedN)) continue;
     const bool by_cords = i.tip_against == kTubeCords && cords_closed(i);
-    if (by_cords || i.tip_against == kTubeCricoid) course.stop = {true, by_cords, tick.time_s, i.past_cords_m};
+    if (by_cords || i.tip_against == kTubeCricoid)
+      course.stop = {true, by_cords, tick.time_s, i.past_cords_m};
+    else if (course.stop.was && !course.stop.by_cords && i.past_cords_m < course.stop.depth_m + kBevelM)
+      course.stop.at_s = tick.time_s;  // the tip presses on what lies next to the cricoid: it stands there still
   }
   course.worked_s = static_cast<double>(worked) * log.header.servo_period_s;
   return course;
