@@ -15,7 +15,7 @@ enum class Outcome {
   good_depth,   ///< tip in the middle third of this infant's way from the cords to the carina
   too_shallow,  ///< in the trachea, to adjust
   too_deep,     ///< likewise
-  mainstem,     ///< in one main bronchus
+  mainstem,     ///< in one main bronchus; which: LogIntubation::side
   oesophagus,
   cricoid_too_narrow,  ///< the tube was stopped by the cricoid and never came past it
   cords_closed,        ///< the tube was stopped by closed cords, or laryngospasm ended the attempt
@@ -37,7 +37,10 @@ struct IntubationPass {
   std::optional<double> tube_force_n;                  ///< along the tube, of what stands before its tip
   std::optional<double> time_to_pass_s;                ///< from the view to the cords passed
   std::optional<int> attempts;
-  bool co2_confirmed = false;  ///< within breaths_to_confirm
+  bool co2_confirmed = false;           ///< within breaths_to_confirm
+  bool depth_neutral = false;           ///< a tube in the trachea lies in the middle third with the head neutral, too
+  bool oesophagus_in_time = false;      ///< never more than breaths_to_confirm breaths in one stay there
+  bool no_severe_desaturation = false;  ///< in no attempt a fall by 20 points or more
 };
 
 struct IntubationSpec {
@@ -50,6 +53,7 @@ struct IntubationSpec {
   unsigned infant_seed = 0;            ///< one infant of the population; 0: its median
   double added_oxygen_percent = 10.0;  ///< to the gas it had before, in breaths given
   bool premedicated = false;           ///< atropine and a muscle relaxant
+  bool breathes = true;                ///< by itself, all through the trial; the cords open with it
   double laryngospasm_s = 0.0;         ///< after a touch; 0: none
   bool laryngospasm_from_start = false;
   double cord_closure_s = 1.0;  ///< median time the cords stay closed after a touch

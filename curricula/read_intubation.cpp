@@ -6,6 +6,8 @@
 #include <cstdlib>
 #include <utility>
 
+#include "curricula/schema/read_value.h"
+
 namespace vallecula::curricula {
 namespace {
 
@@ -36,21 +38,6 @@ constexpr std::array<CourseRow, 4> kCourses = {{
 /// The published preterm course holds up to here (Kothari 2021).
 constexpr double kPretermWeeks = 32.0;
 
-void read(const YAML::Node& node, double& value) {
-  if (node) value = checked_number(node);
-}
-void read(const YAML::Node& node, bool& value) {
-  if (node) value = checked_bool(node);
-}
-template <class Whole>
-void read(const YAML::Node& node, Whole& value) {
-  if (node) value = static_cast<Whole>(checked_number(node));
-}
-template <class Value>
-void read(const YAML::Node& node, std::optional<Value>& value) {
-  if (node) read(node, value.emplace());
-}
-
 IntubationPass read_pass(const YAML::Node& node, const Validator& rules, const std::string& path) {
   IntubationPass pass;
   if (!node) return pass;
@@ -69,6 +56,9 @@ IntubationPass read_pass(const YAML::Node& node, const Validator& rules, const s
   read(node["time_to_pass_s"], pass.time_to_pass_s);
   read(node["attempts"], pass.attempts);
   read(node["co2_confirmed"], pass.co2_confirmed);
+  read(node["depth_neutral"], pass.depth_neutral);
+  read(node["oesophagus_in_time"], pass.oesophagus_in_time);
+  read(node["no_severe_desaturation"], pass.no_severe_desaturation);
   return pass;
 }
 
@@ -88,6 +78,10 @@ void refuse_contradictions(const YAML::Node& node, const IntubationSpec& spec, c
          "false " + course + ": nobody is premedicated there");
   refuse(spec.course == InfantCourse::preoxygenated && spec.added_oxygen_percent > 0.0, "added_oxygen_percent",
          "0 " + course + ": it has pure oxygen already");
+  refuse(spec.premedicated && spec.breathes, "breathes",
+         "false where the infant is premedicated: a muscle relaxant stops its breathing");
+  refuse(spec.secretions_ml > 0.0 && spec.catheter_f == 0, "secretions_ml",
+         "0 where catheter_f is 0: nothing is at hand to clear them with");
   const std::string relaxed = " where the infant is premedicated: a muscle relaxant keeps the cords still";
   refuse(spec.premedicated && spec.laryngospasm_s > 0.0, "laryngospasm_s", "0" + relaxed);
   refuse(spec.premedicated && node["cord_closure_s"] && spec.cord_closure_s > 0.0, "cord_closure_s", "0" + relaxed);
@@ -126,6 +120,8 @@ IntubationSpec read_intubation(const YAML::Node& node, const Validator& rules, c
   read(node["added_oxygen_percent"], spec.added_oxygen_percent);
   read(node["premedicated"], spec.premedicated);
   if (spec.premedicated) spec.cord_closure_s = 0.0;
+  spec.breathes = !spec.premedicated;
+  read(node["breathes"], spec.breathes);
   read(node["cord_closure_s"], spec.cord_closure_s);
   read(node["laryngospasm_s"], spec.laryngospasm_s);
   read(node["laryngospasm_from_start"], spec.laryngospasm_from_start);
@@ -134,6 +130,10 @@ IntubationSpec read_intubation(const YAML::Node& node, const Validator& rules, c
   read(node["breaths_to_confirm"], spec.breaths_to_confirm);
   refuse_contradictions(node, spec, rules, path);
   spec.pass = read_pass(node["pass"], rules, path + "pass.");
+  // Fewer would fail tubes that lie well, more would ask nothing of whoever waits.
+  if (spec.pass.co2_confirmed && (spec.breaths_to_confirm < 5 || spec.breaths_to_confirm > 6))
+    rules.fail(node["breaths_to_confirm"], path + "breaths_to_confirm",
+               "5 or 6 where pass.co2_confirmed is true: the detector changes colour within these");
   return spec;
 }
 

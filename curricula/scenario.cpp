@@ -4,7 +4,10 @@
 #include <algorithm>
 #include <set>
 
-#include "curricula/read_intubation.h"
+#include "curricula/read_modules.h"
+#include "curricula/read_scenario.h"
+#include "curricula/schema/migrate.h"
+#include "curricula/schema/read_value.h"
 #include "curricula/schema/safe_yaml.h"
 #include "curricula/schema/schema_text.h"
 #include "curricula/schema/validator.h"
@@ -17,45 +20,6 @@ struct WeightRow {
   double below_kg;
   std::string size;
 };
-
-Scenario read_scenario(const YAML::Node& node, const Validator& rules, const std::string& path) {
-  Scenario s;
-  s.id = node["id"].Scalar();
-  s.title = node["title"].Scalar();
-  s.briefing = node["briefing"].Scalar();
-  s.debriefing = node["debriefing"].Scalar();
-  s.manikin.weight_kg = checked_number(node["manikin"]["weight_kg"]);
-  s.manikin.seed = static_cast<unsigned>(checked_number(node["manikin"]["seed"]));
-  s.blade = node["blade"].Scalar();
-  if (const YAML::Node young = node["tongue_young_pa"]) s.tongue_young_pa = checked_number(young);
-  s.sight_percent = checked_number(node["sight_percent"]);
-  s.max_attempt_s = checked_number(node["max_attempt_s"]);
-  const YAML::Node targets = node["targets"], pass = node["pass"];
-  s.targets.tongue_force_n = checked_number(targets["tongue_force_n"]);
-  s.targets.gum_force_n = checked_number(targets["gum_force_n"]);
-  s.pass.peak_tongue_force_n = checked_number(pass["peak_tongue_force_n"]);
-  s.pass.peak_gum_force_n = checked_number(pass["peak_gum_force_n"]);
-  s.pass.glottis_visible_percent = checked_number(pass["glottis_visible_percent"]);
-  s.pass.attempt_time_s = checked_number(pass["attempt_time_s"]);
-  s.pass.time_over_target_s = checked_number(pass["time_over_target_s"]);
-  s.pass.time_over_device_limit_s = checked_number(pass["time_over_device_limit_s"]);
-
-  const auto at_most = [&](const YAML::Node& what, const std::string& name, double limit, const char* limit_name,
-                           const char* unit) {
-    if (checked_number(what) > limit) {
-      rules.fail(what, path + name, "at most " + std::string(limit_name) + " = " + with_unit(limit, unit));
-    }
-  };
-  at_most(targets["tongue_force_n"], "targets.tongue_force_n", s.pass.peak_tongue_force_n, "pass.peak_tongue_force_n",
-          "N");
-  at_most(targets["gum_force_n"], "targets.gum_force_n", s.pass.peak_gum_force_n, "pass.peak_gum_force_n", "N");
-  at_most(node["sight_percent"], "sight_percent", s.pass.glottis_visible_percent, "pass.glottis_visible_percent",
-          "percent");
-  at_most(pass["attempt_time_s"], "pass.attempt_time_s", s.max_attempt_s, "max_attempt_s", "s");
-  if (const YAML::Node intubation = node["intubation"])
-    s.intubation = read_intubation(intubation, rules, path + "intubation.");
-  return s;
-}
 
 /// The table `name`, whose rows have `field` beside their weight.
 std::vector<WeightRow> read_rows(const YAML::Node& table, const Validator& rules, const std::string& name,
@@ -96,6 +60,32 @@ void settle_sizes(YAML::Node& scenario, const std::vector<WeightRow>& blades, co
          kTubes + std::string(", or a row of tubes_by_weight above "));
 }
 
+/// Writes the curriculum's word on each pass mark into a scenario that says nothing about it, likewise.
+void settle_rubric(YAML::Node& scenario, const YAML::Node& for_all) {
+  for (const std::string& mark : marks_of(scenario)) {
+    const YAML::Node& given = scenario;
+    const YAML::Node own = given["rubric"];
+    if (for_all && for_all[mark] && !(own && own[mark])) scenario["rubric"][mark] = YAML::Clone(for_all[mark]);
+  }
+}
+
+/// Checked, and of the newest schema whatever the file's.
+YAML::Node checked_document(const std::filesystem::path& file, int& schema) {
+  YAML::Node document = parse_safely(read_yaml_file(file), file.string());
+  const Validator newest(curriculum_schema_2(), file.string());
+  const YAML::Node given = document.IsMap() ? document["schema"] : YAML::Node();
+  double version = 2.0;
+  if (given && yaml_number(given, version) && version > 2.0)
+    newest.fail(given, "schema", "1 or 2; a newer Vallecula wrote this file: update the program");
+  schema = version == 1.0 ? 1 : 2;
+  if (schema == 1) {
+    Validator(curriculum_schema_1(), file.string()).check(document, "curriculum", "");
+    migrate_1_to_2(document);
+  }
+  newest.check(document, "curriculum", "");
+  return document;
+}
+
 }  // namespace
 
 const Scenario* Curriculum::find(const std::string& id) const {
@@ -104,13 +94,12 @@ const Scenario* Curriculum::find(const std::string& id) const {
 }
 
 Curriculum load_curriculum(const std::filesystem::path& file) {
-  const YAML::Node document = parse_safely(read_yaml_file(file), file.string());
-  const Validator rules(curriculum_schema_1(), file.string());
-  rules.check(document, "curriculum", "");
-
   Curriculum curriculum;
-  curriculum.id = document["id"].Scalar();
-  curriculum.title = document["title"].Scalar();
+  const YAML::Node document = checked_document(file, curriculum.schema);
+  const Validator rules(curriculum_schema_2(), file.string());
+  read(document["id"], curriculum.id);
+  read(document["title"], curriculum.title);
+  read(document["goals"], curriculum.goals);
   curriculum.file = file;
   const auto blades = read_rows(document["blades_by_weight"], rules, "blades_by_weight", "blade");
   const auto tubes = read_rows(document["tubes_by_weight"], rules, "tubes_by_weight", "tube");
@@ -119,18 +108,21 @@ Curriculum load_curriculum(const std::filesystem::path& file) {
   for (std::size_t i = 0; i < scenarios.size(); ++i) {
     const std::string path = "scenarios[" + std::to_string(i) + "].";
     YAML::Node node = scenarios[i];
+    if (node["attempt"]) rules.fail(node["attempt"], path + "attempt", "none: a trial writes it into its log");
     settle_sizes(node, blades, tubes, rules, path);
+    settle_rubric(node, document["rubric"]);
     Scenario scenario = read_scenario(node, rules, path);
     if (!ids.insert(scenario.id).second) rules.fail(node["id"], path + "id", "an id no other scenario of the file has");
     scenario.yaml = YAML::Dump(node) + "\n";
     curriculum.scenarios.push_back(std::move(scenario));
   }
+  curriculum.modules = read_modules(document, curriculum.scenarios, rules);
   return curriculum;
 }
 
 Scenario parse_scenario(const std::string& yaml, const std::string& name_for_errors) {
   const YAML::Node node = parse_safely(yaml, name_for_errors);
-  const Validator rules(curriculum_schema_1(), name_for_errors);
+  const Validator rules(curriculum_schema_2(), name_for_errors);
   rules.check(node, "scenario", "");
   if (!node["blade"]) rules.fail_missing(node, "blade", kBlades);
   if (const YAML::Node intubation = node["intubation"]; intubation && !intubation["tube"])

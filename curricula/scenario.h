@@ -1,13 +1,19 @@
 // A curriculum and its scenarios, as validated from YAML.
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "curricula/intubation_spec.h"
+#include "curricula/mode.h"
+#include "curricula/module.h"
+#include "curricula/text.h"
 
 namespace vallecula::curricula {
 
@@ -21,6 +27,12 @@ class CurriculumError : public std::runtime_error {
 struct ManikinSpec {
   double weight_kg = 3.2;
   unsigned seed = 1;
+  // Not given: what the seed draws, or the usual for the weight.
+  std::optional<double> gestation_weeks;    ///< sets the way from the cords to the carina
+  std::optional<double> mouth_opening;      ///< factor on the usual, 22 mm between the gums at term
+  std::optional<double> tongue_size;        ///< factor on its width and height
+  std::optional<double> larynx_height_mm;   ///< to the head; in a term infant, a smaller one's is as much smaller
+  std::optional<double> epiglottis_length;  ///< factor
 };
 
 struct Targets {                      ///< training targets, never injury limits
@@ -37,11 +49,52 @@ struct PassLimits {                   ///< thresholds of the rubric
   double time_over_device_limit_s = 0.0;
 };
 
+/// What a pass limit is worth, and where it comes from. None is validated.
+struct PassMark {
+  double weight = 1.0;
+  std::string source;
+};
+
+/// Helps on the screen.
+struct Assistance {
+  bool ghost_path = false;         ///< the expert's way as a grey blade
+  bool glottis_highlight = false;
+  bool cut_view = true;
+  bool force_bar = true;
+};
+
+/// The dual task: what happens beside the hands.
+struct Distraction {
+  enum class Kind { question, alarm, talk };
+  double at_s = 0.0;  ///< trial time
+  Kind kind = Kind::talk;
+  Text text;
+  std::vector<Text> answers;   ///< of a question
+  int right_answer = 0;        ///< counted from 1; 0: no question
+  double time_allowed_s = 0.0; ///< to answer, or to silence the alarm; 0: talk asks for nothing
+};
+
+/// What changes from attempt to attempt; see attempt_of.
+struct Variation {
+  using Range = std::optional<std::array<double, 2>>;  ///< from, to
+  int infants = 1;
+  Range mouth_opening, tongue_size, larynx_height_mm, epiglottis_length;  ///< of the infants
+  Range tongue_young_pa, secretions_ml, distraction_delay_s;
+  bool infant_seed = false;
+};
+
+/// Written by a trial: what it was drawn from.
+struct AttemptOrigin {
+  Mode mode = Mode::practice;
+  std::uint32_t seed = 0;  ///< 0: everything as written
+};
+
 struct Scenario {
   std::string id;
   std::string title;
-  std::string briefing;
-  std::string debriefing;
+  Text briefing;
+  Text debriefing;
+  std::vector<std::string> after;     ///< modules to be mastered before this scenario opens
   ManikinSpec manikin;
   std::string blade;                  ///< "miller-00", "miller-0", "miller-1", "miller-2", "miller-3"
   double tongue_young_pa = 0.0;       ///< 0: the package's own
@@ -50,19 +103,31 @@ struct Scenario {
   Targets targets;
   PassLimits pass;
   std::optional<IntubationSpec> intubation;  ///< none: laryngoscopy alone
+  std::map<std::string, PassMark> rubric;    ///< by the name of the field in pass or intubation.pass
+  Assistance assistance;
+  std::vector<Distraction> distractions;     ///< by growing time
+  std::optional<Variation> variation;
+  AttemptOrigin attempt;
   std::string yaml;                   ///< this scenario's own text, kept in the trial log
 };
 
 struct Curriculum {
-  int schema = 1;
+  int schema = 2;                     ///< as written in the file; a file of schema 1 is one module
   std::string id;
   std::string title;
+  std::vector<Text> goals;
   std::filesystem::path file;
+  std::vector<Module> modules;        ///< each scenario belongs to one
   std::vector<Scenario> scenarios;
   const Scenario* find(const std::string& id) const;
 };
 
 Curriculum load_curriculum(const std::filesystem::path& file);      ///< throws CurriculumError
 Scenario parse_scenario(const std::string& yaml, const std::string& name_for_errors);  ///< throws CurriculumError
+
+/// One attempt at a scenario: what its variation leaves open is drawn from `seed`, the same for the same seed on every
+/// machine, and written into the scenario and its text; seed 0 draws nothing. In assessment nothing is drawn whatever
+/// the seed, and every help is off.
+Scenario attempt_of(const Scenario& scenario, Mode mode, std::uint32_t seed);
 
 }  // namespace vallecula::curricula

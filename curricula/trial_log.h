@@ -58,6 +58,7 @@ struct LogIntubation {
   std::array<double, 3> tip_m{};
   std::array<double, 3> tip_direction{0, 0, 1};
   LoggedPlace place = LoggedPlace::outside;
+  std::int8_t side = -1;      ///< main bronchus that the tip is in: 0 right, 1 left; -1: in none
   double past_cords_m = 0.0;  ///< of the tip along the airway, at most 0 above; in the oesophagus from its mouth
   double at_mouth_m = 0.0;    ///< the tube's mark at the mouth's front; 0: outside
   double buckled_m = 0.0;
@@ -102,6 +103,11 @@ struct LogTick {
 /// The trial's clock stands: a device that a hand needs cannot be used.
 inline bool paused(const LogTick& tick) noexcept {
   return !tick.device_valid || (tick.has_intubation && !tick.intubation.hand_valid);
+}
+
+/// The tube's tip, not the catheter's, is in the oesophagus.
+inline bool tube_in_oesophagus(const LogTick& tick) noexcept {
+  return tick.intubation.in_hand != LoggedInHand::catheter && tick.intubation.place == LoggedPlace::oesophagus;
 }
 
 /// The setting a depth is judged by: this infant's way from the cords to the carina, m.

@@ -69,6 +69,7 @@ void put_intubation(std::string& out, const LogIntubation& i) {
   put(out, i.tip_m);
   put(out, i.tip_direction);
   put(out, static_cast<std::uint8_t>(i.place));
+  put(out, static_cast<std::uint8_t>(i.side));
   put(out, i.past_cords_m);
   put(out, i.at_mouth_m);
   put(out, i.buckled_m);
@@ -98,13 +99,14 @@ std::uint8_t known(std::uint8_t value, std::uint8_t last, const char* what, std:
 
 LogIntubation get_intubation(Cursor& c, std::int64_t tick) {
   LogIntubation i;
-  std::uint8_t in_hand = 0, place = 0;
+  std::uint8_t in_hand = 0, place = 0, side = 0;
   c.get(i.hand_pose);
   c.get(i.hand_valid);
   c.get(in_hand);
   c.get(i.tip_m);
   c.get(i.tip_direction);
   c.get(place);
+  c.get(side);
   c.get(i.past_cords_m);
   c.get(i.at_mouth_m);
   c.get(i.buckled_m);
@@ -126,6 +128,8 @@ LogIntubation get_intubation(Cursor& c, std::int64_t tick) {
   i.in_hand = static_cast<LoggedInHand>(
       known(in_hand, static_cast<std::uint8_t>(LoggedInHand::catheter), "thing in hand", tick));
   i.place = static_cast<LoggedPlace>(known(place, static_cast<std::uint8_t>(LoggedPlace::oesophagus), "place", tick));
+  i.side = static_cast<std::int8_t>(side);
+  if (i.side != -1) known(side, 1, "main bronchus", tick);
   if (i.tip_against != kNothingAgainstTip) known(i.tip_against, kTubeLoads - 1, "thing before the tip", tick);
   return i;
 }

@@ -30,7 +30,7 @@ constexpr int kTicksPerBlock = 256;                 ///< a crash loses at most a
 constexpr std::size_t kPoseBytes = 7 * 8, kVectorBytes = 3 * 8, kLoadBytes = 2 * kVectorBytes + 4;
 constexpr std::size_t kTickBytes =
     8 + 8 + kPoseBytes + 4 + 1 + 8 + 8 + kPoseBytes + 1 + 3 * kVectorBytes + kStructures * kLoadBytes + 1 + 8 + 4;
-constexpr std::size_t kIntubationBytes = kPoseBytes + 1 + 1 + 2 * kVectorBytes + 1 + 3 * 8 + 2 * kVectorBytes +
+constexpr std::size_t kIntubationBytes = kPoseBytes + 1 + 1 + 2 * kVectorBytes + 1 + 1 + 3 * 8 + 2 * kVectorBytes +
                                          kTubeLoads * 8 + 8 + 1 + 8 + 1 + 8 + 2 * 8 + 8 + 1 + 4 + 8 + 4;
 
 constexpr std::size_t tick_bytes(bool intubation) { return kTickBytes + (intubation ? kIntubationBytes : 0); }

@@ -183,11 +183,13 @@ StepResult step(const Scene& scene, SceneState& state, const StepInput& input) n
   result.step = state.step;
   const HapticSettings& settings = scene.description.haptics;
   result.faults |= take_device(scene, state, input.device);
-  bool valid = input.valid && (result.faults & kFaultDevicePose) == 0;
+  // Without one of its two hands a trial stands still: the other's tool is held as its own is.
+  const bool paused = scene.intubation && !hands_there(input);
+  bool valid = input.valid && !paused && (result.faults & kFaultDevicePose) == 0;
   if (!input.valid) result.faults |= kFaultDeviceInvalid;
 
   const Pose before = state.proxy.pose;
-  const bool held = proxy_held(state.limit.state);
+  const bool held = paused || proxy_held(state.limit.state);
   RigidContacts rigid;
   if (!state.placed) {
     valid = false;

@@ -21,6 +21,10 @@ struct StepInput {
   std::uint32_t actions = 0; ///< bits of Action
 };
 
+/// Can both hands be used now? In a scene with an intubation a trial stands still while not: blade and tube stay where
+/// they are, actions are not heard, neither hand feels anything, and both tools come back to their hands slowly.
+inline bool hands_there(const StepInput& input) noexcept { return input.valid && input.second_valid; }
+
 /// One step's result, as plain numbers.
 struct StepResult {
   std::int64_t step = -1;

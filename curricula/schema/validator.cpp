@@ -46,8 +46,15 @@ std::string shown(const YAML::Node& node) {
 std::string joined(const QStringList& words) { return words.join(", ").toStdString(); }
 
 std::string with_description(std::string allowed, const QJsonObject& schema) {
+  if (schema.contains("unit")) allowed += " " + text_of(schema.value("unit"));
   const std::string description = text_of(schema.value("description"));
   return description.empty() ? allowed : allowed + " (" + description + ")";
+}
+
+/// "string" for a text that may also be a group of texts.
+std::string main_type(const QJsonObject& schema) {
+  const QJsonValue type = schema.value("type");
+  return text_of(type.isArray() ? type.toArray().first() : type);
 }
 
 std::string range_text(const char* noun, const QJsonObject& schema) {
@@ -57,7 +64,7 @@ std::string range_text(const char* noun, const QJsonObject& schema) {
 
 /// What a schema allows, in words.
 std::string allowed_by(const QJsonObject& schema) {
-  const std::string type = text_of(schema.value("type"));
+  const std::string type = main_type(schema);
   std::string allowed;
   if (schema.contains("const")) {
     allowed = number_text(schema.value("const").toDouble());
@@ -84,13 +91,38 @@ std::string allowed_by(const QJsonObject& schema) {
 }
 
 void refuse_unknown_keywords(const QJsonObject& schema) {
-  static const std::set<QString> known = {"$schema",  "$defs",   "$ref",      "title",     "description", "type",
-                                          "required", "pattern", "maxLength", "minLength", "properties",  "enum",
-                                          "const",    "minimum", "maximum",   "minItems",  "maxItems",    "items"};
+  // The last three say something to people: "default" and "left_out" what holds for a field that is not there.
+  static const std::set<QString> known = {"$schema",
+                                          "$defs",
+                                          "$ref",
+                                          "title",
+                                          "description",
+                                          "type",
+                                          "required",
+                                          "pattern",
+                                          "maxLength",
+                                          "minLength",
+                                          "enum",
+                                          "const",
+                                          "minimum",
+                                          "maximum",
+                                          "minItems",
+                                          "maxItems",
+                                          "items",
+                                          "propertyNames",
+                                          "additionalProperties",
+                                          "properties",
+                                          "unit",
+                                          "default",
+                                          "left_out"};
   for (const QString& keyword : schema.keys()) {
     if (known.count(keyword) == 0)
       throw std::logic_error("schema keyword '" + keyword.toStdString() + "' is not understood");
   }
+}
+
+bool matches(const QString& pattern, const QString& whole) {
+  return QRegularExpression(QRegularExpression::anchoredPattern(pattern)).match(whole).hasMatch();
 }
 
 std::string child_path(const std::string& path, const std::string& key) {
@@ -145,16 +177,21 @@ void Validator::check(const YAML::Node& node, const std::string& definition, con
   check(node, schema_.value("$defs").toObject().value(QString::fromStdString(definition)).toObject(), path, 1);
 }
 
+QJsonObject resolved_schema(const QJsonObject& document, const QJsonObject& given) {
+  if (!given.contains("$ref")) return given;
+  const QString name = given.value("$ref").toString().mid(static_cast<int>(sizeof("#/$defs/")) - 1);
+  QJsonObject schema = document.value("$defs").toObject().value(name).toObject();
+  if (schema.isEmpty()) throw std::logic_error("the curriculum schema does not define '" + name.toStdString() + "'");
+  for (auto own = given.begin(); own != given.end(); ++own)  // what stands beside the reference is nearer
+    if (own.key() != "$ref") schema.insert(own.key(), own.value());
+  return schema;
+}
+
 void Validator::check(const YAML::Node& node, const QJsonObject& given, const std::string& path, int line) const {
-  QJsonObject schema = given;
-  if (given.contains("$ref")) {
-    const QString name = given.value("$ref").toString().mid(static_cast<int>(sizeof("#/$defs/")) - 1);
-    schema = schema_.value("$defs").toObject().value(name).toObject();
-  }
-  if (schema.isEmpty()) throw std::logic_error("the curriculum schema does not define '" + path + "'");
+  const QJsonObject schema = resolved_schema(schema_, given);
   refuse_unknown_keywords(schema);
   line = line_of(node, line);
-  const std::string type = text_of(schema.value("type"));
+  const std::string type = schema.value("type").isArray() && node.IsMap() ? "object" : main_type(schema);
   if (type == "object") {
     check_map(node, schema, path, line);
   } else if (type == "array") {
@@ -179,6 +216,16 @@ void Validator::check_map(const YAML::Node& node, const QJsonObject& schema, con
     if (!entry.first.IsScalar()) fail(key_line, path, "not named by a word", allowed_by(schema));
     const std::string key = entry.first.Scalar(), name = child_path(path, key);
     const auto property = properties.find(QString::fromStdString(key));
+    if (property == properties.end() && schema.value("additionalProperties").isObject()) {
+      // Fields of one kind whose names are free, like the texts by language.
+      const QJsonObject names = schema.value("propertyNames").toObject();
+      if (!matches(names.value("pattern").toString(), QString::fromStdString(key)))
+        fail(key_line, child_path(path, key.substr(0, kShownValue)),
+             "an unknown field with the value " + shown(entry.second), text_of(names.value("description")));
+      if (!seen.insert(key).second) fail(key_line, name, "given twice", "once");
+      check(entry.second, schema.value("additionalProperties").toObject(), name, key_line);
+      continue;
+    }
     if (property == properties.end()) {
       fail(key_line, child_path(path, key.substr(0, kShownValue)),
            "an unknown field with the value " + shown(entry.second), "the fields " + joined(properties.keys()));
@@ -190,10 +237,10 @@ void Validator::check_map(const YAML::Node& node, const QJsonObject& schema, con
   for (const QJsonValue& required : schema.value("required").toArray()) {
     const std::string key = text_of(required);
     if (seen.count(key) != 0) continue;
-    QJsonObject missing = properties.value(required.toString()).toObject();
-    if (missing.contains("$ref")) {
-      missing = schema_.value("$defs").toObject().value(missing.value("$ref").toString().mid(8)).toObject();
-    }
+    const QJsonObject property = properties.value(required.toString()).toObject();
+    const bool of_one_kind = property.isEmpty() && schema.value("additionalProperties").isObject();
+    const QJsonObject missing =
+        resolved_schema(schema_, of_one_kind ? schema.value("additionalProperties").toObject() : property);
     fail(line, child_path(path, key), "missing", allowed_by(missing));
   }
 }
@@ -231,8 +278,7 @@ void Validator::check_string(const YAML::Node& node, const QJsonObject& schema, 
       value.size() >= schema.value("minLength").toInt(0) && value.size() <= schema.value("maxLength").toInt(INT_MAX);
   if (schema.contains("enum")) ok = ok && schema.value("enum").toArray().contains(value);
   if (schema.contains("pattern")) {
-    const QRegularExpression whole(QRegularExpression::anchoredPattern(schema.value("pattern").toString()));
-    ok = ok && whole.match(value).hasMatch();
+    ok = ok && matches(schema.value("pattern").toString(), value);
   }
   if (!ok) fail(line, path, shown(node), allowed_by(schema));
 }

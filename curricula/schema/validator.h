@@ -9,6 +9,9 @@
 
 namespace vallecula::curricula {
 
+/// `given` of a schema document, with what it refers to put in its place.
+QJsonObject resolved_schema(const QJsonObject& document, const QJsonObject& given);
+
 class Validator {
  public:
   /// `file`: stands in front of every message. Throws std::logic_error when the schema is not JSON.

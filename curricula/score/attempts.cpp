@@ -9,18 +9,16 @@
 namespace vallecula::curricula {
 namespace {
 
-constexpr double kSevereDesaturation = 20.0;  ///< percentage points (NEAR4NEOS)
-constexpr double kBradycardia = 100.0;        ///< per minute (NEAR4NEOS)
-
-/// What the hand did within the attempt: view and passing, in working ticks from its start.
-void measure_hand(const TrialLog& log, const Scenario& scenario, const Stay& stay, Attempt& attempt) {
+/// What the hands did in the attempt and until the next one, at tick `next`: view and passing, in working ticks from its
+/// start. A tube is passed with the blade out as well, if blindly.
+void measure_hand(const TrialLog& log, const Scenario& scenario, const Stay& stay, std::size_t next, Attempt& attempt) {
   const double period_s = log.header.servo_period_s;
   long long worked = 0, viewed = 0;
   bool in = stay.first > 0 && tube_past_cords(log.ticks[stay.first - 1]);
-  for (std::size_t i = stay.first; i <= stay.last; ++i) {
+  for (std::size_t i = stay.first; i < next; ++i) {
     const LogTick& tick = log.ticks[i];
     if (paused(tick)) continue;
-    if (!attempt.time_to_view_s && tick.has_sight && 100.0 * tick.glottis_visible >= scenario.sight_percent) {
+    if (i <= stay.last && !attempt.time_to_view_s && tick.has_sight && 100.0 * tick.glottis_visible >= scenario.sight_percent) {
       attempt.time_to_view_s = static_cast<double>(worked) * period_s;
       attempt.view_at_s = tick.time_s;
       viewed = worked;
@@ -78,7 +76,7 @@ std::vector<Attempt> measure_attempts(const TrialLog& log, const Scenario& scena
     attempt.time_s = attempt.end_s - attempt.start_s - attempt.paused_s;
     const auto breaths = [&](std::size_t tick) { return log.ticks[tick].intubation.breaths_given; };
     attempt.breaths_before = breaths(stay.first) - (i == 0 ? 0 : breaths(from));
-    measure_hand(log, scenario, stay, attempt);
+    measure_hand(log, scenario, stay, next, attempt);
     measure_infant(log, from, stay.first, next, attempt);
     attempts.push_back(attempt);
   }

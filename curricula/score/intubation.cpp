@@ -9,9 +9,12 @@
 namespace vallecula::curricula {
 namespace {
 
-constexpr double kStoppedN = 0.5;        ///< along the tube: from here on what stands before the tip stops it (assumed)
-constexpr double kAtTheLastS = 1.0;      ///< before the end: the tube still stands against it (assumed)
-constexpr double kBevelM = 0.008;        ///< a bevelled tip reaches past what holds the tube's full width by less than this
+constexpr double kStoppedN = 0.5;  ///< along the tube: from here on closed cords before the tip stop it (assumed)
+/// Likewise of the cricoid: tubes that fit take up to 1.5 N there (engine/README.md), and only more says "too narrow".
+constexpr double kCricoidStopsN = 2.0;
+constexpr double kAtTheLastS = 1.0;    ///< before the end: the tube still stands against it (assumed)
+constexpr double kJustBeforeS = 10.0;  ///< before the end: the cricoid is what it was given up for (assumed)
+constexpr double kBevelM = 0.008;  ///< a bevelled tip reaches past what holds the tube's full width by less than this
 constexpr double kClosedOpening = 0.25;  ///< cords nearer together let no tube between them (assumed)
 /// The head's flexion moves the tip down by this, for one degree (assumed: 5 mm for the 25 degrees of sniffing; it is
 /// less in smaller infants).
@@ -21,8 +24,8 @@ constexpr double kTipDownPerDegreeM = 0.0002;
 struct Stop {
   bool was = false;
   bool by_cords = false;
-  double at_s = 0.0;
-  double depth_m = 0.0;  ///< of the tip, past the cords
+  double worked_s = 0.0;  ///< of the trial until then, less pauses
+  double depth_m = 0.0;   ///< of the tip, past the cords
 };
 
 struct Course {
@@ -33,10 +36,6 @@ struct Course {
 };
 
 double magnitude(const std::array<double, 3>& v) { return std::hypot(std::hypot(v[0], v[1]), v[2]); }
-
-bool in_oesophagus(const LogTick& tick) {
-  return tick.intubation.in_hand != LoggedInHand::catheter && tick.intubation.place == LoggedPlace::oesophagus;
-}
 
 bool cords_closed(const LogIntubation& i) { return i.spasm || i.glottis_opening < kClosedOpening; }
 
@@ -84,14 +83,15 @@ Course follow(const TrialLog& log, const std::vector<Attempt>& attempts, Intubat
     course.past_cricoid = course.past_cricoid || (tube_past_cords(tick) && i.place != LoggedPlace::larynx);
     measure_forces(tick, score);
     if (!attempts.empty() && tick.time_s >= attempts.front().start_s) measure_infant(tick, score);
+    course.worked_s = static_cast<double>(worked) * log.header.servo_period_s;
     if (i.in_hand == LoggedInHand::catheter || !(i.tip_load_n >= kStoppedN)) continue;
     const bool by_cords = i.tip_against == kTubeCords && cords_closed(i);
-    if (by_cords || i.tip_against == kTubeCricoid)
-      course.stop = {true, by_cords, tick.time_s, i.past_cords_m};
+    const bool by_cricoid = i.tip_against == kTubeCricoid && i.tip_load_n >= kCricoidStopsN;
+    if (by_cords || by_cricoid)
+      course.stop = {true, by_cords, course.worked_s, i.past_cords_m};
     else if (course.stop.was && !course.stop.by_cords && i.past_cords_m < course.stop.depth_m + kBevelM)
-      course.stop.at_s = tick.time_s;  // the tip presses on what lies next to the cricoid: it stands there still
+      course.stop.worked_s = course.worked_s;  // pressed on less, or on what lies next to it: it stands there still
   }
-  course.worked_s = static_cast<double>(worked) * log.header.servo_period_s;
   return course;
 }
 
@@ -102,7 +102,7 @@ void measure_oesophagus(const TrialLog& log, int breaths_to_confirm, IntubationS
   for (const LogTick& tick : log.ticks) {
     if (paused(tick)) continue;
     const bool was_there = there;
-    there = in_oesophagus(tick);
+    there = tube_in_oesophagus(tick);
     if (there && !was_there) {
       ++score.oesophagus_entries;
       breaths = 0;
@@ -112,7 +112,10 @@ void measure_oesophagus(const TrialLog& log, int breaths_to_confirm, IntubationS
       breaths += now;
       score.oesophagus_breaths += now;
       if (breaths > 0) score.oesophagus_s += log.header.servo_period_s;
-      score.recognised_late = score.recognised_late || breaths > breaths_to_confirm;
+      if (!score.recognised_late && breaths > breaths_to_confirm) {
+        score.recognised_late = true;
+        score.recognised_late_at_s = tick.time_s;
+      }
     }
     before = tick.intubation.breaths_given;
   }
@@ -151,23 +154,25 @@ bool spasm_ended_it(const TrialLog& log, const std::vector<Attempt>& attempts) {
 }
 
 Outcome outcome_of_depth(double share) {
-  if (share >= 1.0 / 3.0 && share <= 2.0 / 3.0) return Outcome::good_depth;
+  if (in_middle_third(share)) return Outcome::good_depth;
   return share > 2.0 / 3.0 ? Outcome::too_deep : Outcome::too_shallow;
 }
 
 Outcome outcome_of(const TrialLog& log, const Scenario& scenario, const Course& course, const IntubationScore& score) {
   if (course.last == nullptr) return Outcome::abandoned;
   const LogTick& last = *course.last;
-  if (in_oesophagus(last)) return Outcome::oesophagus;
+  if (tube_in_oesophagus(last)) return Outcome::oesophagus;
   const bool in = tube_past_cords(last);
   if (in && last.intubation.place == LoggedPlace::main_bronchus) return Outcome::mainstem;
-  const bool stands = course.stop.was && last.time_s - course.stop.at_s <= kAtTheLastS;
+  const double since_stop_s = course.worked_s - course.stop.worked_s;
+  const bool stands = course.stop.was && since_stop_s <= kAtTheLastS;
   if (stands && score.deepest_m < course.stop.depth_m + kBevelM)
     return course.stop.by_cords ? Outcome::cords_closed : Outcome::cricoid_too_narrow;
   if (in && last.intubation.place == LoggedPlace::trachea) return outcome_of_depth(*score.depth_share());
 
   // Not past the cricoid, then: what stopped it?
-  const bool by_cricoid = course.stop.was && !course.stop.by_cords && !course.past_cricoid;
+  const bool by_cricoid =
+      course.stop.was && !course.stop.by_cords && !course.past_cricoid && since_stop_s <= kJustBeforeS;
   const bool by_cords = (course.stop.was && course.stop.by_cords) || spasm_ended_it(log, score.attempts);
   if (by_cricoid && (stands || in)) return Outcome::cricoid_too_narrow;
   if (in) return Outcome::too_shallow;
@@ -192,6 +197,7 @@ IntubationScore measure_intubation(const TrialLog& log, const Scenario& scenario
     score.breaths_given = last.breaths_given;
     score.secretions_start_ml = log.ticks.front().intubation.secretions_ml;
     score.secretions_end_ml = last.secretions_ml;
+    if (last.in_hand != LoggedInHand::catheter) score.bronchus_side = last.side;
     if (tube_past_cords(*course.last) && last.place != LoggedPlace::main_bronchus) {
       score.depth_m = last.past_cords_m;
       const auto extension = settings.find(kHeadExtension);
@@ -224,6 +230,16 @@ const Attempt* IntubationScore::longest() const {
 std::optional<double> IntubationScore::depth_share() const {
   if (!depth_m) return std::nullopt;
   return *depth_m / cords_to_carina_m;
+}
+
+std::optional<double> IntubationScore::depth_neutral_share() const {
+  if (!depth_neutral_m) return std::nullopt;
+  return *depth_neutral_m / cords_to_carina_m;
+}
+
+bool IntubationScore::passed_untimed() const {
+  return deepest_m > 0.0 && std::none_of(attempts.begin(), attempts.end(),
+                                         [](const Attempt& attempt) { return attempt.time_to_pass_s.has_value(); });
 }
 
 }  // namespace vallecula::curricula

@@ -47,6 +47,40 @@ Criterion co2(const IntubationScore& score, int breaths_to_confirm) {
               (met ? ", within the " : ", more than the ") + allowed};
 }
 
+/// Where the tip lies once the roll under the shoulders is gone: lower in the trachea.
+Criterion depth_neutral(const IntubationScore& score) {
+  const double share = *score.depth_neutral_share();
+  const bool met = in_middle_third(share);
+  return fact("depth_neutral", met, -1.0,
+              "With the head neutral the tube's tip lies about " + millimetres(*score.depth_neutral_m) +
+                  " past the cords, " + fixed(100.0 * share, 0) + " % of the way to the carina: " +
+                  (met              ? "in the middle third"
+                   : share > 0.5 ? "to be drawn back"
+                                    : "to be advanced"));
+}
+
+Criterion oesophagus_in_time(const IntubationScore& score, int breaths_to_confirm) {
+  const std::string allowed = std::to_string(breaths_to_confirm) + " breaths in one stay";
+  return fact("oesophagus_in_time", !score.recognised_late, score.recognised_late_at_s,
+              score.recognised_late ? "The tube in the oesophagus was recognised late: more than " + allowed +
+                                          at(score.recognised_late_at_s)
+              : score.oesophagus_entries > 0 ? "The tube in the oesophagus was recognised within " + allowed
+                                             : "The tube was never in the oesophagus");
+}
+
+Criterion no_severe_desaturation(const IntubationScore& score) {
+  const auto worst = std::find_if(score.attempts.begin(), score.attempts.end(),
+                                  [](const Attempt& attempt) { return attempt.desaturated; });
+  const std::string points = fixed(kSevereDesaturation, 0) + " points or more";
+  if (worst == score.attempts.end())
+    return fact("no_severe_desaturation", true, -1.0, "In no attempt did saturation fall by " + points);
+  return fact("no_severe_desaturation", false, worst->start_s,
+              "In attempt " + std::to_string(worst - score.attempts.begin() + 1) + " of " +
+                  std::to_string(score.attempts.size()) + ", begun at " + second(worst->start_s) +
+                  ", saturation fell by " + points + ", from " + fixed(worst->highest_spo2_before_percent, 0) + " to " +
+                  fixed(worst->lowest_spo2_percent, 0) + " %");
+}
+
 /// Whether a detector has anything to say: the tube lies in the airway or in the oesophagus.
 bool lies_somewhere(Outcome outcome) {
   return outcome == Outcome::good_depth || outcome == Outcome::too_shallow || outcome == Outcome::too_deep ||
@@ -68,7 +102,7 @@ std::string outcome_in_words(const IntubationScore& score) {
     case Outcome::too_deep:
       return depth("in the trachea, but to be drawn back");
     case Outcome::mainstem:
-      return "The tube's tip lies in a main bronchus: only one lung gets air";
+      return "The tube's tip lies in " + bronchus_in_words(score) + ": only one lung gets air";
     case Outcome::oesophagus:
       return "The tube lies in the oesophagus";
     case Outcome::cricoid_too_narrow:
@@ -81,6 +115,12 @@ std::string outcome_in_words(const IntubationScore& score) {
       return "The trial's time was over before the tube was in the trachea";
   }
   return "";
+}
+
+std::string bronchus_in_words(const IntubationScore& score) {
+  return score.bronchus_side == 0 ? "the right main bronchus"
+         : score.bronchus_side == 1 ? "the left main bronchus"
+                                    : "a main bronchus";
 }
 
 const char* name_of(LoggedTubeLoad load) {
@@ -128,8 +168,12 @@ void judge_intubation(const Scenario& scenario, const IntubationScore& score, st
     const char* since = decisive->view_at_s && *decisive->view_at_s <= *decisive->passed_cords_s
                             ? "From the view to the cords passed it took"
                             : "From the blade in the mouth to the cords passed, without a view, it took";
+    const char* blade = *decisive->passed_cords_s >= decisive->end_s ? ", with the blade out already" : "";
     criteria.push_back(at_most("time_to_pass_s", "s", *decisive->time_to_pass_s, *pass.time_to_pass_s,
-                               *decisive->passed_cords_s, since, at(*decisive->passed_cords_s)));
+                               *decisive->passed_cords_s, since, at(*decisive->passed_cords_s) + blade));
+  } else if (pass.time_to_pass_s && score.passed_untimed()) {
+    criteria.push_back(fact("time_to_pass_s", false, -1.0,
+                            "The cords were passed before the blade was in the mouth, so not under sight"));
   }
   if (pass.attempts) {
     const auto count = static_cast<double>(score.attempts.size());
@@ -141,6 +185,10 @@ void judge_intubation(const Scenario& scenario, const IntubationScore& score, st
   }
   if (pass.co2_confirmed && lies_somewhere(score.outcome))
     criteria.push_back(co2(score, scenario.intubation->breaths_to_confirm));
+  if (pass.depth_neutral && score.depth_neutral_m) criteria.push_back(depth_neutral(score));
+  if (pass.oesophagus_in_time)
+    criteria.push_back(oesophagus_in_time(score, scenario.intubation->breaths_to_confirm));
+  if (pass.no_severe_desaturation) criteria.push_back(no_severe_desaturation(score));
 }
 
 }  // namespace vallecula::curricula

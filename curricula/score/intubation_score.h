@@ -11,6 +11,9 @@
 
 namespace vallecula::curricula {
 
+constexpr double kSevereDesaturation = 20.0;  ///< percentage points (NEAR4NEOS)
+constexpr double kBradycardia = 100.0;        ///< heart below, per minute (NEAR4NEOS)
+
 /// One way of the blade into the mouth and out of it (NEAR4NEOS). Moments in trial time; times less pauses.
 struct Attempt {
   double start_s = 0.0, end_s = 0.0;
@@ -18,7 +21,8 @@ struct Attempt {
   int breaths_before = 0;                ///< given since the attempt before, or since the trial began
   std::optional<double> time_to_view_s;  ///< from its start to scenario.sight_percent of the glottis; never: nothing
   std::optional<double> view_at_s;       ///< second of the trial of that
-  /// From the view (from the start where there was none before) to the last time the tip passed the cords in it.
+  /// From the view (from the start where there was none before) to the last time the tip passed the cords in it, or,
+  /// the blade out, before the next one.
   std::optional<double> time_to_pass_s;
   std::optional<double> passed_cords_s;  ///< second of the trial of that
   /// Displayed saturation, percent: the highest since the attempt before (or the trial's begin), and the lowest from
@@ -26,8 +30,8 @@ struct Attempt {
   /// doing.
   double highest_spo2_before_percent = 0.0, lowest_spo2_percent = 0.0;
   double lowest_heart_per_min = 0.0;  ///< over the same time
-  bool desaturated = false;           ///< by 20 points or more (NEAR4NEOS: severe desaturation)
-  bool bradycardia = false;           ///< heart below 100 per minute
+  bool desaturated = false;           ///< by kSevereDesaturation or more
+  bool bradycardia = false;           ///< heart below kBradycardia
 };
 
 /// Largest value of one tick, and when.
@@ -42,6 +46,7 @@ struct IntubationScore {
   double cords_to_carina_m = 0.0;         ///< this infant's
   std::optional<double> depth_m;          ///< of the tip past the cords at the end, where it lies in larynx or trachea
   std::optional<double> depth_neutral_m;  ///< the same with the head neutral, where its extension is known
+  std::int8_t bronchus_side = -1;         ///< where the tip lies in a main bronchus at the end: 0 right, 1 left
   double deepest_m = 0.0;                 ///< past the cords, ever
   std::optional<double> lowest_spo2_percent, lowest_heart_per_min;  ///< from the first attempt on
   double lowest_spo2_at_s = -1.0, lowest_heart_at_s = -1.0;
@@ -53,6 +58,7 @@ struct IntubationScore {
   int oesophagus_breaths = 0;      ///< given while it lay there
   double oesophagus_s = 0.0;       ///< from the first of them in each stay until withdrawn, together
   bool recognised_late = false;    ///< more than breaths_to_confirm in one stay
+  double recognised_late_at_s = -1.0;  ///< second of the trial of the first breath too many
   Peak tip_load_n;                 ///< along the tube, of what stood before its tip
   std::uint8_t tip_against = kNothingAgainstTip;  ///< what that was, a LoggedTubeLoad
   std::array<Peak, kTubeLoads> loads_n{};         ///< by what the tube touched, sums of magnitudes
@@ -66,10 +72,17 @@ struct IntubationScore {
   const Attempt* longest() const;  ///< null: there was none
   /// Depth as a share of the way from the cords to the carina.
   std::optional<double> depth_share() const;
+  std::optional<double> depth_neutral_share() const;  ///< the same with the head neutral
+  /// The cords were passed, but before the blade was first in the mouth: no attempt has a time of it.
+  bool passed_untimed() const;
 };
 
 /// The outcome for a person, with the depth: "The tube's tip lies 24.1 mm past the cords, ...". Without a full stop.
 std::string outcome_in_words(const IntubationScore& score);
+/// Of a depth as a share of the way from the cords to the carina: good; its ends belong to it.
+inline bool in_middle_third(double share) noexcept { return share >= 1.0 / 3.0 && share <= 2.0 / 3.0; }
+/// Of a tube in a main bronchus: "the right main bronchus".
+std::string bronchus_in_words(const IntubationScore& score);
 /// "cricoid", "tongue" ...: what a tube's load is on.
 const char* name_of(LoggedTubeLoad load);
 

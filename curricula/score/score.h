@@ -86,8 +86,8 @@ struct Score {
 /// - an attempt is one way of the blade into the mouth and out, out for a second or more less pauses; there may be
 ///   several. attempt_time_s, attempt_start_s and attempt_paused_s are the longest one's, for the limit holds for each;
 ///   time_to_trachea_visible_s is that of the first attempt with a view, from its own start.
-/// - time to view: as above, of each attempt. Time to pass: from then to the last time the tip came in, within the
-///   attempt; from its start where there was no view before.
+/// - time to view: as above, of each attempt. Time to pass: from then to the last time the tip came in, until the next
+///   attempt (the blade may be out by then); from its start where there was no view before.
 /// - desaturation: displayed saturation, whole percents, from the highest between the attempts to the lowest until the
 ///   next (the display is late); 20 points or more. Bradycardia: below 100 per minute over the same time.
 /// - outcome: by the last tick that was not paused. Tip in the oesophagus, in a main bronchus, or in the trachea: in the
@@ -95,10 +95,12 @@ struct Score {
 ///   the larynx past the cords: too shallow, but cricoid too narrow where the cricoid stopped it last. Else, where the
 ///   tube stood against it within the last second, cricoid too narrow or cords closed; else out of time when
 ///   max_attempt_s is over; else by what stopped the tube last in the whole trial, or cords closed where a laryngospasm
-///   lasted when the last attempt ended; else abandoned. "Stopped": 0.5 N or more along the tube (assumed), mostly of the
-///   cricoid, which was never passed, or of cords in spasm or less than a quarter open (assumed).
+///   lasted when the last attempt ended; else abandoned. "Stopped" by cords: 0.5 N or more along the tube
+///   (assumed), mostly of cords in spasm or less than a quarter open (assumed); by the cricoid: 2 N or more (assumed;
+///   tubes that fit take up to 1.5 N), of one that was never passed, and not longer ago than 10 s (assumed) without
+///   pauses: whoever touched it once and then went elsewhere was not stopped by it.
 /// - with the head neutral the tip lies 0.2 mm deeper for each degree of extension (assumed), where the header's settings
-///   know it (kHeadExtension).
+///   know it (kHeadExtension). Judged again there where pass.depth_neutral asks for it.
 /// - confirmed: the detector was yellow at some tick of the stay "in" that lasts to the end, after a breath in it;
 ///   breaths are counted from that stay's begin.
 /// - recognised late: more than breaths_to_confirm breaths in one stay in the oesophagus.

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "curricula/score/intubation_json.h"
+#include "curricula/score/points.h"
 #include "curricula/score/score.h"
 
 namespace vallecula::curricula {
@@ -64,6 +65,8 @@ std::string score_to_json(const Score& score, const TrialLog& log, const Scenari
   o["scenario_id"] = text(scenario.id);
   o["scenario_title"] = text(scenario.title);
   o["package_name"] = text(log.header.package_name);
+  o["mode"] = name_of(scenario.attempt.mode);
+  o["attempt_seed"] = static_cast<qint64>(scenario.attempt.seed);
   o["device_kind"] = text(log.header.device_kind);
   o["device_limit_n"] = number_or_null(log.header.device_limit_n);
   o["realtime"] = log.header.realtime;
@@ -81,6 +84,20 @@ std::string score_to_json(const Score& score, const TrialLog& log, const Scenari
     criteria.append(line);
   }
   o["criteria"] = criteria;
+  QJsonArray points;
+  double earned = 0.0;
+  for (const MarkPoints& mark : points_of(score, scenario)) {
+    QJsonObject line;
+    line["mark"] = text(mark.mark);
+    line["of"] = mark.of;
+    line["earned"] = mark.earned;
+    line["at_s"] = number_or_null(mark.at_s, mark.at_s >= 0.0);
+    line["source"] = text(mark.source);
+    points.append(line);
+    earned += mark.earned;
+  }
+  o["points"] = points;
+  o["points_of_100"] = number_or_null(earned, !points.isEmpty());
   if (score.intubation) o["intubation"] = intubation_to_json(*score.intubation);
   return QJsonDocument(o).toJson(QJsonDocument::Indented).trimmed().toStdString();
 }

@@ -15,6 +15,7 @@
 #include <time.h>
 
 #include "engine/haptics/servo.h"
+#include "engine/haptics/snapshots.h"
 
 namespace vallecula::engine {
 
@@ -22,7 +23,6 @@ namespace {
 
 constexpr std::size_t kRingSize = 8192;           // records: 8 s
 constexpr std::int64_t kPublishEverySteps = 8;    // snapshots at 125 Hz: twice what any screen shows
-constexpr std::int64_t kResultSlots = 8;
 constexpr std::int64_t kGiveUpNs = 5'000'000;     // further behind than this the clock is set anew instead of caught up
 constexpr std::int64_t kMissNs = 1'000'000;
 constexpr int kBins = 2000, kBinNs = 10'000;      // step times: 10 us bins up to 20 ms
@@ -33,57 +33,6 @@ std::int64_t now_ns() {
   return t.tv_sec * 1'000'000'000LL + t.tv_nsec;
 }
 
-void size_snapshot(const Scene& scene, Snapshot& s) {
-  s.soft_points.assign(3 * scene.model.nodes, 0.0f);
-  s.body_displacement.assign(scene.model.bodies.size(), Vec3::Zero());
-  s.lip_displacement.assign(scene.description.lips.surface.points.size(), Vec3::Zero());
-}
-
-/// Wait-free hand-over of the newest snapshot: the writer fills one of three, swaps it with the one in the middle, the
-/// reader swaps the middle with its own.
-class LatestSnapshot {
- public:
-  explicit LatestSnapshot(const Scene& scene) {
-    for (Snapshot& s : slots_) size_snapshot(scene, s);
-  }
-  Snapshot& to_write() { return slots_[writing_]; }
-  void publish() { writing_ = middle_.exchange(writing_ | kFresh, std::memory_order_acq_rel) & ~kFresh; }
-  const Snapshot& read() {
-    if (middle_.load(std::memory_order_acquire) & kFresh)
-      reading_ = middle_.exchange(reading_, std::memory_order_acq_rel) & ~kFresh;
-    return slots_[reading_];
-  }
-
- private:
-  static constexpr int kFresh = 4;
-  std::array<Snapshot, 3> slots_;
-  int writing_ = 0, reading_ = 2;
-  std::atomic<int> middle_{1};
-};
-
-void fill_snapshot(const Scene& scene, const SceneState& state, const StepResult& result, Snapshot& s) {
-  s.step = result.step;
-  s.time_s = static_cast<double>(result.step) * scene.model.step_s;
-  s.device_pose = result.device_pose;
-  s.proxy_pose = result.proxy_pose;
-  s.state = result.limit.state;
-  s.model_force_n = result.model_force_n;
-  s.loads = result.loads;
-  s.glottis_visible = result.glottis_visible;
-  s.faults = result.faults;
-  std::copy(state.tissue.body_displacement.begin(), state.tissue.body_displacement.end(), s.body_displacement.begin());
-  s.has_intubation = state.intubation.has_value();
-  if (s.has_intubation) {
-    s.intubation = result.intubation;
-    s.tube_axis = state.intubation->rod.position;
-    s.tube_frames = state.intubation->rod.rotation;
-  }
-  std::copy(state.lips.displacement.begin(), state.lips.displacement.end(), s.lip_displacement.begin());
-  for (int i = 0; i < scene.model.nodes; ++i)
-    for (int a = 0; a < 3; ++a)
-      s.soft_points[3 * i + a] = static_cast<float>(scene.model.rest[i][a] + state.tissue.displacement[i][a]);
-}
-
 /// The newest ticks, frozen by the first one with a fault: what led to it travels with it. Sized once.
 class FaultRing {
  public:
@@ -91,7 +40,7 @@ class FaultRing {
     if (frozen_) return;
     ring_[static_cast<std::size_t>(added_++ % kSize)] = record;
     frozen_ = (record.faults & (kFaultDevicePose | kFaultTissue | kFaultForce)) != 0 ||
-              (record.intubation.faults & ~std::uint32_t{kIntubationFaultHand}) != 0;
+              (record.intubation.faults & ~std::uint32_t{kIntubationFaultHand | kIntubationFaultContacts}) != 0;
   }
   std::vector<TickRecord> before_fault() const {
     std::vector<TickRecord> ticks;
@@ -331,47 +280,6 @@ void Runner::run(std::int64_t ticks, const std::function<void(const TickRecord&)
   m.ended_ns = now_ns();
   m.servo_priority = m.simulation_priority = "none needed (not in real time)";
 }
-
-struct Replayer::Impl {
-  explicit Impl(std::shared_ptr<const Scene> s) : scene(std::move(s)), state(*scene) {
-    size_snapshot(*scene, snapshot);
-  }
-  std::shared_ptr<const Scene> scene;
-  SceneState state;
-  ServoState servo;
-  std::array<StepResult, kResultSlots> results;
-  Snapshot snapshot;
-};
-
-Replayer::Replayer(std::shared_ptr<const Scene> scene) : impl_(std::make_unique<Impl>(std::move(scene))) {}
-
-Replayer::~Replayer() = default;
-
-TickRecord Replayer::replay(const TickRecord& recorded) {
-  Impl& m = *impl_;
-  PortInput in;
-  in.pose = recorded.device_pose;
-  in.buttons = recorded.buttons;
-  in.valid = recorded.device_valid;
-  in.second_pose = recorded.intubation.hand_pose;
-  in.second_valid = recorded.intubation.hand_valid;
-  if (recorded.step_fed >= 0) {
-    const StepResult result = step(*m.scene, m.state, step_input(in));
-    m.results[result.step % kResultSlots] = result;
-  }
-  const StepResult none;
-  const StepResult& slot = recorded.step_used >= 0 ? m.results[recorded.step_used % kResultSlots] : none;
-  return servo_tick(*m.scene, recorded.tick, in, recorded.step_fed >= 0 ? m.state.step - 1 : -1, slot,
-                    (recorded.faults & kFaultOverrun) != 0, m.servo);
-}
-
-const Snapshot& Replayer::snapshot() {
-  Impl& m = *impl_;
-  if (m.state.step > 0) fill_snapshot(*m.scene, m.state, m.results[(m.state.step - 1) % kResultSlots], m.snapshot);
-  return m.snapshot;
-}
-
-const PassivityObserver& Replayer::energy() const { return impl_->servo.energy; }
 
 std::string instruction_set() { return "x86-64"; }
 

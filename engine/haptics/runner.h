@@ -40,7 +40,7 @@ class Runner {
   const Snapshot& latest();
   TimingReport timing() const;         ///< after stop() or run()
   /// The 50 ticks up to and with the first that had a fault of the engine's or a pose's own (kFaultDevicePose,
-  /// kFaultTissue, kFaultForce; of the second half all but kIntubationFaultHand), oldest first; empty without one. After
+  /// kFaultTissue, kFaultForce; of the second half all but kIntubationFaultHand and kIntubationFaultContacts), oldest first; empty without one. After
   /// stop() or run().
   std::vector<TickRecord> ticks_before_fault() const;
 

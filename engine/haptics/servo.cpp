@@ -49,7 +49,9 @@ void second_hand(const Scene& scene, const PortInput& input, const StepResult& u
   r.hand_valid = input.second_valid;
   if (!input.second_valid) r.faults |= kIntubationFaultHand;
   if (!usable(input.second_pose)) r.faults |= kIntubationFaultHandPose;
-  bool fault = used.step < 0 ||
+  // What stops the blade's hand stops this one: the trial stands still, or the scene is not what it was.
+  bool fault = used.step < 0 || !input.valid ||
+               (record.faults & (kFaultTissue | kFaultDevicePose | kFaultDeviceInvalid)) != 0 ||
                (r.faults & (kIntubationFaultHand | kIntubationFaultHandPose | kIntubationFaultTube)) != 0;
   if (!fault && !r.model_force_n.allFinite()) {
     fault = true;
@@ -102,8 +104,9 @@ TickRecord servo_tick(const Scene& scene, std::int64_t tick, const PortInput& in
   if (step_fed >= 0) servo.fed_at[static_cast<std::size_t>(step_fed % 4)] = tick;
   const CouplingState coupling = used.step >= 0 ? predicted(scene, tick, used, servo) : CouplingState{};
   if (!good) record.faults |= kFaultDevicePose;
+  const bool hands = input.valid && (!scene.intubation || input.second_valid);
   bool fault =
-      !input.valid || used.step < 0 || (record.faults & (kFaultTissue | kFaultDevicePose | kFaultDeviceInvalid)) != 0;
+      !hands || used.step < 0 || (record.faults & (kFaultTissue | kFaultDevicePose | kFaultDeviceInvalid)) != 0;
   // A pose that is none is the device's fault and named as such; with a good one, a pull that is not is ours.
   if (!fault && !(coupling.proxy.pull.force.allFinite() && used.model_force_n.allFinite())) {
     fault = true;

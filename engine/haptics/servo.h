@@ -30,7 +30,8 @@ StepInput step_input(const PortInput& input) noexcept;
 
 /// Force for the device and the tick's record. `used` is the newest finished step (step -1: none yet). The force is the
 /// coupling's, spring and damper, brought on from `used` to the device's present pose over the ticks since that step
-/// was fed. The second hand's, where the scene has one, is the tube's as the newest step left it: over late steps it is
+/// was fed. In a scene with an intubation a hand that is lost takes the other's force as well, from that tick on: the trial
+/// stands still. The second hand's, where the scene has one, is the tube's as the newest step left it: over late steps it is
 /// held (a simplification).
 TickRecord servo_tick(const Scene& scene, std::int64_t tick, const PortInput& input, std::int64_t step_fed,
                       const StepResult& used, bool overrun, ServoState& servo) noexcept;

@@ -6,8 +6,11 @@ namespace vallecula::engine {
 
 namespace {
 
-constexpr double kSlowest = 40.0;                           // 1/min: an escape rhythm
-constexpr double kLeastLoad = 0.2;                          // N: less is not noticed
+constexpr double kSlowest = 40.0;   // 1/min: an escape rhythm
+constexpr double kLeastLoad = 0.2;  // N: less is not noticed
+// The vagus answers a load's change: one that stays is forgotten after some 10 s (two stages of this time constant
+// each, assumed), so that a tube which lies well lets the heart go back to rest within half a minute.
+constexpr double kGetsUsed = 5.0;                           // s
 constexpr double kVagalShare = 0.7;                         // of the way to the slowest rate, at the largest load
 constexpr double kReflexBegins = 0.60, kReflexFull = 0.30;  // tissue saturation, chemoreflex
 constexpr double kDirectBegins = 0.30, kDirectFull = 0.05;  // tissue saturation, the heart's own muscle
@@ -43,13 +46,15 @@ void breathe(HeartState& s, double share) noexcept {
 void beat(const Heart& h, HeartState& s, double arterial, double load_n, double dt_s) noexcept {
   follow(s.tissue, arterial, kTissueLag, dt_s);
   follow(s.inflation, 0.0, kInflationFades, dt_s);
-  const double load = std::max(0.0, load_n - kLeastLoad);
+  const double load = std::max(0.0, load_n - s.used_to_n - kLeastLoad);
   const double vagal = kVagalShare * load / (load + h.half_load_n);
   const double chemo = ramp(s.tissue, kReflexBegins, kReflexFull) * (1.0 - kInflationShare * s.inflation);
   const double reflex = h.reflex * (1.0 - (1.0 - vagal) * (1.0 - chemo));
   const double direct = ramp(s.tissue, kDirectBegins, kDirectFull);
   const double free = h.first_per_min + s.awakening * (h.resting_per_min - h.first_per_min);
   const double target = kSlowest + (free - kSlowest) * (1.0 - reflex) * (1.0 - direct);
+  follow(s.getting_used_to_n, load_n, kGetsUsed, dt_s);
+  follow(s.used_to_n, s.getting_used_to_n, kGetsUsed, dt_s);
   follow(s.per_min, target, target < s.per_min ? kSlowing : kQuickening, dt_s);
 }
 

@@ -1,5 +1,6 @@
-// The heart rate: slowed early by the vagus when larynx or epiglottis are pressed, late by lack of oxygen, freed by the
-// first breaths. Time constants and gains are assumed; what they must show is in tests/engine/physiology.
+// The heart rate: slowed early by the vagus when larynx or epiglottis are pressed, until it has got used to that load;
+// late by lack of oxygen, freed by the first breaths. Time constants and gains are assumed; what they must show is in
+// tests/engine/physiology.
 #pragma once
 
 namespace vallecula::engine {
@@ -17,6 +18,8 @@ struct HeartState {
   double awakening = 0.0;  ///< 0 as at birth, 1 as at rest: grows by breaths
   double tissue = 0.0;     ///< saturation as heart and chemoreceptors have it
   double inflation = 0.0;  ///< 0..1: how much the last breaths hold the vagus back
+  /// Of the load on larynx and epiglottis: what the vagus no longer answers, and what that is on its way to.
+  double used_to_n = 0.0, getting_used_to_n = 0.0;
 };
 
 HeartState start(const Heart& h, double arterial) noexcept;
@@ -24,7 +27,7 @@ HeartState start(const Heart& h, double arterial) noexcept;
 /// A breath that reached `share` (0..1) of the lungs.
 void breathe(HeartState& s, double share) noexcept;
 
-/// dt_s (s) with this arterial saturation and this load on larynx and epiglottis.
+/// dt_s (s) with this arterial saturation and this load on larynx and epiglottis (N, of blade and tube together).
 void beat(const Heart& h, HeartState& s, double arterial, double load_n, double dt_s) noexcept;
 
 /// Blood flow as a share of the flow at rest: an infant's stroke volume hardly changes.

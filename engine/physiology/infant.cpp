@@ -43,7 +43,7 @@ constexpr double kAirMmhg = 0.21 * 713.0, kPureMmhg = 713.0;
 constexpr double kHardestLung = 0.5;                      // of the way to the inspired pressure: no breath does more
 constexpr double kLeastStart = 0.901;                     // arterial, but at birth: nobody starts an attempt below 90 %
 constexpr double kLag = 5.0, kMostLag = 20.0;             // s: of the displayed saturation (CLINICAL)
-constexpr double kHalfLoad = 3.0, kHalfLoadSpread = 0.5;  // N: of the vagal reflex (assumed)
+constexpr double kHalfLoad = 2.0, kHalfLoadSpread = 0.5;  // N: of the vagal reflex (assumed)
 constexpr double kAtropineLeaves = 0.1;                   // of the reflexes: Kothari saw no bradycardia at all
 constexpr double kRestingSpread = 0.06;
 constexpr double kDetectorHeart = 60.0;  // 1/min (assumed)
@@ -59,7 +59,7 @@ constexpr double kShortestBreath = 0.4;                // s: a breath given soon
 constexpr double kRateForgotten = 10.0;                // s without a breath: there is no rate
 constexpr double kRateSmoothing = 0.3;
 constexpr double kMostLoad = 100.0;  // N: more slows the heart no further
-constexpr double kMostStep = 0.1;  // s
+constexpr double kMostStep = 0.1;    // s
 
 double mix(double preterm, double term, double share) { return preterm + share * (term - preterm); }
 
@@ -127,8 +127,8 @@ double number_or(double value, double otherwise, std::uint32_t& faults) noexcept
 
 bool sound(const InfantState& s) noexcept {
   double sum = s.oxygen.arterial + s.oxygen.venous + s.oxygen.shunt + s.heart.per_min + s.heart.awakening +
-               s.heart.tissue + s.heart.inflation + s.pending_s + s.pending_load_n + s.breath_phase + s.since_given_s +
-               s.given_interval_s + s.since_breath_s;
+               s.heart.tissue + s.heart.inflation + s.heart.used_to_n + s.heart.getting_used_to_n + s.pending_s +
+               s.pending_load_n + s.breath_phase + s.since_given_s + s.given_interval_s + s.since_breath_s;
   for (const double p : s.oxygen.alveolar_mmhg) sum += p;
   return std::isfinite(sum);
 }

@@ -82,7 +82,7 @@ std::vector<std::array<int, 3>> sleeve_triangles() {
 Intubation::Intubation(const IntubationDescription& d, const std::vector<SprungBody>& bodies)
     : description(checked(d, bodies)),
       infant(build_infant(d.infant)),
-      passage(d.course, d.glottis, d.mouth, d.mouth_inward),
+      passage(d.course, d.glottis, d.mouth, d.mouth_inward, d.mouth_axis, d.mouth_radius_m),
       at_start(record_at_start(d, infant)),
       sleeve(sleeve_triangles()),
       catheter_(suction_catheter(d.catheter_outer_m)),

@@ -32,6 +32,8 @@ struct IntubationDescription {
   Secretions secretions;
   Vec3 mouth = Vec3::Zero();             ///< a point of the mouth's front plane, m
   Vec3 mouth_inward = -Vec3::UnitZ();    ///< its unit normal, into the mouth
+  Vec3 mouth_axis = -Vec3::UnitZ();      ///< from `mouth` back to the vallecula, unit
+  double mouth_radius_m = 0.0;           ///< about that axis: what lies farther aside is not in the mouth; 0: no bound
   double mouth_gap_m = 0.0;              ///< between the gums at rest; 0: not known
   double press_n = 0.0;                  ///< of the assistant on the larynx, up to kMostPress
   Vec3 press_direction = Vec3::UnitY();  ///< unit

@@ -24,11 +24,14 @@ enum class InHand : std::uint8_t { tube_with_stylet, tube, catheter };
 /// Named faults of the second half, bits.
 enum IntubationFault : std::uint32_t {
   kIntubationFaultNone = 0,
-  kIntubationFaultHand = 1u << 0,      ///< the second hand's device reports itself unusable: what it held stays
+  kIntubationFaultHand = 1u << 0,  ///< the second hand's device reports itself unusable: both tools stay where they are
   kIntubationFaultHandPose = 1u << 1,  ///< its pose was not finite or no rotation
   kIntubationFaultTube = 1u << 2,      ///< the tube became non-finite and was put back to rest in the hand
   kIntubationFaultInfant = 1u << 3,    ///< infant, cords, secretions or press became non-finite: back at their start
   kIntubationFaultForce = 1u << 4,     ///< the second hand's force was not finite; zero was sent
+  /// Some of what the tube touches was left out: there was no room for it (the shallowest of the tissue's points go
+  /// first), or it or the blade's pose was no number.
+  kIntubationFaultContacts = 1u << 5,
 };
 
 /// Of one tick, as plain numbers: what is recorded.
@@ -39,6 +42,7 @@ struct IntubationRecord {
   Vec3 tip_m = Vec3::Zero();
   Vec3 tip_direction = Vec3::UnitZ();  ///< unit, the way the tip points
   TipPlace place = TipPlace::outside;
+  std::int8_t side = -1;  ///< main bronchus that the tip is in: 0 right, 1 left; -1: in none
   /// Of the tip along the airway from the cords, at most 0 above them; in the oesophagus from its mouth.
   double past_cords_m = 0.0;
   double at_mouth_m = 0.0;            ///< the tube's mark at the mouth's front: its length inside; 0: outside

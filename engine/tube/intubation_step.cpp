@@ -15,8 +15,6 @@ constexpr double kPressRise = 0.3;                       // s, to the whole forc
 constexpr double kBreathEvery = 1.5;                     // s: 40 a minute while the key is down
 constexpr double kTouch = 0.02;                          // N: less is not felt by cords and larynx (assumed)
 
-double deep(const IntubationDescription& d, const Vec3& p) { return (p - d.mouth).dot(d.mouth_inward); }
-
 /// From `from` towards `to`, by no more than these; true once it is there.
 bool approach(const Pose& to, double most_m, double most_rad, Pose& from) {
   const Vec6 way = move_between(from, to);
@@ -46,7 +44,7 @@ Pose take_hand(const Scene& scene, const StepInput& input, IntubationState& s, s
   const bool good = usable(input.second);
   if (!good) faults |= kIntubationFaultHandPose;
   if (!input.second_valid) faults |= kIntubationFaultHand;
-  if (!good || !input.second_valid) {
+  if (!good || !hands_there(input)) {
     s.returning = s.placed;
     return s.rod.grip;
   }
@@ -68,7 +66,7 @@ void take_tools(const Intubation& in, std::uint32_t actions, const Pose& grip, I
   if ((actions & kActionCatheter) != 0 && in.has(InHand::catheter)) wanted = InHand::catheter;
   if (wanted == s.in_hand) return;
   const bool exchange = wanted == InHand::catheter || s.in_hand == InHand::catheter;
-  if (exchange && deep(in.description, s.rod.position[0]) >= 0) return;
+  if (exchange && place(in.passage, s.passage, s.rod) != TipPlace::outside) return;
   s.in_hand = wanted;
   if (exchange) put_to_rest(in, grip, s);
 }
@@ -100,10 +98,10 @@ TubeTip tube_tip(const IntubationRecord& r) {
 }
 
 /// How a breath goes in.
-Breath way_of_breath(const IntubationDescription& d, const SceneState& scene, const IntubationRecord& r) {
+Breath way_of_breath(const Passage& passage, const SceneState& scene, const IntubationRecord& r) {
   const bool in_canal = r.place != TipPlace::outside && r.place != TipPlace::mouth;
   if (in_canal) return r.in_hand == InHand::catheter ? Breath::none : Breath::tube;
-  const bool blade_in = scene.placed && deep(d, scene.proxy.pose.position) >= 0;
+  const bool blade_in = scene.placed && passage.mouth_holds(scene.proxy.pose.position);
   return blade_in || r.place == TipPlace::mouth ? Breath::none : Breath::mask;
 }
 
@@ -126,7 +124,7 @@ void step_patient(const Scene& scene, const SceneState& state, std::uint32_t act
 
   InfantInput input;
   input.tip = tube_tip(r);
-  if (breath_due(actions, dt, s)) input.breath = way_of_breath(in.description, state, r);
+  if (breath_due(actions, dt, s)) input.breath = way_of_breath(in.passage, state, r);
   if (input.breath == Breath::tube) s.stylet_in = false;
   input.blade_load_n = load_on(result, Structure::epiglottis) + load_on(result, Structure::larynx);
   input.tube_load_n = loads.vagal_n;
@@ -196,7 +194,7 @@ void add_soft_contacts(const Scene& scene, const TissueState& tissue, const Pass
   const auto free = static_cast<std::size_t>(s.contacts.count);
   const double from = inside_canal_m(scene.intubation->passage, s.passage, rod, s.rod, about.larynx_way);
   s.contacts.count += find_soft_contacts(scene, tissue, rod, s.rod, from, about.friction, s.soft,
-                                         s.contacts.contact.data() + free, kMostTubeContacts - s.contacts.count);
+                                         s.contacts.contact.data() + free, kMostSoftContacts);
   for (int i = 0; i < s.soft.count; ++i) {
     const SoftContact& at = s.soft.found[static_cast<std::size_t>(i)];
     const int tet =
@@ -206,8 +204,8 @@ void add_soft_contacts(const Scene& scene, const TissueState& tissue, const Pass
     tag.load = scene.description.soft.tet_structure[static_cast<std::size_t>(tet)] == Structure::epiglottis
                    ? kLoadEpiglottis
                    : kLoadTongue;
-    tag.before_tip =
-        (at.segment + at.weight) * rod.segment_m() < rod.description().outer_radius_m + rod.segment_m() / 2;
+    tag.before_tip = scene.intubation->outside(s.in_hand).before_tip((at.segment + at.weight) * rod.segment_m(),
+                                                                     rod.segment_m() / 2);
   }
 }
 
@@ -241,6 +239,9 @@ PassageLoads step_tool(const Scene& scene, const SceneState& state, const Pose& 
   const int first_soft = s.contacts.count;
   add_soft_contacts(scene, state.tissue, about, s);
   const RodStep moved = step(rod, s.rod, grip, s.contacts.contact.data(), s.contacts.count, dt);
+  if ((faults & (kPassageFaultBlade | kPassageFaultFull)) != 0 || (moved.faults & kRodFaultContact) != 0 ||
+      s.soft.left_out > 0)
+    r.faults |= kIntubationFaultContacts;
   if ((moved.faults & kRodFaultState) != 0) {
     r.faults |= kIntubationFaultTube;
     s.passage.set_rest();
@@ -254,8 +255,9 @@ PassageLoads step_tool(const Scene& scene, const SceneState& state, const Pose& 
   r.tip_m = s.rod.position[0];
   r.tip_direction = -(s.rod.rotation[0] * Vec3::UnitX());
   r.place = place(in.passage, s.passage, s.rod);
+  r.side = r.place == TipPlace::main_bronchus ? static_cast<std::int8_t>(s.passage.side) : std::int8_t{-1};
   r.past_cords_m = past_cords_m(in.passage, s.passage, s.rod, about.larynx_way);
-  r.at_mouth_m = at_mouth_m(in.passage, rod, s.rod);
+  r.at_mouth_m = r.place == TipPlace::outside ? 0.0 : at_mouth_m(in.passage, rod, s.rod);
   r.buckled_m = buckled(rod, s.rod);
   return loads;
 }
@@ -287,12 +289,13 @@ void step_intubation(const Scene& scene, SceneState& state, const StepInput& inp
   std::fill(s.body_load.begin(), s.body_load.end(), Vec3::Zero());
   std::fill(s.body_load_stiffness.begin(), s.body_load_stiffness.end(), 0.0);
   const Pose grip = take_hand(scene, input, s, r.faults);
-  take_tools(in, input.actions, grip, s);
+  const bool paused = s.started && !hands_there(input);
+  if (!paused) take_tools(in, input.actions, grip, s);
   r.in_hand = s.in_hand;
   PassageLoads loads;
   if (s.placed) loads = step_tool(scene, state, grip, s, r);
   keep_loads(scene, loads, s);
-  if (s.started && !(input.valid && input.second_valid)) {
+  if (paused) {
     // A trial without one of its hands stands still, and the infant with it: nobody could help it meanwhile.
     press_larynx(scene, s.actions, s);
   } else {

@@ -39,8 +39,8 @@ struct IntubationState {
   double until_breath_s = 0.0;  ///< while they are asked for
   GlottisState glottis;
   InfantState infant;
-  InfantSigns signs;          ///< as the last step left them
-  bool started = false;       ///< the infant has taken a step
+  InfantSigns signs;     ///< as the last step left them
+  bool started = false;  ///< the infant has taken a step
   double secretions_m3;
   double press = 0.0;  ///< share of the assistant's force, 0..1
 

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "engine/tube/airway_walls.h"
+#include "engine/tube/canals.h"
 #include "engine/tube/tube_surfaces.h"
 
 namespace vallecula::engine {
@@ -166,13 +167,24 @@ TubeOutside::Ball TubeOutside::ball(double s) const noexcept {
   return {bevel_length_ > 0 ? radius_ - radius : 0.0, radius};
 }
 
-Passage::Passage(const AirwayCourse& course, const Glottis& glottis, const Vec3& mouth, const Vec3& mouth_inward)
-    : larynx_body_(course.larynx_body), glottis_(checked(glottis)), mouth_(mouth), mouth_inward_(mouth_inward) {
+Passage::Passage(const AirwayCourse& course, const Glottis& glottis, const Vec3& mouth, const Vec3& mouth_inward,
+                 const Vec3& mouth_axis, double mouth_radius_m)
+    : larynx_body_(course.larynx_body),
+      glottis_(checked(glottis)),
+      mouth_(mouth),
+      mouth_inward_(mouth_inward),
+      mouth_axis_(mouth_axis),
+      mouth_radius_m_(mouth_radius_m) {
   check(course);
   if (!mouth.allFinite() || !(std::abs(mouth_inward.norm() - 1) < 1e-3))
     fault("the mouth's front plane needs a point and a unit normal; the normal's length is " +
           std::to_string(mouth_inward.norm()));
+  if (!(mouth_radius_m >= 0) || !std::isfinite(mouth_radius_m))
+    fault("the mouth's radius is " + mm(mouth_radius_m) + "; it must be above 0, or 0 for a mouth without bound");
+  if (!(std::abs(mouth_axis.norm() - 1) < 1e-3))
+    fault("the mouth's axis has a length of " + std::to_string(mouth_axis.norm()) + "; it must be 1");
   mouth_inward_.normalize();
+  mouth_axis_.normalize();
   for (int side = 0; side < 2; ++side)
     airway_[static_cast<std::size_t>(side)] = made_chain(course.airway, course.bronchi[static_cast<std::size_t>(side)]);
   oesophagus_ = made_chain(course.oesophagus, {});
@@ -253,8 +265,7 @@ double inside_canal_m(const Passage& passage, const PassageState& state, const R
 }
 
 TipPlace place(const Passage& passage, const PassageState& state, const RodState& tube) noexcept {
-  if (state.inside == 0)
-    return passage.mouth_inward().dot(tube.position[0] - passage.mouth()) >= 0 ? TipPlace::mouth : TipPlace::outside;
+  if (state.inside == 0) return passage.mouth_holds(tube.position[0]) ? TipPlace::mouth : TipPlace::outside;
   if (state.canal == Canal::oesophagus) return TipPlace::oesophagus;
   if (state.passed[0] >= passage.carina()) return TipPlace::main_bronchus;
   return state.passed[0] >= passage.trachea() ? TipPlace::trachea : TipPlace::larynx;

@@ -3,10 +3,13 @@
 // a windpipe nor step over into the gullet. A canal is a chain of rings; where the tube's axis crosses a ring's plane,
 // that ring's wall pushes it towards the middle.
 //
-// In a tick: find_contacts, others add theirs (TubeContacts::add), the rod's step, read_loads.
+// In a tick: find_contacts, the soft tissue's behind them (soft_contacts.h), the rod's step, read_loads.
 #pragma once
 
+#include <algorithm>
+
 #include "engine/contact/rigid_field.h"
+#include "engine/contact/tissue_contact.h"
 #include "engine/contact/tool_field.h"
 #include "engine/tube/airway.h"
 #include "engine/tube/glottis.h"
@@ -31,6 +34,12 @@ class TubeOutside {
   };
   Reach reach(const Vec3& u, double s) const noexcept;
 
+  /// Of the tube, m from its tip: where it has its full width from.
+  double end_length() const noexcept { return std::max(bevel_length_, radius_); }
+  /// Does what touches it there stand before the tip? Those who ask at samples give their spacing: the first one behind
+  /// the end stands for some of it.
+  bool before_tip(double from_tip_m, double spacing_m) const noexcept { return from_tip_m < end_length() + spacing_m; }
+
   /// A ball within it, s m behind the tip: how far from the axis, on the side of the tip's point, and its radius.
   struct Ball {
     double aside_m, radius_m;
@@ -50,7 +59,8 @@ enum class Canal : std::uint8_t { none, airway, oesophagus };
 class Passage {
  public:
   /// Throws std::invalid_argument naming the number at fault.
-  Passage(const AirwayCourse& course, const Glottis& glottis, const Vec3& mouth, const Vec3& mouth_inward);
+  Passage(const AirwayCourse& course, const Glottis& glottis, const Vec3& mouth, const Vec3& mouth_inward,
+          const Vec3& mouth_axis = -Vec3::UnitZ(), double mouth_radius_m = 0.0);
 
   struct Ring {
     AirwayRing cut;  ///< its axes made exact
@@ -78,6 +88,13 @@ class Passage {
   const Glottis& glottis() const noexcept { return glottis_; }
   const Vec3& mouth() const noexcept { return mouth_; }
   const Vec3& mouth_inward() const noexcept { return mouth_inward_; }
+  /// Is x behind the mouth's front, and no farther from its axis than its radius? What is in a canal need not be.
+  bool mouth_holds(const Vec3& x) const noexcept {
+    const Vec3 way = x - mouth_;
+    const bool bounded = mouth_radius_m_ > 0;
+    return way.dot(mouth_inward_) > 0 &&
+           !(bounded && way.cross(mouth_axis_).squaredNorm() >= mouth_radius_m_ * mouth_radius_m_);
+  }
   int larynx_body() const noexcept { return larynx_body_; }
 
  private:
@@ -85,7 +102,8 @@ class Passage {
   Chain oesophagus_;
   int cords_ = 0, trachea_ = 0, carina_ = 0, larynx_body_ = -1;
   Glottis glottis_;
-  Vec3 mouth_, mouth_inward_;
+  Vec3 mouth_, mouth_inward_, mouth_axis_;
+  double mouth_radius_m_;
 };
 
 /// Which nodes are inside which canal: all of it between two steps.
@@ -122,12 +140,12 @@ struct ContactTag {
   Vec3 at = Vec3::Zero();            ///< where surfaces touch, m, world; for RigidField's in the part's rest
 };
 
-constexpr int kMostTubeContacts = 1024;  ///< of all owners
+constexpr int kMostTubeContacts = 1024;  ///< of walls and surfaces; the soft tissue has places of its own behind them
 
 /// The contacts of one tick, for the rod's step. Sized once.
 struct TubeContacts {
-  std::array<RodContact, kMostTubeContacts> contact;
-  std::array<ContactTag, kMostTubeContacts> tag;
+  std::array<RodContact, kMostTubeContacts + kMostSoftContacts> contact;
+  std::array<ContactTag, kMostTubeContacts + kMostSoftContacts> tag;
   int count = 0;
   int left_out = 0;  ///< that found no room
 

@@ -319,17 +319,4 @@ void keep_soft_contacts(SoftContactState& state) noexcept {
   }
 }
 
-SoftLoads soft_loads(const Scene& scene, const SoftContactState& state) noexcept {
-  SoftLoads loads;
-  for (int i = 0; i < state.count; ++i) {
-    const ContactConstraint& c = state.constraints[i];
-    if (!(c.multiplier > 0)) continue;
-    const Vec3 force = c.multiplier * to_vec3(c.normal) + to_vec3(c.friction);
-    const Structure of = scene.description.soft.tet_structure[scene.surface.tet[c.triangle]];
-    (of == Structure::epiglottis ? loads.epiglottis_n : loads.tongue_n) += force.norm();
-    loads.force_n += force;
-  }
-  return loads;
-}
-
 }  // namespace vallecula::engine

@@ -3,7 +3,7 @@
 // tissue's next step with the tube standing where its own step has put it. Each is implicit in its own motion, neither
 // waits a tick for the other, and at rest both read the same spring.
 //
-// In a tick: find_soft_contacts, the rod's step, press_tissue, step_tissue (which takes the state along), soft_loads.
+// In a tick: find_soft_contacts, the rod's step, press_tissue, step_tissue of the next tick (which takes the state along).
 #pragma once
 
 #include "engine/contact/tissue_contact.h"
@@ -65,12 +65,5 @@ void press_tissue(const Scene& scene, const RodState& tube, const RodContact* in
 
 /// After the tissue's step, whose results are in state.constraints: hands them to the points' memory.
 void keep_soft_contacts(SoftContactState& state) noexcept;
-
-/// Of the tube on the tissue in the last step.
-struct SoftLoads {
-  double tongue_n = 0.0, epiglottis_n = 0.0;  ///< sums of the magnitudes, N
-  Vec3 force_n = Vec3::Zero();                ///< sum, world, N
-};
-SoftLoads soft_loads(const Scene& scene, const SoftContactState& state) noexcept;
 
 }  // namespace vallecula::engine

@@ -76,8 +76,9 @@ void add(const Sample& s, double distance, const Vec3& normal, const Surface& su
 
 class Surfaces {
  public:
-  Surfaces(const Passage& passage, const PassageInput& input, double length, TubeContacts& contacts)
-      : passage_(passage), input_(input), length_(length), contacts_(contacts) {}
+  Surfaces(const Passage& passage, const TubeOutside& outside, const PassageInput& input, double length,
+           TubeContacts& contacts)
+      : passage_(passage), outside_(outside), input_(input), length_(length), contacts_(contacts) {}
 
   /// Returns how far the sample is from all of it at least.
   double meet_anatomy(const Sample& s) const {
@@ -93,7 +94,7 @@ class Surfaces {
                              : (*input_.parts)[static_cast<std::size_t>(touch.part)].velocity_at(touch.rest);
           ContactTag tag;
           tag.load = load_of(touch.structure);
-          tag.before_tip = s.from_tip_m < s.radius_m + length_;
+          tag.before_tip = outside_.before_tip(s.from_tip_m, length_);
           tag.part = static_cast<std::int8_t>(touch.part);
           tag.at = touch.rest;
           add(at, touch.distance, touch.normal.normalized(), surface_of(touch.structure, lips), length_, tag,
@@ -124,7 +125,7 @@ class Surfaces {
     Sample at = s;
     ContactTag tag;
     tag.load = kLoadBlade;
-    tag.before_tip = s.from_tip_m < s.radius_m + length_;
+    tag.before_tip = outside_.before_tip(s.from_tip_m, length_);
     tag.at = s.point - distance * normal;
     at.contact.surface_velocity = input_.blade_velocity + input_.blade_spin.cross(tag.at - input_.blade_pose.position);
     add(at, distance, normal, kBlade, length_, tag, contacts_);
@@ -133,6 +134,7 @@ class Surfaces {
 
  private:
   const Passage& passage_;
+  const TubeOutside& outside_;
   const PassageInput& input_;
   double length_;
   TubeContacts& contacts_;
@@ -143,7 +145,7 @@ class Surfaces {
 void add_surface_contacts(const Passage& passage, const PassageState& state, const TubeOutside& outside, const Rod& rod,
                           const RodState& tube, const PassageInput& input, double dt, TubeContacts& contacts) noexcept {
   const double step = rod.segment_m() / 2;
-  const Surfaces surfaces(passage, input, step, contacts);
+  const Surfaces surfaces(passage, outside, input, step, contacts);
   double anatomy_from = 0.0, blade_from = 0.0;  // m along the tube: nearer the tip it cannot touch
   for (int n = 2 * state.inside; n <= 2 * kTubeSegments; ++n) {
     const double s = n * step;

@@ -135,7 +135,7 @@ struct Done {
   double frames_per_second = 0.0;
 };
 
-/// The scripted expert in real time, with the window drawn.
+/// The scripted expert in real time, with the window drawn: in a scenario with a tube both of its hands.
 Done play_expert(WindowApplication& application, MainWindow& window, const TrialSetup& setup) {
   Done done;
   Pictures pictures;
@@ -158,7 +158,7 @@ Done play_expert(WindowApplication& application, MainWindow& window, const Trial
     for (const std::string& moment : moments->at(snapshot)) {
       say("  at " + std::to_string(snapshot.time_s).substr(0, 4) + " s: " + moment.substr(2));
       pictures.take(page.operator_view(), page.sagittal_view(), moment, snapshot, done.scenario.sight_percent);
-      if (moment == "5-best-sight") whole_window = window.grab().toImage();
+      if (moment == "5-best-sight" || moment == "7-between-cords") whole_window = window.grab().toImage();
     }
   });
   QObject::connect(&window, &MainWindow::prepared, [&] {
@@ -186,7 +186,7 @@ Done play_expert(WindowApplication& application, MainWindow& window, const Trial
   return done;
 }
 
-/// The scripted novice as fast as it goes, nothing drawn but a picture where it went wrong.
+/// The scripted novice at laryngoscopy, as fast as it goes, nothing drawn but a picture where it went wrong.
 TrialOutcome run_novice(WindowApplication& application, const TrialSetup& setup) {
   TrialSession session(setup);
   const curricula::Scenario scenario = session.scenario();
@@ -229,19 +229,19 @@ TrialOutcome run_novice(WindowApplication& application, const TrialSetup& setup)
 
 std::string score_line(const curricula::Score& score) {
   char line[240];
-  std::snprintf(line, sizeof line,
-                "%s: tongue %.2f N, gum %.2f N, glottis %.0f %%, attempt %.1f s, over the device limit %.2f s",
+  std::snprintf(line, sizeof line, "%s: tongue %.2f N, gum %.2f N, glottis %.0f %%, attempt %.1f s",
                 score.passed ? "passed" : "not passed", score.peak_tongue_force_n, score.peak_gum_force_n,
-                score.glottis_visible_max_percent, score.attempt_time_s, score.time_over_force_limit_s);
-  return line;
+                score.glottis_visible_max_percent, score.attempt_time_s);
+  return score.intubation ? curricula::outcome_in_words(*score.intubation) + "; " + line : std::string(line);
 }
 
 int run_demo(const DemoOptions& options) {
   watch_for_interruption();
   WholeFolder folder(options.out.empty() ? user_data_folder() / "demo" : fs::path(options.out));
   say("results will be in " + folder.final_path().string());
-  const fs::path curriculum_file = default_curriculum();
-  const curricula::Curriculum curriculum = curricula::load_curriculum(curriculum_file);
+  const fs::path intubations = curricula_folder() / "first-intubation.yaml", laryngoscopies = default_curriculum();
+  const curricula::Curriculum curriculum = curricula::load_curriculum(intubations),
+                              first_steps = curricula::load_curriculum(laryngoscopies);
   const curricula::Scenario& scenario = scenario_for(curriculum, options.weight_kg);
   curricula::ManikinSpec manikin = scenario.manikin;
   if (options.weight_kg > 0.0) manikin.weight_kg = options.weight_kg;
@@ -268,12 +268,12 @@ int run_demo(const DemoOptions& options) {
 
   TrialSetup setup;
   setup.patient = patient;
-  setup.curriculum = curriculum_file;
+  setup.curriculum = intubations;
   setup.scenario = scenario.id;
   setup.device = "scripted:expert";
   setup.out = folder.path();
   setup.final_out = folder.final_path();
-  say("2 of 4  scripted expert, \"" + scenario.title + "\", in real time at 1 kHz");
+  say("2 of 4  scripted expert with blade and tube, \"" + scenario.title + "\", in real time at 1 kHz");
   Done expert;
   {
     MainWindow window;
@@ -287,7 +287,10 @@ int run_demo(const DemoOptions& options) {
   say(pace);
   say("  " + expert.outcome.score.real_time_setup);
 
-  say("3 of 4  scripted novice, without a window");
+  say("3 of 4  scripted novice at laryngoscopy, without a window");
+  const curricula::Scenario& novice_scenario = scenario_for(first_steps, manikin.weight_kg);
+  setup.curriculum = laryngoscopies;
+  setup.scenario = novice_scenario.id;
   setup.device = "scripted:novice";
   setup.out = folder.path() / "novice";
   setup.final_out = folder.final_path() / "novice";
@@ -306,7 +309,7 @@ int run_demo(const DemoOptions& options) {
   std::cout << "scripted expert\n";
   print_score(std::cout, expert.outcome.score, expert.scenario);
   std::cout << "\nscripted novice\n";
-  print_score(std::cout, novice.score, expert.scenario);
+  print_score(std::cout, novice.score, novice_scenario);
   std::cout << "\nresults: " << folder.final_path().string()
             << "\n  report.html, score.json, force.png, operator-*.png, sagittal-*.png, trial.vtrial; "
             << "novice/ with its own; manikin.patient\n";
@@ -317,7 +320,9 @@ int run_demo(const DemoOptions& options) {
 
 void add_demo_command(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand(
-      "demo", "The whole main job without a person: manikin, CT, import, a scripted expert and novice, scores");
+      "demo",
+      "The whole main job without a person: manikin, CT, import, an intubation by a scripted expert, a scripted "
+      "novice, scores");
   auto options = std::make_shared<DemoOptions>();
   command->add_option("--out", options->out, "Folder for the results (the user's data folder if left out)");
   command->add_option("--weight", options->weight_kg, "Weight of the infant, kg (the scenario's if left out)")

@@ -33,6 +33,18 @@ void add_manikin_command(CLI::App& app, int& exit_code) {
       ->check(number_within(0.4, 0.6));
   command->add_option("--slice", options->manikin.slice_mm, "Slice distance, mm (left out: 0.8, below 2 kg 0.6)")
       ->check(number_within(0.6, 1.0));
+  pipeline::ManikinShape& shape = options->manikin.shape;  // left out: what the seed draws
+  command->add_option("--mouth-opening", shape.mouth_opening, "Factor on the usual mouth opening, 0.8 to 1.15")
+      ->check(number_within(0.8, 1.15));
+  command->add_option("--tongue-size", shape.tongue_size, "Factor on the tongue's width and height, 0.9 to 1.1")
+      ->check(number_within(0.9, 1.1));
+  command->add_option("--larynx-height", shape.larynx_height_mm,
+                      "How much higher the larynx lies, mm in a term infant, -3 to 1.5")
+      ->check(number_within(-3.0, 1.5));
+  command->add_option("--epiglottis-length", shape.epiglottis_length, "Factor on the epiglottis' length, 0.8 to 1.2")
+      ->check(number_within(0.8, 1.2));
+  command->add_option("--gestation", shape.gestation_weeks, "Weeks, 22 to 44: sets the trachea's length")
+      ->check(number_within(22.0, 44.0));
   command->callback([options, &exit_code] {
     watch_for_interruption();
     StageLines lines;

@@ -6,7 +6,7 @@
 
 namespace vallecula::gui {
 
-/// The largest seed of a manikin: curricula allow the same (curriculum-1.json).
+/// The largest seed of a manikin: curricula allow the same.
 constexpr std::uint64_t kLargestSeed = 4294967295;
 
 /// A finite decimal number from `low` to `high`, both included; nothing may follow it.

@@ -13,6 +13,7 @@
 #include "gui/commands/commands.h"
 #include "gui/commands/headless_application.h"
 #include "gui/commands/interruption.h"
+#include "gui/commands/number_options.h"
 #include "gui/commands/score_table.h"
 #include "gui/lab/number_text.h"
 #include "gui/session/device_choice.h"
@@ -29,6 +30,8 @@ namespace {
 
 struct TrialOptions {
   std::string patient, scenario, curriculum, device, second, out, tool, tool_unit = "mm", tool_tip, tool_handle, tool_face;
+  std::uint32_t attempt_seed = 0;
+  bool assessment = false;
   bool headless = false, as_fast_as_possible = false, json = false;
 };
 
@@ -134,6 +137,12 @@ void add_trial_command(CLI::App& app, int& exit_code) {
   command->add_option("--scenario", options->scenario, "Scenario: its id in the curriculum, or FILE.yaml:ID")
       ->required();
   command->add_option("--curriculum", options->curriculum, "Curriculum file (the shipped one if left out)");
+  command->add_flag("--assessment", options->assessment,
+                    "As an assessment: the scenario as written, without helps on the screen");
+  command
+      ->add_option("--attempt-seed", options->attempt_seed,
+                   "What the scenario's variation is drawn with; the same seed gives the same attempt, 0 what is written")
+      ->check(whole_number_within(0, kLargestSeed));
   command->add_option("--device", options->device, device_names() + " (t,x,y,z[,qw,qx,qy,qz]; s, m)")->required();
   command->add_option("--second", options->second,
                       std::string("In a scenario with a tube, the device of the hand that has it: as --device, or ") +
@@ -174,6 +183,10 @@ void add_trial_command(CLI::App& app, int& exit_code) {
     }
     TrialSetup setup;
     name_scenario(*options, setup);
+    if (options->assessment && options->attempt_seed != 0)
+      throw CLI::ValidationError("--attempt-seed", "an assessment takes the scenario as written; leave out one of the two");
+    setup.mode = options->assessment ? curricula::Mode::assessment : curricula::Mode::practice;
+    setup.attempt_seed = options->attempt_seed;
     setup.patient = options->patient;
     setup.device = options->device;
     setup.second = options->second;

@@ -1,7 +1,12 @@
 // The trainer's window: without a subcommand, and for `vallecula trial` without --headless.
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <filesystem>
 #include <functional>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "gui/commands/commands.h"
 #include "gui/pages/main_window.h"
@@ -13,11 +18,27 @@ namespace vallecula::gui {
 
 namespace {
 
+/// What is practised from: the default curriculum first, then the others that lie beside it.
+std::vector<curricula::Curriculum> curricula_to_choose_from() {
+  const std::filesystem::path first = default_curriculum();
+  std::vector<curricula::Curriculum> curricula{curricula::load_curriculum(first)};
+  std::vector<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::directory_iterator(first.parent_path()))
+    if (entry.path().extension() == ".yaml" && entry.path() != first) files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  for (const auto& file : files) try {
+      curricula.push_back(curricula::load_curriculum(file));
+    } catch (const std::exception& error) {
+      spdlog::warn("{}", error.what());  // one that is being written must not keep the others away
+    }
+  return curricula;
+}
+
 int run_window(const std::function<void(MainWindow&)>& opened) {
-  const curricula::Curriculum curriculum = curricula::load_curriculum(default_curriculum());
+  auto curricula = curricula_to_choose_from();
   WindowApplication application;
   MainWindow window;
-  window.show_start(curriculum);
+  window.show_start(std::move(curricula));
   window.show();
   opened(window);
   return application.qt().exec();

@@ -32,6 +32,11 @@ void BladeControl::steer(device::MouseDevice* device) {
   device_->set_view_axes(plain(right), plain(up), plain(up.cross(right)));
 }
 
+void BladeControl::set_tool(Tool tool) {
+  release_all();
+  tool_ = tool;
+}
+
 void BladeControl::release_all() {
   held_.clear();
   if (device_ != nullptr) device_->set_lift(0.0);
@@ -49,6 +54,8 @@ bool BladeControl::key(QKeyEvent* event, bool pressed) {
   switch (event->key()) {
     case Qt::Key_Space:
     case Qt::Key_Backspace:
+      if (tool_ == Tool::tube) return false;
+      break;
     case Qt::Key_Left:
     case Qt::Key_Right:
     case Qt::Key_Up:
@@ -92,6 +99,11 @@ void BladeControl::advance(double seconds) {
 }
 
 QString BladeControl::help() const {
+  if (tool_ == Tool::tube)
+    return QString(
+               "Drag: move the tube   |   wheel or PgUp PgDn: in, out   |   Q E: turn it about its length   |   "
+               "Ctrl-drag, right-drag or W A S D: tilt it   |   Shift: fine   |   + -: gain, now %1")
+        .arg(gain_, 0, 'g', 3);
   return QString(
              "Drag: move the blade   |   Ctrl-drag, right-drag or W A S D: turn it (Q E: roll)   |   wheel or PgUp "
              "PgDn: "

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "device/drivers/mouse_device.h"
+#include "gui/session/held_tools.h"
 
 class QKeyEvent;
 class QMouseEvent;
@@ -22,6 +23,8 @@ class BladeControl : public QObject {
   /// nullptr: nothing is steered. The device must outlive its use here.
   void steer(device::MouseDevice* device);
   bool steering() const { return device_ != nullptr; }
+  /// What the device holds: a tube is not lifted (Space is then another's), and turns about its length.
+  void set_tool(Tool tool);
   /// Moves what held keys move; to be called once a frame with the time since the last one.
   void advance(double seconds);
   /// True when the key is one of the blade's.
@@ -43,6 +46,7 @@ class BladeControl : public QObject {
   OperatorView* view_;
   device::MouseDevice* device_ = nullptr;
   QPoint last_;
+  Tool tool_ = Tool::blade;
   double gain_ = 1.0;
   std::set<int> held_;
 };

@@ -4,6 +4,7 @@
 #include <QDateTime>
 #include <QLabel>
 #include <QProgressBar>
+#include <QRandomGenerator>
 #include <QPushButton>
 #include <QStackedWidget>
 #include <QVBoxLayout>
@@ -50,6 +51,15 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
   for (QWidget* page : {static_cast<QWidget*>(start_), static_cast<QWidget*>(devices_), static_cast<QWidget*>(import_),
                         prepare_page_, static_cast<QWidget*>(trial_), static_cast<QWidget*>(result_)})
     pages_->addWidget(page);
+  // The page that is seen says how small the window may be, not the largest of them all.
+  const auto only_current_counts = [this] {
+    for (int i = 0; i < pages_->count(); ++i) {
+      const auto policy = i == pages_->currentIndex() ? QSizePolicy::Preferred : QSizePolicy::Ignored;
+      pages_->widget(i)->setSizePolicy(policy, policy);
+    }
+  };
+  connect(pages_, &QStackedWidget::currentChanged, this, only_current_counts);
+  only_current_counts();
   setCentralWidget(pages_);
   resize(1280, 800);
   connect(start_, &StartPage::chosen, this, &MainWindow::prepare_choice);
@@ -113,9 +123,9 @@ QWidget* MainWindow::make_prepare_page() {
   return page;
 }
 
-void MainWindow::show_start(const curricula::Curriculum& curriculum) {
+void MainWindow::show_start(std::vector<curricula::Curriculum> curricula) {
   has_start_ = true;
-  start_->set_curriculum(curriculum);
+  start_->set_curricula(std::move(curricula));
   const auto kept = user_settings();
   const QString device = kept->value("device", "mouse").toString();
   choose_last_device(device);
@@ -159,6 +169,7 @@ void MainWindow::prepare_choice(const Choice& choice) {
   setup.curriculum = choice.curriculum;
   setup.scenario = choice.scenario.id;
   setup.device = choice.device.toStdString();
+  setup.second = choice.second.toStdString();
   const auto kept = user_settings();
   kept->setValue("scenario", QString::fromStdString(choice.scenario.id));
   kept->setValue("device", choice.device);
@@ -166,7 +177,9 @@ void MainWindow::prepare_choice(const Choice& choice) {
   again_ = [this, choice] { prepare_choice(choice); };
   const std::string moment = QDateTime::currentDateTime().toString("yyyyMMdd-HHmmss").toStdString();
   setup.out = user_data_folder() / "trials" / (moment + "-" + choice.scenario.id);
-  const auto manikin = choice.scenario.manikin;
+  // No two attempts are the same; the seed stands in the trial's log, and `vallecula trial` repeats it.
+  if (choice.scenario.variation) setup.attempt_seed = QRandomGenerator::global()->bounded(1u, 0xffffffffu);
+  const auto manikin = curricula::attempt_of(choice.scenario, setup.mode, setup.attempt_seed).manikin;
   const auto chosen = choice.patient;
   prepare(
       setup,

@@ -28,8 +28,8 @@ class MainWindow : public QMainWindow {
   explicit MainWindow(QWidget* parent = nullptr);
   ~MainWindow() override;
 
-  /// First page, with a curriculum; what was chosen last time is chosen again.
-  void show_start(const curricula::Curriculum& curriculum);
+  /// First page, with curricula to choose from; what was chosen last time is chosen again.
+  void show_start(std::vector<curricula::Curriculum> curricula);
   /// Prepares this trial (on a thread of its own) and opens it; `start_at_once` for a scripted hand.
   void prepare(const TrialSetup& setup, bool start_at_once);
   /// Opens the import of a CT; `source` (may be empty) is looked at at once.

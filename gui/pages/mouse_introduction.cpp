@@ -12,30 +12,38 @@ namespace vallecula::gui {
 namespace {
 
 constexpr const char* kKey = "mouse/introduced";
+constexpr const char* kTubeKey = "mouse/introduced-tube";
+
+constexpr const char* kMoves =
+    "<tr><td><b>Drag, wheel</b></td><td>moves it in the picture; deeper into the mouth, and back</td></tr>"
+    "<tr><td><b>Ctrl-drag</b></td><td>turns it about its tip; so do a drag with the right button and W A S D (Q E: "
+    "roll)</td></tr>"
+    "<tr><td><b>Space</b></td><td>held: lifts the blade along its handle; Backspace lowers</td></tr>"
+    "<tr><td><b>Shift, + and -</b></td><td>held: all of it finer; farther, or less far, for the same way</td></tr>"
+    "<tr><td><b>Arrows, PgUp, PgDn &nbsp;</b></td><td>move it without a mouse</td></tr>";
+constexpr const char* kBlade =
+    "<p>A mouse cannot push back: the bars on the right show the force your blade puts on tongue and gum.<br>"
+    "Lift, do not lever. The grey blade is your hand, where the blade could not follow it.</p>";
+constexpr const char* kTube =
+    "<tr><td><b>X</b> (or Tab)</td><td>the other hand: blade or tube; what you let go of stays where it is</td></tr>"
+    "<tr><td><b>B, L</b></td><td>held: breaths, by mask, or by the tube once it is in; pressure on the larynx</td></tr>"
+    "<tr><td><b>C, V</b></td><td>suction catheter instead of the tube, and back; V held sucks</td></tr>"
+    "<tr><td><b>T</b></td><td>draws the stylet out of the tube</td></tr>";
+constexpr const char* kTubeRules =
+    "<p>Tube in at the right corner, beside the blade; the black mark goes to the cords. Never push against "
+    "resistance.<br>"
+    "Heart rate below 100: out, and ventilate. Five or six breaths tell by the CO2 detector.</p>";
 
 }  // namespace
 
 MouseIntroduction::MouseIntroduction(QWidget* parent) : QFrame(parent) {
   setObjectName("panel");
-  auto* title = new QLabel("Your mouse holds the laryngoscope", this);
-  title->setObjectName("heading");
-  auto* text = new QLabel(
-      "<table cellspacing='4'>"
-      "<tr><td><b>Drag</b></td><td>moves the blade in the picture</td></tr>"
-      "<tr><td><b>Wheel</b></td><td>deeper into the mouth, and back</td></tr>"
-      "<tr><td><b>Ctrl-drag</b></td><td>turns it about its tip; so do a drag with the right button and W A S D (Q E: "
-      "roll)</td></tr>"
-      "<tr><td><b>Space</b></td><td>held: lifts along the handle; Backspace lowers</td></tr>"
-      "<tr><td><b>Shift</b></td><td>held: all of it finer</td></tr>"
-      "<tr><td><b>+ and -</b></td><td>the blade goes farther, or less far, for the same way of the mouse</td></tr>"
-      "<tr><td><b>Arrows, PgUp, PgDn &nbsp;</b></td><td>move it without a mouse</td></tr>"
-      "<tr><td><b>Enter, Esc</b></td><td>start the trial, end it</td></tr>"
-      "<tr><td><b>R, Z</b></td><td>begin it again; change the view</td></tr></table>"
-      "<p>Enter closes this; Enter again starts the trial.</p>"
-      "<p>A mouse cannot push back: the bars on the right show the force your blade puts on tongue and gum.<br>"
-      "Lift, do not lever. The grey blade is your hand, where the blade could not follow it.</p>",
-      this);
-  text->setTextFormat(Qt::RichText);
+  title_ = new QLabel(this);
+  title_->setObjectName("heading");
+  text_ = new QLabel(this);
+  text_->setTextFormat(Qt::RichText);
+  text_->setWordWrap(true);  // a small window is narrower than the longest line
+  text_->setMinimumWidth(540);
   never_again_ = new QCheckBox("Don't show this again", this);
   auto* known = new QPushButton("Got it", this);
   never_again_->setFocusPolicy(Qt::NoFocus);  // keys are the blade's
@@ -46,20 +54,28 @@ MouseIntroduction::MouseIntroduction(QWidget* parent) : QFrame(parent) {
   foot->addWidget(known);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(20, 16, 20, 16);
-  column->addWidget(title);
-  column->addWidget(text);
+  column->addWidget(title_);
+  column->addWidget(text_);
   column->addLayout(foot);
   hide();
 }
 
-void MouseIntroduction::show_if_wanted() {
-  setVisible(!user_settings()->value(kKey, false).toBool());
+void MouseIntroduction::show_if_wanted(bool with_tube) {
+  with_tube_ = with_tube;
+  title_->setText(with_tube ? "Your mouse holds the laryngoscope, then the tube" : "Your mouse holds the laryngoscope");
+  text_->setText(
+      "<table cellspacing='" + QString(with_tube ? "2" : "4") + "'>" + kMoves + (with_tube ? kTube : "") +
+      "<tr><td><b>Enter, Esc, R, Z</b></td><td>start the trial, end it, begin again; change the view</td></tr>"
+      "</table>"
+      "<p>Enter closes this; Enter again starts the trial.</p>" +
+      (with_tube ? kTubeRules : kBlade));
+  setVisible(!user_settings()->value(with_tube ? kTubeKey : kKey, false).toBool());
   raise();
 }
 
 void MouseIntroduction::dismiss() {
   if (isHidden()) return;
-  if (never_again_->isChecked()) user_settings()->setValue(kKey, true);
+  if (never_again_->isChecked()) user_settings()->setValue(with_tube_ ? kTubeKey : kKey, true);
   hide();
 }
 

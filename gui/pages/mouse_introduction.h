@@ -1,9 +1,10 @@
-// How mouse and keyboard hold the blade: told on the first run, over the picture, until it is known.
+// How mouse and keyboard hold blade and tube: told on the first run, over the picture, until it is known.
 #pragma once
 
 #include <QFrame>
 
 class QCheckBox;
+class QLabel;
 
 namespace vallecula::gui {
 
@@ -11,13 +12,16 @@ class MouseIntroduction : public QFrame {
   Q_OBJECT
  public:
   explicit MouseIntroduction(QWidget* parent);
-  /// Shows it unless the user said that once was enough.
-  void show_if_wanted();
+  /// Shows it unless the user said that once was enough; `with_tube`: the second half too, which is known or not by
+  /// itself.
+  void show_if_wanted(bool with_tube);
   /// Goes away; with the box ticked for good.
   void dismiss();
 
  private:
+  QLabel *title_, *text_;
   QCheckBox* never_again_;
+  bool with_tube_ = false;
 };
 
 }  // namespace vallecula::gui

@@ -1,7 +1,10 @@
-// What came of a trial: passed or not, what to change, the figures, force over time, and every reason.
+// What came of a trial: passed or not, where the tube lies, what to change, the figures, force and monitor over time,
+// and every reason.
 #pragma once
 
 #include <QPixmap>
+#include <QPointer>
+#include <QThread>
 #include <QWidget>
 
 #include "curricula/scenario.h"
@@ -16,6 +19,7 @@ class ResultPage : public QWidget {
   Q_OBJECT
  public:
   explicit ResultPage(QWidget* parent = nullptr);
+  ~ResultPage() override;
   /// `folder`: where a person will find the results. `misfits`: why scenario and patient do not belong together.
   void show_outcome(const TrialOutcome& outcome, const curricula::Scenario& scenario,
                     const std::filesystem::path& folder, const std::vector<std::string>& misfits);
@@ -29,11 +33,14 @@ class ResultPage : public QWidget {
   void keyPressEvent(QKeyEvent* event) override;
 
  private:
-  void fit_plot();
+  void fit_plots();
+  void draw_monitor(const TrialOutcome& outcome, const curricula::Scenario& scenario);
   void show_figures(const TrialOutcome& outcome, const curricula::Scenario& scenario);
-  QLabel *title_, *verdict_, *change_, *plot_, *reasons_, *where_;
+  QLabel *title_, *verdict_, *outcome_, *change_, *plot_, *monitor_, *reasons_, *where_;
   QGridLayout* figures_;
-  QPixmap plot_picture_;
+  QPixmap plot_picture_, monitor_picture_;
+  QPointer<QThread> drawing_;
+  int shown_ = 0;  ///< counts outcomes: a chart that was drawn for an earlier one is not shown
   std::filesystem::path report_;
 };
 

@@ -7,6 +7,8 @@
 #include <QLabel>
 #include <QListWidget>
 #include <QPushButton>
+#include <QSignalBlocker>
+#include <QStandardItemModel>
 #include <QVBoxLayout>
 #include <algorithm>
 
@@ -14,12 +16,42 @@
 #include "device/found_devices.h"
 #include "gui/pages/device_dialog.h"
 #include "gui/pages/devices_page.h"
+#include "gui/report/markdown.h"
 #include "gui/session/device_choice.h"
 #include "gui/session/device_rows.h"
 #include "gui/views/capitalised.h"
 
 namespace vallecula::gui {
 namespace {
+
+constexpr const char *kWatchExpert = "scripted:expert", *kWatchNovice = "scripted:novice";
+
+QString passes_with(const curricula::Scenario& scenario) {
+  QString text =
+      QString(
+          "Passes with: at most %1 N on the tongue and %2 N on the gum, at least %3 % of the glottis seen, "
+          "within %4 s, at most %5 s above the training target of %6 N on the tongue and %7 s at the device's "
+          "force limit.")
+          .arg(scenario.pass.peak_tongue_force_n, 0, 'f', 1)
+          .arg(scenario.pass.peak_gum_force_n, 0, 'f', 1)
+          .arg(scenario.pass.glottis_visible_percent, 0, 'f', 0)
+          .arg(scenario.pass.attempt_time_s, 0, 'f', 0)
+          .arg(scenario.pass.time_over_target_s, 0, 'f', 1)
+          .arg(scenario.targets.tongue_force_n, 0, 'f', 1)
+          .arg(scenario.pass.time_over_device_limit_s, 0, 'f', 1);
+  if (!scenario.intubation) return text;
+  const curricula::IntubationPass& pass = scenario.intubation->pass;
+  QStringList tube, outcomes;
+  for (const curricula::Outcome outcome : pass.outcomes) outcomes << QString(name_of(outcome)).replace('-', ' ');
+  tube << "outcome: " + outcomes.join(" or ");
+  if (pass.attempts) tube << QString("at most %1 attempts").arg(*pass.attempts);
+  if (pass.time_to_pass_s) tube << QString("at most %1 s from the view to the cords passed").arg(*pass.time_to_pass_s);
+  if (pass.lowest_spo2_percent) tube << QString("SpO2 not below %1 %").arg(*pass.lowest_spo2_percent);
+  if (pass.lowest_heart_per_min) tube << QString("heart rate not below %1").arg(*pass.lowest_heart_per_min);
+  if (pass.tube_force_n) tube << QString("at most %1 N along the tube").arg(*pass.tube_force_n);
+  if (pass.co2_confirmed) tube << "the place confirmed by CO2";
+  return text + " The tube: " + tube.join(", ") + ".";
+}
 
 /// Marks an entry that stands for something plugged in.
 constexpr int kPluggedIn = Qt::UserRole + 1;
@@ -30,10 +62,11 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
   auto* title = new QLabel("Vallecula", this);
   title->setObjectName("title");
   auto* sub = new QLabel(
-      "Practise neonatal laryngoscopy, and see what your hand did. A training tool, not a medical device.", this);
+      "Practise neonatal intubation, and see what your hands did. A training tool, not a medical device.", this);
   sub->setObjectName("faint");
-  curriculum_title_ = new QLabel(this);
-  curriculum_title_->setObjectName("heading");
+  curriculum_ = new QComboBox(this);
+  curriculum_->setObjectName("curriculum");
+  curriculum_->setAccessibleName("Curriculum");
   list_ = new QListWidget(this);
   list_->setAccessibleName("Scenarios");
   briefing_ = new QLabel(this);
@@ -43,12 +76,17 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
   patient_ = new QComboBox(this);
   patient_->addItem("Built-in manikin, made for the scenario", QString());
   device_ = new QComboBox(this);
+  device_->setObjectName("device");
   for (const device::DeviceKind& kind : device::device_kinds()) {
     if (!kind.argument.empty() || kind.hardware) continue;  // asks for more than a choice; offered when it is found
     device_->addItem(capitalised(QString::fromStdString(kind.description)), QString::fromStdString(kind.kind));
   }
-  device_->addItem("Watch a scripted expert", "scripted:expert");
-  device_->addItem("Watch a scripted novice", "scripted:novice");
+  device_->addItem("Watch a scripted expert", kWatchExpert);
+  device_->addItem("Watch a scripted novice", kWatchNovice);
+  second_ = new QComboBox(this);
+  second_->setObjectName("second");
+  second_->addItem("The same device, blade and tube in turn (X changes)", QString());
+  second_->addItem("The mouse", "mouse");
   auto* browse = new QPushButton("Other patient ...", this);
   connect(browse, &QPushButton::clicked, this, &StartPage::browse);
   auto* from_ct = new QPushButton("New patient from a CT ...", this);
@@ -64,7 +102,7 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
   message_->setTextInteractionFlags(Qt::TextSelectableByMouse);
 
   auto* left = new QVBoxLayout;
-  left->addWidget(curriculum_title_);
+  left->addWidget(curriculum_);
   left->addWidget(list_, 1);
   auto* patient_row = new QHBoxLayout;
   patient_row->setSpacing(8);
@@ -84,6 +122,8 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
   device_row->addWidget(devices);
   device_row->addWidget(set_up);
   form->addRow("Device", device_row);
+  second_label_ = new QLabel("Tube's hand", this);
+  form->addRow(second_label_, second_);
   auto* right_panel = new QFrame(this);
   right_panel->setObjectName("panel");
   auto* right = new QVBoxLayout(right_panel);
@@ -107,6 +147,9 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
   all->addLayout(columns, 1);
   all->addWidget(message_);
 
+  connect(curriculum_, qOverload<int>(&QComboBox::currentIndexChanged), this, &StartPage::show_curriculum);
+  connect(device_, qOverload<int>(&QComboBox::currentIndexChanged), this,
+          [this] { show_scenario(list_->currentRow()); });
   connect(list_, &QListWidget::currentRowChanged, this, &StartPage::show_scenario);
   connect(list_, &QListWidget::itemActivated, this, [this] { go_->click(); });
   connect(go_, &QPushButton::clicked, this, [this] {
@@ -115,31 +158,48 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
   go_->setEnabled(false);
 }
 
-void StartPage::set_curriculum(const curricula::Curriculum& curriculum) {
+void StartPage::set_curricula(std::vector<curricula::Curriculum> curricula) {
+  const int index = std::max(0, curriculum_->currentIndex());
+  {
+    const QSignalBlocker quiet(curriculum_);
+    curricula_ = std::move(curricula);
+    curriculum_->clear();
+    for (const auto& one : curricula_) curriculum_->addItem(QString::fromStdString(one.title));
+    curriculum_->setCurrentIndex(std::min(index, curriculum_->count() - 1));
+  }
+  curriculum_->setEnabled(curricula_.size() > 1);
+  show_curriculum(curriculum_->currentIndex());
+}
+
+void StartPage::show_curriculum(int index) {
   const int row = std::max(0, list_->currentRow());
-  curriculum_ = curriculum;
-  curriculum_title_->setText(QString::fromStdString(curriculum.title));
   list_->clear();
-  for (const auto& scenario : curriculum.scenarios) list_->addItem(QString::fromStdString(scenario.title));
+  if (index >= 0)
+    for (const auto& scenario : curricula_[static_cast<std::size_t>(index)].scenarios)
+      list_->addItem(QString::fromStdString(scenario.title));
   if (list_->count() > 0) list_->setCurrentRow(std::min(row, list_->count() - 1));
   go_->setEnabled(list_->count() > 0);
 }
 
+const curricula::Scenario* StartPage::scenario_at(int row) const {
+  if (curriculum_->currentIndex() < 0) return nullptr;
+  const auto& scenarios = curricula_[static_cast<std::size_t>(curriculum_->currentIndex())].scenarios;
+  return row >= 0 && row < static_cast<int>(scenarios.size()) ? &scenarios[static_cast<std::size_t>(row)] : nullptr;
+}
+
 void StartPage::show_scenario(int row) {
-  if (row < 0 || row >= static_cast<int>(curriculum_.scenarios.size())) return;
-  const auto& scenario = curriculum_.scenarios[static_cast<std::size_t>(row)];
-  briefing_->setText(
-      QString::fromStdString(scenario.briefing) +
-      QString("\nPasses with: at most %1 N on the tongue and %2 N on the gum, at least %3 % of the glottis seen, "
-              "within %4 s, at most %5 s above the training target of %6 N on the tongue and %7 s at the device's "
-              "force limit.")
-          .arg(scenario.pass.peak_tongue_force_n, 0, 'f', 1)
-          .arg(scenario.pass.peak_gum_force_n, 0, 'f', 1)
-          .arg(scenario.pass.glottis_visible_percent, 0, 'f', 0)
-          .arg(scenario.pass.attempt_time_s, 0, 'f', 0)
-          .arg(scenario.pass.time_over_target_s, 0, 'f', 1)
-          .arg(scenario.targets.tongue_force_n, 0, 'f', 1)
-          .arg(scenario.pass.time_over_device_limit_s, 0, 'f', 1));
+  const curricula::Scenario* scenario = scenario_at(row);
+  if (scenario == nullptr) return;
+  briefing_->setText(html_of(scenario->briefing) + "<p>" + passes_with(*scenario).toHtmlEscaped() + "</p>");
+  const bool tube = scenario->intubation.has_value();
+  // A scripted novice lifts and levers, but has no tube.
+  const int novice = device_->findData(kWatchNovice);
+  if (auto* model = qobject_cast<QStandardItemModel*>(device_->model())) model->item(novice)->setEnabled(!tube);
+  if (tube && device_->currentIndex() == novice) device_->setCurrentIndex(device_->findData(kWatchExpert));
+  const QString device = device_->currentData().toString();
+  const bool choice = tube && !is_scripted(device.toStdString()) && device != "mouse";
+  second_->setVisible(choice);
+  second_label_->setVisible(choice);
 }
 
 void StartPage::add_patient(const std::filesystem::path& package, bool choose) {
@@ -216,8 +276,10 @@ void StartPage::set_message(const QString& message) { message_->setText(message)
 
 bool StartPage::select(const QString& scenario, const QString& device) {
   bool found = false;
-  for (std::size_t i = 0; i < curriculum_.scenarios.size(); ++i)
-    if (curriculum_.scenarios[i].id == scenario.toStdString()) {
+  for (std::size_t c = 0; c < curricula_.size() && !found; ++c)
+    for (std::size_t i = 0; i < curricula_[c].scenarios.size() && !found; ++i) {
+      if (curricula_[c].scenarios[i].id != scenario.toStdString()) continue;
+      curriculum_->setCurrentIndex(static_cast<int>(c));
       list_->setCurrentRow(static_cast<int>(i));
       found = true;
     }
@@ -227,8 +289,10 @@ bool StartPage::select(const QString& scenario, const QString& device) {
 }
 
 Choice StartPage::choice() const {
-  return {curriculum_.file, curriculum_.scenarios.at(static_cast<std::size_t>(std::max(0, list_->currentRow()))),
-          patient_->currentData().toString().toStdString(), device_->currentData().toString()};
+  const auto& curriculum = curricula_.at(static_cast<std::size_t>(std::max(0, curriculum_->currentIndex())));
+  return {curriculum.file, curriculum.scenarios.at(static_cast<std::size_t>(std::max(0, list_->currentRow()))),
+          patient_->currentData().toString().toStdString(), device_->currentData().toString(),
+          second_->isVisibleTo(this) ? second_->currentData().toString() : QString()};
 }
 
 }  // namespace vallecula::gui

@@ -22,20 +22,22 @@ struct Choice {
   curricula::Scenario scenario;
   std::filesystem::path patient;  ///< empty: the built-in manikin that the scenario asks for
   QString device;                 ///< as `vallecula trial --device` takes it
+  QString second;                 ///< as `--second`, of a scenario with a tube; empty: what goes with the device
 };
 
 class StartPage : public QWidget {
   Q_OBJECT
  public:
   explicit StartPage(QWidget* parent = nullptr);
-  /// Replaces the list of scenarios; keeps the last choice where it is still to be had.
-  void set_curriculum(const curricula::Curriculum& curriculum);
+  /// Replaces the curricula, the first is shown; keeps the last choice where it is still to be had.
+  void set_curricula(std::vector<curricula::Curriculum> curricula);
   void add_patient(const std::filesystem::path& package, bool choose);
   /// Offers what is plugged in beside what is always there; what is gone is no longer offered, unless it is chosen.
   void set_found_devices(const std::vector<device::FoundDevice>& devices);
   /// Offers this device and chooses it.
   void choose_device(const QString& name, const QString& label);
   void set_message(const QString& message);
+  /// The first scenario of this id, in whichever curriculum, and the device; false where one of them is not to be had.
   bool select(const QString& scenario, const QString& device);
   Choice choice() const;
 
@@ -45,15 +47,17 @@ class StartPage : public QWidget {
   void devices_wanted();
 
  private:
+  void show_curriculum(int index);
   void show_scenario(int row);
+  const curricula::Scenario* scenario_at(int row) const;  ///< of the curriculum shown; null: none
   void browse();
   /// Of the chosen device, as it was last found; null: it was not, or has none.
   std::unique_ptr<QDialog> device_settings();
-  curricula::Curriculum curriculum_;
+  std::vector<curricula::Curriculum> curricula_;
   std::vector<device::FoundDevice> found_{device::found_mouse()};  ///< looked for elsewhere: it may take seconds
   QListWidget* list_;
-  QLabel *curriculum_title_, *briefing_, *message_;
-  QComboBox *patient_, *device_;
+  QLabel *briefing_, *message_, *second_label_;
+  QComboBox *curriculum_, *patient_, *device_, *second_;
   QPushButton* go_;
 };
 

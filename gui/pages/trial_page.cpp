@@ -2,25 +2,25 @@
 
 #include <QCoreApplication>
 #include <QHBoxLayout>
-#include <QKeyEvent>
 #include <QLabel>
 #include <QPushButton>
 #include <QVBoxLayout>
-#include <array>
-#include <map>
 #include <stdexcept>
 #include <string>
 
 #include "device/drivers/mouse_device.h"
 #include "gui/pages/background.h"
 #include "gui/pages/blade_control.h"
+#include "gui/pages/hand_panel.h"
+#include "gui/pages/hints.h"
 #include "gui/pages/mouse_introduction.h"
+#include "gui/pages/trial_side.h"
+#include "gui/report/markdown.h"
 #include "gui/session/device_choice.h"
 #include "gui/session/patient_fit.h"
 #include "gui/session/user_settings.h"
-#include "gui/views/force_bars.h"
+#include "gui/views/monitor_panel.h"
 #include "gui/views/operator_view.h"
-#include "gui/views/sagittal_view.h"
 #include "gui/views/theme.h"
 #include "gui/views/trial_readings.h"
 
@@ -29,11 +29,6 @@ namespace {
 
 // 22 frames a second are enough for the eye and leave the haptic threads their cores; the cut changes slower.
 constexpr int kFrameMs = 45;
-constexpr int kSagittalMs = 140;
-
-double load(const engine::Snapshot& snapshot, engine::Structure structure) {
-  return snapshot.loads[static_cast<std::size_t>(structure)].force_n.norm();
-}
 
 /// For a device in the hand that is no mouse.
 QString device_help(const device::DeviceInfo& info) {
@@ -48,7 +43,7 @@ QString device_help(const device::DeviceInfo& info) {
 TrialPage::TrialPage(QWidget* parent) : QWidget(parent) {
   setFocusPolicy(Qt::StrongFocus);
   operator_view_ = new OperatorView(this);
-  operator_view_->setMinimumSize(480, 400);
+  operator_view_->setMinimumSize(480, 340);
   control_ = new BladeControl(operator_view_);
   introduction_ = new MouseIntroduction(this);
   connect(control_, &BladeControl::gain_changed, this, [this](double gain) {
@@ -57,6 +52,11 @@ TrialPage::TrialPage(QWidget* parent) : QWidget(parent) {
   });
   title_ = new QLabel(this);
   title_->setObjectName("heading");
+  monitor_ = new MonitorPanel(this);
+  hands_ = new HandPanel(this);
+  steered_ = new QLabel(this);
+  steered_->setMargin(6);
+  steered_->setAttribute(Qt::WA_TransparentForMouseEvents);
   banner_ = new QLabel(this);
   banner_->setWordWrap(true);
   banner_->setMinimumHeight(2 * banner_->fontMetrics().lineSpacing() + 16);  // two lines and their padding
@@ -64,14 +64,18 @@ TrialPage::TrialPage(QWidget* parent) : QWidget(parent) {
   auto* main = new QVBoxLayout;
   main->setSpacing(6);
   main->addWidget(title_);
-  auto* picture = new QGridLayout;  // the introduction lies over the view
+  main->addWidget(monitor_);
+  auto* picture = new QGridLayout;  // the introduction and whose hand is steered lie over the view
   picture->addWidget(operator_view_, 0, 0);
+  picture->addWidget(steered_, 0, 0, Qt::AlignTop | Qt::AlignLeft);
   picture->addWidget(introduction_, 0, 0, Qt::AlignCenter);
   main->addLayout(picture, 1);
+  main->addWidget(hands_);
   main->addWidget(banner_);
+  side_ = new TrialSide(this);
   auto* columns = new QHBoxLayout;
   columns->addLayout(main, 17);
-  columns->addWidget(make_side(), 10);
+  columns->addWidget(side_, 10);
   auto* all = new QVBoxLayout(this);
   all->setContentsMargins(10, 8, 10, 8);
   all->addLayout(columns, 1);
@@ -79,37 +83,14 @@ TrialPage::TrialPage(QWidget* parent) : QWidget(parent) {
   timer_.setInterval(kFrameMs);
   timer_.setTimerType(Qt::PreciseTimer);
   connect(&timer_, &QTimer::timeout, this, &TrialPage::frame);
-  show_banner("");
+  for (QWidget* second_half :
+       {static_cast<QWidget*>(monitor_), static_cast<QWidget*>(hands_), static_cast<QWidget*>(steered_)})
+    second_half->hide();
+  show_banner("", "");
   show_buttons();
 }
 
 TrialPage::~TrialPage() = default;
-
-QWidget* TrialPage::make_side() {
-  auto* side = new QWidget(this);
-  auto* column = new QVBoxLayout(side);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(8);
-  auto* caption = new QLabel("Mid-sagittal cut", side);
-  caption->setObjectName("heading");
-  sagittal_view_ = new SagittalView(side);
-  sagittal_view_->setMinimumSize(320, 280);
-  bars_ = new ForceBars(side);
-  auto* bars_panel = new QFrame(side);
-  bars_panel->setObjectName("panel");
-  (new QVBoxLayout(bars_panel))->addWidget(bars_);
-  auto* readings_panel = new QFrame(side);
-  readings_panel->setObjectName("panel");
-  readings_ = new TrialReadings(readings_panel);
-  auto* inside = new QVBoxLayout(readings_panel);
-  inside->setContentsMargins(0, 0, 0, 0);
-  inside->addWidget(readings_);
-  column->addWidget(caption);
-  column->addWidget(sagittal_view_, 1);
-  column->addWidget(bars_panel);
-  column->addWidget(readings_panel);
-  return side;
-}
 
 QWidget* TrialPage::make_foot() {
   auto* foot = new QWidget(this);
@@ -153,24 +134,23 @@ void TrialPage::open(std::shared_ptr<TrialSession> session, std::shared_ptr<Pati
   look_ = std::move(look);
   const auto& scenario = session_->scenario();
   title_->setText(QString::fromStdString(scenario.title));
-  title_->setToolTip(QString::fromStdString(scenario.briefing));
-  operator_view_->show_patient(look_, session_->scene().tool.surface);
-  sagittal_view_->show_patient(look_, session_->scene().tool.surface);
-  bars_->set_marks(
-      {scenario.targets.tongue_force_n, scenario.targets.gum_force_n, session_->scene().haptics.device_limit_n});
-  std::map<std::string, std::array<double, 3>> landmarks_m;
-  for (const auto& [name, point] : look_->package.landmarks)
-    landmarks_m[name] = {1e-3 * point[0], 1e-3 * point[1], 1e-3 * point[2]};
-  readings_->set_scenario(scenario, curricula::mouth_from_landmarks(landmarks_m));
-  auto* mouse = dynamic_cast<device::MouseDevice*>(&session_->device());
-  control_->steer(mouse);
+  title_->setToolTip(html_of(scenario.briefing));
+  const auto& intubation = session_->scene().intubation;
+  operator_view_->show_patient(look_, session_->scene().tool.surface, intubation ? &*intubation : nullptr);
+  side_->open(*session_, look_);
+  monitor_->clear();
+  monitor_->setVisible(intubation.has_value());
+  hands_->setVisible(intubation.has_value());
+  hands_->serve(intubation ? &session_->actions() : nullptr, session_->takes_turns());
+  steered_->setVisible(session_->takes_turns());
+  steer();
   control_->set_gain(mouse_gain());
   introduction_->hide();
-  if (mouse != nullptr) introduction_->show_if_wanted();
-  show_help();
+  if (control_->steering()) introduction_->show_if_wanted(intubation.has_value());
+  show_steered();
   QStringList warned;
   for (const auto& misfit : misfits(session_->package(), scenario)) warned << QString::fromStdString(misfit);
-  show_banner(warned.join("\n"));
+  show_banner(warned.join("\n"), "");
   show_buttons();
   timer_.start();
   setFocus();
@@ -180,9 +160,30 @@ void TrialPage::show_help() {
   if (!session_) return;
   const device::DeviceInfo info = session_->device().info();
   help_->setText(control_->steering()      ? control_->help()
-                 : info.kind == "scripted" ? "A scripted hand holds the blade. Esc ends the trial."
-                 : info.kind == "recorded" ? "The hand of a recorded trial holds the blade. Esc ends the trial."
+                 : info.kind == "scripted" ? "Scripted hands are at work. Esc ends the trial."
+                 : info.kind == "recorded" ? "The hands of a recorded trial are at work. Esc ends the trial."
                                            : device_help(info));
+}
+
+void TrialPage::steer() {
+  auto* mouse = dynamic_cast<device::MouseDevice*>(&session_->device());
+  if (mouse == nullptr) mouse = dynamic_cast<device::MouseDevice*>(session_->second_device());
+  control_->steer(mouse);
+}
+
+void TrialPage::show_steered() {
+  shown_in_hand_ = session_->takes_turns() ? session_->in_hand() : Tool::blade;
+  const bool tube = shown_in_hand_ == Tool::tube;
+  // Beside a device for the blade the mouse has the tube.
+  const bool mouse_has_tube = dynamic_cast<device::MouseDevice*>(session_->second_device()) != nullptr;
+  control_->set_tool(mouse_has_tube ? Tool::tube : shown_in_hand_);
+  steered_->setText(tube ? "You hold: right hand, TUBE. The blade stays."
+                         : "You hold: left hand, BLADE. The tube stays.");
+  steered_->setStyleSheet(
+      QString("background: rgba(16, 20, 25, 200); color: %1; border: 2px solid %1; border-radius: 5px; "
+              "font-weight: bold; margin: 6px;")
+          .arg(theme::kDevice.name()));
+  show_help();
 }
 
 void TrialPage::start() {
@@ -205,11 +206,14 @@ void TrialPage::start() {
 void TrialPage::reset() {
   if (!session_ || ending_) return;
   try {
-    session_->reset([this] {
-      auto* mouse = dynamic_cast<device::MouseDevice*>(&session_->device());
-      if (mouse == nullptr) return;  // the hand begins anew as well, once the old attempt is no longer recorded
-      const device::Keyframe begin = starting_pose(session_->package(), session_->scenario());
-      mouse->place(begin.position_m, begin.rotation_wxyz);
+    session_->reset([this] {  // the hands begin anew as well, once the old attempt is no longer recorded
+      const auto place = [](device::HapticDevice* device, const device::Keyframe& begin) {
+        if (auto* mouse = dynamic_cast<device::MouseDevice*>(device))
+          mouse->place(begin.position_m, begin.rotation_wxyz);
+      };
+      place(&session_->device(), starting_pose(session_->package(), session_->scenario()));
+      if (const auto& intubation = session_->scene().intubation)
+        place(session_->second_device(), starting_tube_pose(session_->package(), *intubation));
     });
   } catch (const std::exception& error) {
     const QString message = QString::fromUtf8(error.what());
@@ -219,10 +223,12 @@ void TrialPage::reset() {
   }
   if (running_) since_start_.restart();
   frames_ = 0;
-  bars_->clear();
-  readings_->clear();
-  show_banner("");
-  control_->steer(dynamic_cast<device::MouseDevice*>(&session_->device()));
+  side_->clear();
+  monitor_->clear();
+  show_banner("", "");
+  steer();
+  if (session_->scene().intubation) hands_->serve(&session_->actions(), session_->takes_turns());
+  show_steered();
   setFocus();
 }
 
@@ -232,7 +238,8 @@ void TrialPage::end(const QString& how) {
   running_ = false;
   timer_.stop();
   control_->steer(nullptr);
-  show_banner("Scoring the trial ...");
+  hands_->serve(nullptr, false);
+  show_banner("Scoring the trial ...", "");
   show_buttons();
   run_in_background<TrialOutcome>(
       this, [session = session_, how] { return session->finish(how.toStdString()); },
@@ -253,6 +260,7 @@ void TrialPage::end(const QString& how) {
 void TrialPage::close_trial() {
   timer_.stop();
   control_->steer(nullptr);
+  hands_->serve(nullptr, false);
   running_ = false;
   session_.reset();
   show_buttons();
@@ -268,6 +276,8 @@ const pipeline::PatientPackage& TrialPage::patient() const {
   return session_->package();
 }
 
+SagittalView& TrialPage::sagittal_view() { return side_->sagittal_view(); }
+
 double TrialPage::frames_per_second() const {
   return since_start_.isValid() && since_start_.elapsed() > 0
              ? 1e3 * frames_ / static_cast<double>(since_start_.elapsed())
@@ -281,25 +291,22 @@ void TrialPage::frame() {
   try {
     if (!running_) {  // before the start: the patient at rest
       operator_view_->draw();
-      if (!since_sagittal_.isValid() || since_sagittal_.elapsed() > 500) {
-        since_sagittal_.restart();
-        sagittal_view_->draw();
-      }
+      side_->draw_at_rest();
       return;
     }
     control_->advance(seconds);
     const engine::Snapshot& snapshot = session_->latest();
     operator_view_->update_from(snapshot);
     operator_view_->draw();
-    if (!since_sagittal_.isValid() || since_sagittal_.elapsed() >= kSagittalMs) {
-      since_sagittal_.restart();
-      sagittal_view_->update_from(snapshot, session_->scenario().sight_percent);
-      sagittal_view_->draw();
-    }
-    readings_->show_snapshot(snapshot, session_->paused_s());
-    bars_->show_forces(load(snapshot, engine::Structure::tongue), load(snapshot, engine::Structure::gum));
+    side_->show_snapshot(snapshot, session_->scenario().sight_percent, session_->paused_s());
+    monitor_->show_snapshot(snapshot);
+    hands_->show_snapshot(snapshot);
+    if (session_->takes_turns() && session_->in_hand() != shown_in_hand_) show_steered();
     show_banner(
-        banner_for(snapshot, QString::fromStdString(session_->fault()), QString::fromStdString(session_->pause())));
+        banner_for(snapshot, QString::fromStdString(session_->fault()), QString::fromStdString(session_->pause())),
+        snapshot.has_intubation ? hint_for(snapshot, session_->scenario().sight_percent, operator_view_->blade_in(),
+                                           session_->takes_turns() ? QString("X") : QString())
+                                : QString());
     ++frames_;
     if (frame_hook_) frame_hook_(snapshot);
     if (session_->finished()) end("finished");
@@ -310,12 +317,13 @@ void TrialPage::frame() {
   }
 }
 
-void TrialPage::show_banner(const QString& text) {
+void TrialPage::show_banner(const QString& alert, const QString& hint) {
+  const QString& text = alert.isEmpty() ? hint : alert;
   if (banner_->text() == text && !banner_->styleSheet().isEmpty()) return;
   banner_->setText(text);
   banner_->setStyleSheet(
-      text.isEmpty()
-          ? QString("padding: 6px 10px;")
+      alert.isEmpty()
+          ? QString("padding: 6px 10px; font-size: 11pt;")
           : QString("background: %1; color: #06202f; padding: 6px 10px; border-radius: 5px; font-weight: bold;")
                 .arg(theme::kDevice.name()));
 }
@@ -329,52 +337,6 @@ void TrialPage::show_buttons() {
   zoom_->setText(operator_view_->zoom() == Zoom::automatic ? "View: auto"
                  : operator_view_->zoom() == Zoom::face    ? "View: face"
                                                            : "View: mouth");
-}
-
-void TrialPage::keyPressEvent(QKeyEvent* event) {
-  const bool entered = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
-  const bool only_read = entered && !introduction_->isHidden();  // Enter closes what was read, and begins nothing yet
-  introduction_->dismiss();  // whoever presses other keys knows them; those do their work as well
-  if (only_read) return;
-  if (control_->steering() && control_->key(event, true)) return;
-  switch (event->key()) {
-    case Qt::Key_Return:
-    case Qt::Key_Enter:
-      if (running_)
-        session_->confirm();
-      else
-        start_->click();
-      return;
-    case Qt::Key_Escape:
-      if (running_)
-        end_->click();
-      else
-        leave_->click();
-      return;
-    case Qt::Key_R:
-      reset_->click();
-      return;
-    case Qt::Key_Z:
-      zoom_->click();
-      return;
-    default:
-      QWidget::keyPressEvent(event);
-  }
-}
-
-void TrialPage::keyReleaseEvent(QKeyEvent* event) {
-  if (control_->steering() && control_->key(event, false)) return;
-  QWidget::keyReleaseEvent(event);
-}
-
-void TrialPage::focusOutEvent(QFocusEvent* event) {
-  control_->release_all();  // a key let go elsewhere would lift for ever
-  QWidget::focusOutEvent(event);
-}
-
-void TrialPage::showEvent(QShowEvent* event) {
-  QWidget::showEvent(event);
-  setFocus();
 }
 
 }  // namespace vallecula::gui

@@ -16,11 +16,12 @@ class QPushButton;
 namespace vallecula::gui {
 
 class BladeControl;
-class ForceBars;
+class HandPanel;
+class MonitorPanel;
 class MouseIntroduction;
 class OperatorView;
 class SagittalView;
-class TrialReadings;
+class TrialSide;
 
 class TrialPage : public QWidget {
   Q_OBJECT
@@ -42,7 +43,7 @@ class TrialPage : public QWidget {
   const curricula::Scenario& scenario() const;
   const pipeline::PatientPackage& patient() const;
   OperatorView& operator_view() { return *operator_view_; }
-  SagittalView& sagittal_view() { return *sagittal_view_; }
+  SagittalView& sagittal_view();
   /// Called after each frame of a running trial with the snapshot that was drawn.
   void set_frame_hook(std::function<void(const engine::Snapshot&)> hook) { frame_hook_ = std::move(hook); }
   /// Frames drawn since start(), a second.
@@ -57,29 +58,36 @@ class TrialPage : public QWidget {
   void keyPressEvent(QKeyEvent* event) override;
   void keyReleaseEvent(QKeyEvent* event) override;
   void focusOutEvent(QFocusEvent* event) override;
+  bool focusNextPrevChild(bool next) override;
   void showEvent(QShowEvent* event) override;
 
  private:
   void frame();
   void show_buttons();
   void show_help();
-  void show_banner(const QString& text);
-  QWidget* make_side();
+  /// Gives the mouse, where there is one, to the device it is.
+  void steer();
+  /// Whose hand the one device drives: on the view, in the help, and where keys and mouse go.
+  void show_steered();
+  bool takes_key(QKeyEvent* event, bool pressed);
+  /// An alert hides the hint.
+  void show_banner(const QString& alert, const QString& hint);
   QWidget* make_foot();
 
   std::shared_ptr<TrialSession> session_;
   std::shared_ptr<PatientLook> look_;
   OperatorView* operator_view_;
-  SagittalView* sagittal_view_;
-  ForceBars* bars_;
-  TrialReadings* readings_;
+  TrialSide* side_;
+  MonitorPanel* monitor_;
+  HandPanel* hands_;
   BladeControl* control_;
   MouseIntroduction* introduction_;
-  QLabel *title_, *banner_, *help_;
+  QLabel *title_, *banner_, *help_, *steered_;
   QPushButton *start_, *end_, *reset_, *leave_, *zoom_;
   QTimer timer_;
-  QElapsedTimer since_frame_, since_sagittal_, since_start_;
+  QElapsedTimer since_frame_, since_start_;
   std::function<void(const engine::Snapshot&)> frame_hook_;
+  Tool shown_in_hand_ = Tool::blade;
   bool running_ = false, ending_ = false;
   int frames_ = 0;
 };

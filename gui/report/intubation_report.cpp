@@ -17,10 +17,13 @@ std::string count(std::size_t n, const std::string& what) {
 }
 
 std::string depth(const curricula::IntubationScore& i) {
+  if (!i.depth_m && i.outcome == curricula::Outcome::mainstem) return "in " + curricula::bronchus_in_words(i);
   if (!i.depth_m) return "not in larynx or trachea";
   std::string text = millimetres(*i.depth_m) + " past the cords, " + number(100.0 * *i.depth_share(), 0) + " % of " +
                      millimetres(i.cords_to_carina_m) + " to the carina";
-  if (i.depth_neutral_m) text += "; about " + millimetres(*i.depth_neutral_m) + " with the head neutral (assumed)";
+  if (i.depth_neutral_m)
+    text += "; about " + millimetres(*i.depth_neutral_m) + ", " + number(100.0 * *i.depth_neutral_share(), 0) +
+            " %, with the head neutral (assumed)";
   return text;
 }
 
@@ -82,7 +85,9 @@ std::vector<Row> intubation_rows(const curricula::Score& score, const curricula:
       {"Time to view, blade in to glottis in sight",
        seconds_or(decisive ? decisive->time_to_view_s : std::nullopt, "never"), "", ""},
       row(score, "Time to pass, view to cords passed",
-          seconds_or(decisive ? decisive->time_to_pass_s : std::nullopt, "never"), "time_to_pass_s", "at most"),
+          seconds_or(decisive ? decisive->time_to_pass_s : std::nullopt,
+                     i.passed_untimed() ? "passed before the blade was in" : "never"),
+          "time_to_pass_s", "at most"),
       row(score, "Lowest saturation, displayed", lowest(i.lowest_spo2_percent, " %", i.lowest_spo2_at_s),
           "lowest_spo2_percent", "at least"),
       row(score, "Lowest heart rate", lowest(i.lowest_heart_per_min, " per minute", i.lowest_heart_at_s),
@@ -124,9 +129,9 @@ std::string attempts_html(const curricula::Score& score) {
   }
   return html +
          "</table>\n<p class=\"foot\">An attempt is one way of the blade into the mouth and out. Its lowest values "
-         "count "
-         "until the next one begins, for the display is late. Severe desaturation: 20 points or more. Bradycardia: "
-         "below 100 per minute (both NEAR4NEOS).</p>\n";
+         "count until the next one begins, for the display is late. Severe desaturation: " +
+         number(curricula::kSevereDesaturation, 0) + " points or more. Bradycardia: below " +
+         number(curricula::kBradycardia, 0) + " per minute (both NEAR4NEOS).</p>\n";
 }
 
 }  // namespace vallecula::gui

@@ -20,8 +20,6 @@ const QColor kPassed = chart::kPurple;
 const QColor kYellow = chart::kOrange;
 const QColor kOesophagus(0xF6, 0xD5, 0xC3);  // vermillion, light
 
-constexpr double kBradycardia = 100.0;  ///< per minute (NEAR4NEOS)
-
 struct Recorded {
   Series spo2, sao2, heart, sight;
   std::vector<double> breaths_s;
@@ -44,8 +42,7 @@ Recorded read(const curricula::TrialLog& log) {
     if (tick.has_sight) r.sight.add(tick.time_s, 100.0 * tick.glottis_visible);
     if (i.breaths_given > breaths) r.breaths_s.push_back(tick.time_s);
     if (i.detector_yellow && !yellow) r.yellow_s.push_back(tick.time_s);
-    const bool now_there =
-        i.place == curricula::LoggedPlace::oesophagus && i.in_hand != curricula::LoggedInHand::catheter;
+    const bool now_there = curricula::tube_in_oesophagus(tick);
     if (now_there && !there) r.oesophagus_s.emplace_back(tick.time_s, tick.time_s);
     if (now_there) r.oesophagus_s.back().second = tick.time_s;
     breaths = i.breaths_given;
@@ -111,7 +108,8 @@ QImage draw_monitor_chart(const curricula::TrialLog& log, const curricula::Scena
   if (pass.lowest_spo2_percent)
     saturation.level(*pass.lowest_spo2_percent, chart::kVermillion, Qt::DashLine,
                      QStringLiteral("not below %1 %").arg(chart::number(*pass.lowest_spo2_percent, 0)), false);
-  heart.level(kBradycardia, chart::kVermillion, Qt::DashLine, QStringLiteral("bradycardia below 100"), false);
+  heart.level(curricula::kBradycardia, chart::kVermillion, Qt::DashLine,
+              QStringLiteral("bradycardia below %1").arg(chart::number(curricula::kBradycardia, 0)), false);
   view.level(scenario.sight_percent, kSight, Qt::DashLine,
              QStringLiteral("counts as in sight from %1 %").arg(chart::number(scenario.sight_percent, 0)), true);
   for (const curricula::Attempt& attempt : intubation.attempts) {

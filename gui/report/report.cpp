@@ -7,6 +7,7 @@
 
 #include "gui/report/figure_row.h"
 #include "gui/report/intubation_report.h"
+#include "gui/report/markdown.h"
 #include "gui/report/monitor_chart.h"
 #include "gui/session/files.h"
 #include "gui/session/results_folder.h"
@@ -151,7 +152,8 @@ void write_report(const fs::path& folder, const curricula::TrialLog& log, const 
       "tissue on the blade (model force). The dotted line is what the device was told to show. A peak is the largest "
       "single tick of 1 ms, unfiltered. Time over the device limit counts until a device that was lost has taken hold "
       "again.</p>\n";
-  if (!scenario.debriefing.empty()) html += "<h2>Debriefing</h2>\n<p>" + escaped(scenario.debriefing) + "</p>\n";
+  if (const std::string debriefing = html_of(scenario.debriefing).toStdString(); !debriefing.empty())
+    html += "<h2>Debriefing</h2>\n" + debriefing + "\n";
   const std::vector<fs::path> shots = screenshots_in(folder);
   if (!shots.empty()) {
     html += "<h2>Pictures</h2>\n<div class=\"shots\">\n";

@@ -72,6 +72,8 @@ fs::path make_manikin_patient(const curricula::ManikinSpec& manikin, const fs::p
   pipeline::ManikinOptions options;
   options.weight_kg = manikin.weight_kg;
   options.seed = manikin.seed;
+  options.shape = {manikin.mouth_opening, manikin.tongue_size, manikin.larynx_height_mm, manikin.epiglottis_length,
+                   manikin.gestation_weeks};
   pipeline::write_manikin(options, folder / "ct", [&](const std::string& stage, double fraction) {
     if (progress) progress("manikin: " + stage, kScanShare * fraction);
   });
@@ -89,13 +91,26 @@ fs::path builtin_patients_folder() {
   return cache.empty() ? fs::path() : cache / "patients";
 }
 
+std::string builtin_patient_name(const curricula::ManikinSpec& manikin) {
+  // Another build may make another patient of the same numbers.
+  std::string key = sha256_of_program();
+  char text[64];
+  const auto add = [&](const std::optional<double>& value) {
+    std::snprintf(text, sizeof text, "%.17g", value.value_or(0.0));
+    key += value ? std::string(" ") + text : " -";
+  };
+  for (const std::optional<double>& value :
+       {std::optional<double>(manikin.weight_kg), manikin.mouth_opening, manikin.tongue_size, manikin.larynx_height_mm,
+        manikin.epiglottis_length, manikin.gestation_weeks})
+    add(value);
+  std::snprintf(text, sizeof text, "manikin-%.2fkg-%u-", manikin.weight_kg, manikin.seed);
+  return text + sha256_of_bytes(key).substr(0, 12);
+}
+
 fs::path builtin_patient(const curricula::ManikinSpec& manikin, const PatientProgress& progress) {
-  // Another build may make another patient of the same weight and seed.
-  char name[64];
-  std::snprintf(name, sizeof name, "manikin-%.2fkg-%u-", manikin.weight_kg, manikin.seed);
   const fs::path folder = builtin_patients_folder();
   if (folder.empty()) throw std::runtime_error("no folder for the user's cache is known: set VALLECULA_HOME to one");
-  const fs::path kept = folder / (name + sha256_of_program().substr(0, 12) + ".patient");
+  const fs::path kept = folder / (builtin_patient_name(manikin) + ".patient");
   if (readable(kept)) return kept;
   const WorkFolder work(kept.string() + ".making-" + std::to_string(getpid()));
   const fs::path made = make_manikin_patient(manikin, work.path(), progress);

@@ -21,6 +21,9 @@ std::filesystem::path make_manikin_patient(const curricula::ManikinSpec& manikin
 /// made at first use by this build, whole or not at all; a damaged one is made anew.
 std::filesystem::path builtin_patient(const curricula::ManikinSpec& manikin, const PatientProgress& progress = {});
 
+/// The cached package's name without .patient: weight, seed, and a hash over the program and every number of the shape.
+std::string builtin_patient_name(const curricula::ManikinSpec& manikin);
+
 /// Where builtin_patient keeps them; empty when no folder for the user's cache is known.
 std::filesystem::path builtin_patients_folder();
 

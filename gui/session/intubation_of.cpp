@@ -59,6 +59,8 @@ void set_mouth(const pipeline::PatientPackage& package, engine::IntubationDescri
     throw std::runtime_error("patient '" + package.name + "': its gums and vallecula span no mouth; import it again");
   d.mouth = Vec3(mouth->gum_middle_m[0], mouth->gum_middle_m[1], mouth->gum_middle_m[2]);
   d.mouth_inward = Vec3(mouth->inward[0], mouth->inward[1], mouth->inward[2]);
+  d.mouth_axis = Vec3(mouth->axis[0], mouth->axis[1], mouth->axis[2]);
+  d.mouth_radius_m = mouth->radius_m;
   d.mouth_gap_m = gap_between_gums(package);
   if (d.tube.outer_diameter < d.mouth_gap_m) return;
   char text[256];
@@ -96,6 +98,7 @@ engine::IntubationDescription intubation_of(const pipeline::PatientPackage& pack
   d.infant.premedicated = spec.premedicated;
   d.infant.added_oxygen = spec.added_oxygen_percent / 100.0;
   d.infant.seed = spec.infant_seed;
+  d.breathes = spec.breathes;
   d.secretions.volume_m3 = 1e-6 * spec.secretions_ml;
   d.secretions.area_m2 = kThroatArea * size * size;
   d.secretions.floor = throat_floor(package, size);

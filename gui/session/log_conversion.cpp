@@ -71,6 +71,7 @@ curricula::LogIntubation log_intubation(const engine::IntubationRecord& record) 
   i.tip_m = array_of(record.tip_m);
   i.tip_direction = array_of(record.tip_direction);
   i.place = static_cast<LoggedPlace>(record.place);
+  i.side = record.side;
   i.past_cords_m = record.past_cords_m;
   i.at_mouth_m = record.at_mouth_m;
   i.buckled_m = record.buckled_m;
@@ -100,6 +101,7 @@ engine::IntubationRecord engine_intubation(const curricula::LogIntubation& i) {
   record.tip_m = vector_of(i.tip_m);
   record.tip_direction = vector_of(i.tip_direction);
   record.place = static_cast<engine::TipPlace>(i.place);
+  record.side = i.side;
   record.past_cords_m = i.past_cords_m;
   record.at_mouth_m = i.at_mouth_m;
   record.buckled_m = i.buckled_m;
@@ -150,6 +152,7 @@ class Comparison {
     field(name + ".tip_m", recorded.tip_m, recomputed.tip_m);
     field(name + ".tip_direction", recorded.tip_direction, recomputed.tip_direction);
     each(".place", recorded.place, recomputed.place);
+    each(".side", recorded.side, recomputed.side);
     each(".past_cords_m", recorded.past_cords_m, recomputed.past_cords_m);
     each(".at_mouth_m", recorded.at_mouth_m, recomputed.at_mouth_m);
     each(".buckled_m", recorded.buckled_m, recomputed.buckled_m);
@@ -254,6 +257,7 @@ std::map<std::string, double> settings_of(const engine::IntubationDescription& i
           {"infant_seed", static_cast<double>(infant.seed)},
           {"infant_added_oxygen", infant.added_oxygen},
           {"infant_course", static_cast<double>(infant.course)},
+          {"infant_breathes", intubation.breathes ? 1.0 : 0.0},
           {"secretions_m3", intubation.secretions.volume_m3},
           {"laryngeal_pressure_n", intubation.press_n},
           {"second_device_limit_n", intubation.device_limit_n}};

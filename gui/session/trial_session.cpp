@@ -43,6 +43,14 @@ curricula::Curriculum curriculum_with(const fs::path& file, const std::string& s
   return curriculum;
 }
 
+/// As written, where nothing was asked for beyond practice of that.
+curricula::Scenario scenario_of(const TrialSetup& setup, const curricula::Scenario& written) {
+  if (setup.mode == curricula::Mode::practice && setup.attempt_seed == 0) return written;
+  if (setup.attempt_seed != 0 && !written.variation)
+    throw std::runtime_error("scenario '" + written.id + "' has no variation that a seed could draw from; leave the seed out");
+  return curricula::attempt_of(written, setup.mode, setup.attempt_seed);
+}
+
 }  // namespace
 
 struct TrialSession::Impl {
@@ -80,7 +88,7 @@ struct TrialSession::Impl {
   std::atomic<bool> stop_asked{false};
   std::atomic<bool> ended{false};
   std::atomic<std::uint32_t> loop_fault{0};  ///< of the first tick that had one
-  std::atomic<std::int64_t> paused{0};       ///< ticks in which the device could not be used
+  std::atomic<std::int64_t> paused{0};       ///< ticks in which a device that a hand needs could not be used
   // Below: the worker's until it is joined.
   std::int64_t recorded = 0;
   std::int64_t pause_began = 0;  ///< tick of the last one that was not paused
@@ -93,7 +101,7 @@ TrialSession::Impl::Impl(const TrialSetup& given)
     : setup(given),
       package(pipeline::read_package(given.patient)),
       curriculum(curriculum_with(given.curriculum, given.scenario)),
-      scenario(*curriculum.find(given.scenario)),
+      scenario(scenario_of(given, *curriculum.find(given.scenario))),
       description(scene_from_package(package, scenario)),
       package_sha256(sha256_of_file(given.patient / "patient.yaml")),
       results(given.out) {
@@ -156,6 +164,7 @@ curricula::LogHeader TrialSession::Impl::header() const {
   header.realtime = setup.realtime;
   header.settings = settings_of(description);
   header.settings.merge(hands->settings());
+  if (description.intubation) header.settings[curricula::kHeadExtension] = pipeline::kHeadExtendedDeg;
   for (const auto& [name, point] : package.landmarks) {
     const double scale = name == "glottis_normal" ? 1.0 : 1e-3;
     header.landmarks_m[name] = {point[0] * scale, point[1] * scale, point[2] * scale};
@@ -213,11 +222,12 @@ void TrialSession::Impl::record(const engine::TickRecord& tick) {
     throw std::runtime_error("ticks " + std::to_string(recorded) + " to " + std::to_string(tick.tick - 1) +
                              " were lost because the disk did not keep up; choose a faster disk for the results");
   }
-  writer->append(to_log(tick));
+  const curricula::LogTick logged = to_log(tick);
+  writer->append(logged);
   ++recorded;
   if (loop_fault == 0) loop_fault = tick.faults & kLoopFaults;
   if (!ended_by.empty()) return;
-  if (tick.device_valid) {
+  if (!curricula::paused(logged)) {
     pause_began = tick.tick;
   } else {
     // A record of a pause does not say which fault it was.

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <atomic>
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -22,6 +23,8 @@ struct TrialSetup {
   std::filesystem::path patient;     ///< NAME.patient
   std::filesystem::path curriculum;  ///< YAML
   std::string scenario;              ///< id in it
+  curricula::Mode mode = curricula::Mode::practice;
+  std::uint32_t attempt_seed = 0;    ///< what the scenario's variation is drawn with; 0: as written
   std::string device;                ///< KIND[:ARG], one of device_names() (session/device_choice.h)
   std::string second;                ///< of the tube's hand, as HandsSetup (session/two_hands.h)
   /// A tool of its own (m, tool frame) instead of the scenario's blade; null: the blade.

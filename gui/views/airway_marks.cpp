@@ -16,6 +16,7 @@
 #include <string>
 
 #include "engine/types.h"
+#include "gui/session/log_conversion.h"
 #include "gui/views/theme.h"
 
 namespace vallecula::gui {

@@ -15,7 +15,7 @@ namespace vallecula::gui {
 constexpr double kGoodDepthFrom = 1.0 / 3.0, kGoodDepthTo = 2.0 / 3.0;
 
 /// Actors for the plane x = `midline_x_mm`, each on a layer `layer_mm` nearer to a viewer on the left; the oesophagus
-/// on `behind_mm`.
+/// on `behind_mm`. Throws std::runtime_error without cords.
 std::vector<vtkSmartPointer<vtkProp3D>> airway_marks(const engine::AirwayCourse& course, double midline_x_mm,
                                                      double behind_mm, double layer_mm);
 

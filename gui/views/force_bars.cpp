@@ -63,16 +63,19 @@ void ForceBars::paint_bar(QPainter& painter, const QRectF& place, const QString&
 
   font.setPointSizeF(8.0);
   painter.setFont(font);
-  const auto mark = [&](double newton, const QColor& colour, const QString& text, Qt::PenStyle style) {
+  // In a narrow window the two labels stand away from each other.
+  const bool crowded = with_limit && device_limit_ > 0.0 && std::abs(at(device_limit_) - at(bar.target)) < 84.0;
+  const auto mark = [&](double newton, const QColor& colour, const QString& text, Qt::PenStyle style, double aside) {
     painter.setPen(QPen(colour, 2.0, style));
     painter.drawLine(QPointF(at(newton), track.top() - 3.0), QPointF(at(newton), track.bottom() + 3.0));
     painter.setPen(colour);
-    painter.drawText(QRectF(at(newton) - 70.0, place.top() - 1.0, 140.0, 13.0), Qt::AlignCenter, text);
+    painter.drawText(QRectF(at(newton) - 70.0 + (crowded ? aside : 0.0), place.top() - 1.0, 140.0, 13.0),
+                     Qt::AlignCenter, text);
   };
   if (bar.target > 0.0)
-    mark(bar.target, theme::kTarget, QString("target %1").arg(bar.target, 0, 'f', 1), Qt::SolidLine);
+    mark(bar.target, theme::kTarget, QString("target %1").arg(bar.target, 0, 'f', 1), Qt::SolidLine, -24.0);
   if (with_limit && device_limit_ > 0.0)
-    mark(device_limit_, theme::kDevice, QString("device limit %1").arg(device_limit_, 0, 'f', 1), Qt::DashLine);
+    mark(device_limit_, theme::kDevice, QString("device limit %1").arg(device_limit_, 0, 'f', 1), Qt::DashLine, 30.0);
   if (bar.peak > 0.05) {
     painter.setPen(QPen(theme::kText, 1.5));
     painter.drawLine(QPointF(at(bar.peak), track.top()), QPointF(at(bar.peak), track.bottom()));

@@ -29,7 +29,8 @@ constexpr std::array<std::array<double, 2>, 7> kSection{
     {{0.35, -1.5}, {0.08, -0.55}, {0.0, 0.0}, {0.10, 0.30}, {0.45, 0.55}, {0.80, 0.45}, {1.0, 0.30}}};
 constexpr int kColumns = static_cast<int>(kSection.size());
 constexpr double kTermLength = 0.007;  // m, of the cords
-constexpr double kIntoWall = 0.0014;   // m that the drawing goes on behind the mucosa, in a larynx of that size
+constexpr double kAbove = 0.0012;     // m: in front of the mucosa as it was imaged, whose slit is that of cords at rest
+constexpr double kIntoWall = 0.0014;  // m that the drawing goes on behind the mucosa, in a larynx of that size
 constexpr double kTouching = 0.00015;  // m of air that is drawn between cord and tube, or the two would flicker
 
 int point_of(int side, int row, int column) { return (side * CordsLook::kRows + row) * kColumns + column; }
@@ -99,7 +100,7 @@ CordsLook::CordsLook(const engine::IntubationDescription& intubation)
         // White at the ligament, pinker towards the wall and where the arytenoids' mucosa goes on behind it.
         const double behind = std::clamp((row / (kRows - 1.0) - 0.55) / 0.3, 0.0, 1.0);
         const double pale = std::max(0.0, 1.0 - 1.1 * kSection[column][0]) * (1.0 - 0.6 * behind),
-                     light = 0.80;  // deep in the throat
+                     light = 0.92;  // deep in the throat
         for (int c = 0; c < 3; ++c)
           rgb->InsertNextValue(
               static_cast<unsigned char>(255.0 * light * (mucosa[c] + pale * (kCordColour[c] - mucosa[c]))));
@@ -132,7 +133,8 @@ void CordsLook::update(const engine::Snapshot& snapshot) {
   if (!snapshot.has_intubation) return;
   const Vec3 left = ring_.left, front = ring_.along.cross(ring_.left), up = -ring_.along;
   const double size = glottis_.length_m / kTermLength;
-  const Vec3 commissure = ring_.centre + shift_of(course_, ring_, snapshot) + ring_.to_front_m * front;
+  const Vec3 commissure =
+      ring_.centre + shift_of(course_, ring_, snapshot) + ring_.to_front_m * front + kAbove * size * up;
   const auto behind = [&](int row) { return glottis_.length_m * row / (kRows - 1); };
   Vec3 tube = Vec3::Zero();
   const bool between = crossing(snapshot, commissure - ring_.to_front_m * front, ring_.along, tube);

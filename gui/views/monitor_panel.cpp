@@ -94,7 +94,7 @@ void MonitorPanel::paint_numeric(QPainter& painter, const QRectF& place, const Q
   painter.setFont(sized(painter, 0.17 * tall, true));
   painter.drawText(inside, Qt::AlignTop | Qt::AlignLeft, name);
   painter.drawText(inside, Qt::AlignTop | Qt::AlignRight, unit);
-  painter.setFont(sized(painter, 0.64 * tall, true));
+  painter.setFont(sized(painter, std::min(0.64 * tall, 0.44 * inside.width()), true));  // three digits have room
   painter.drawText(inside.adjusted(0, 0.12 * tall, 0, 0), Qt::AlignVCenter | Qt::AlignRight, value);
 }
 
@@ -114,9 +114,9 @@ void MonitorPanel::paint_trend(QPainter& painter, const QRectF& place, double Mo
 }
 
 void MonitorPanel::paint_breaths(QPainter& painter, const QRectF& place) const {
-  const double tall = place.height();
+  const double tall = place.height(), small = std::min(0.17 * tall, 0.135 * place.width());
   painter.setPen(kQuiet);
-  painter.setFont(sized(painter, 0.17 * tall, true));
+  painter.setFont(sized(painter, small, true));
   painter.drawText(place, Qt::AlignTop | Qt::AlignLeft, "Since breath");
   const bool long_ago = there_ && since_breath_s() > 30.0;  // an attempt's ceiling
   painter.setPen(long_ago ? theme::kOver : kQuiet);
@@ -124,17 +124,18 @@ void MonitorPanel::paint_breaths(QPainter& painter, const QRectF& place) const {
   painter.drawText(place.adjusted(0, 0.17 * tall, 0, -0.20 * tall), Qt::AlignVCenter | Qt::AlignLeft,
                    there_ ? QString("%1 s").arg(since_breath_s(), 0, 'f', 0) : QString("-"));
   painter.setPen(kQuiet);
-  painter.setFont(sized(painter, 0.17 * tall, true));
+  painter.setFont(sized(painter, small, true));
   painter.drawText(place, Qt::AlignBottom | Qt::AlignLeft,
                    !there_                       ? QString()
                    : record_.given_per_min > 0.0 ? QString("Given %1/min").arg(record_.given_per_min, 0, 'f', 0)
-                                                 : QString("Given: none"));
+                   : record_.breaths_given > 0   ? QString("%1 given").arg(record_.breaths_given)
+                                                 : QString("None given"));
 }
 
 void MonitorPanel::paint_detector(QPainter& painter, const QRectF& place) const {
   const double tall = place.height();
   painter.setPen(kQuiet);
-  painter.setFont(sized(painter, 0.17 * tall, true));
+  painter.setFont(sized(painter, std::min(0.17 * tall, 0.135 * place.width()), true));
   painter.drawText(place, Qt::AlignTop | Qt::AlignLeft, "CO2 detector");
   const bool yellow = there_ && record_.detector_yellow;
   const QRectF patch(place.left(), place.top() + 0.27 * tall, place.width(), 0.71 * tall);
@@ -142,7 +143,7 @@ void MonitorPanel::paint_detector(QPainter& painter, const QRectF& place) const 
   painter.setBrush(yellow ? kYellow : kPurple);
   painter.drawRoundedRect(patch, 6, 6);
   painter.setPen(yellow ? QColor(50, 40, 0) : QColor(Qt::white));
-  painter.setFont(sized(painter, 0.24 * tall, true));
+  painter.setFont(sized(painter, std::min(0.24 * tall, 0.20 * patch.width()), true));
   painter.drawText(patch.adjusted(0, 0.04 * tall, 0, -0.30 * tall), Qt::AlignCenter, yellow ? "YELLOW" : "PURPLE");
   painter.setFont(sized(painter, 0.15 * tall, false));
   painter.drawText(patch.adjusted(0, 0.34 * tall, 0, 0), Qt::AlignCenter, yellow ? "CO2" : "no CO2");
@@ -176,8 +177,9 @@ void MonitorPanel::paintEvent(QPaintEvent*) {
   if (there_ && record_.heart_per_min > 0.0) {
     painter.setPen(Qt::NoPen);
     painter.setBrush(slow ? QColor(Qt::white) : kHeart);
-    painter.drawPath(heart_shape(heart.topLeft() + QPointF(0.30 * heart.width(), 0.12 * heart.height() + 1.0),
-                                 (beat_ < kBeatShare ? 0.095 : 0.06) * heart.height()));
+    painter.drawPath(
+        heart_shape(heart.topLeft() + QPointF(std::max(0.30 * heart.width(), 40.0), 0.12 * heart.height() + 1.0),
+                    (beat_ < kBeatShare ? 0.095 : 0.06) * heart.height()));
   }
   paint_trend(painter, next(trend).adjusted(0, 4, 0, -4), &Moment::heart, 40.0, 200.0, kSlowHeart, kHeart);
   paint_breaths(painter, next(breaths));

@@ -29,6 +29,8 @@ class OperatorView : public GlView {
   void set_zoom(Zoom zoom) { zoom_ = zoom; }
   Zoom zoom() const { return zoom_; }
   bool ghost_shown() const { return ghost_shown_; }
+  /// The blade's tip is past the gums.
+  bool blade_in() const { return blade_in_; }
   /// 0: the face, 1: the mouth fills the view.
   double closeness() const { return closeness_; }
   /// The view's axes in patient LPS: what a hand moving right or up on the screen means in the patient.

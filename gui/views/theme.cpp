@@ -35,6 +35,7 @@ void apply(QApplication& application) {
     QPushButton#primary { background: #2f78ba; border-color: #3a82c8; font-weight: bold; }
     QPushButton#primary:hover { background: #3a88cc; }
     QPushButton#primary:disabled { background: #2a3b4b; color: #7f8892; border-color: #343b45; }
+    QPushButton:pressed { background: #1d5f4c; border-color: #009e73; }
     QPushButton:checked { background: #1d5f4c; border-color: #009e73; }
     QToolButton { background: #343b45; border: 1px solid #4a535f; border-radius: 5px; padding: 5px 10px; }
     QToolButton:hover { background: #3f4854; }

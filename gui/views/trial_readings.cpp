@@ -83,6 +83,7 @@ TrialReadings::TrialReadings(QWidget* parent) : QWidget(parent) {
     auto* label = new QLabel(text, this);
     label->setObjectName("faint");
     grid->addWidget(label, row, column);
+    return label;
   };
   const auto figure = [&](double points, int row, int column) {
     auto* label = new QLabel(this);
@@ -102,22 +103,32 @@ TrialReadings::TrialReadings(QWidget* parent) : QWidget(parent) {
   grid->addWidget(limit_, 2, 0);
   sight_ = new SightBar(this);
   grid->addWidget(sight_, 2, 1);
-  caption("Device", 3, 0);
+  tube_caption_ = caption("Tube", 3, 0);
+  tube_ = new QLabel(this);
+  tube_->setToolTip("The mark at the lips, how hard the tube pushes back on the hand.");
+  grid->addWidget(tube_, 3, 1);
+  caption("Device", 4, 0);
   state_ = new QLabel(this);
-  grid->addWidget(state_, 3, 1);
-  caption("Loop", 4, 0);
+  grid->addWidget(state_, 4, 1);
+  caption("Loop", 5, 0);
   loop_ = new QLabel(this);
   loop_->setToolTip(
       "Late: forces written more than 1 ms after they were due. The result page says what real-time priority was "
       "granted.");
-  grid->addWidget(loop_, 4, 1);
-  caption("Simulation", 5, 0);
+  grid->addWidget(loop_, 5, 1);
+  caption("Simulation", 6, 0);
   steps_ = new QLabel(this);
   steps_->setToolTip("Dropped: ticks whose simulation step was not finished in time.");
-  grid->addWidget(steps_, 5, 1);
+  grid->addWidget(steps_, 6, 1);
   grid->setColumnStretch(1, 1);
   grid->setColumnMinimumWidth(0, 130);
+  show_tube(false);
   clear();
+}
+
+void TrialReadings::show_tube(bool shown) {
+  tube_->setVisible(shown);
+  tube_caption_->setVisible(shown);
 }
 
 void TrialReadings::set_scenario(const curricula::Scenario& scenario, const std::optional<curricula::Mouth>& mouth) {
@@ -137,6 +148,7 @@ void TrialReadings::clear() {
   seen_->setText("0 %");
   sight_->show_percent(0.0, 0.0, sight_percent_);
   state_->setText("ready");
+  tube_->setText("not in the mouth");
   loop_->setText("not running");
   steps_->setText("not running");
 }
@@ -153,6 +165,15 @@ void TrialReadings::show_snapshot(const engine::Snapshot& snapshot, double pause
   clock_->setStyleSheet(attempt_s_ > attempt_limit_s_ ? QString("color: %1").arg(theme::kOver.name()) : QString());
   seen_->setText(QString("%1 %").arg(percent, 0, 'f', 0));
   sight_->show_percent(percent, best_percent_, sight_percent_);
+  if (snapshot.has_intubation) {
+    const auto& now = snapshot.intubation;
+    const char* held = now.in_hand == engine::InHand::catheter ? "catheter " : "";
+    tube_->setText(now.at_mouth_m > 0.0 ? QString("%1%2 cm at the lips, %3 N")
+                                              .arg(held)
+                                              .arg(100.0 * now.at_mouth_m, 0, 'f', 1)
+                                              .arg(now.model_force_n.norm(), 0, 'f', 1)
+                                        : QString("%1not in the mouth").arg(held));
+  }
   const bool invalid = (snapshot.faults & engine::kFaultDeviceInvalid) != 0;
   state_->setText(words_for(snapshot.state, invalid).name);
   state_->setStyleSheet(

@@ -33,12 +33,14 @@ class TrialReadings : public QWidget {
   /// To be called for every frame: the attempt's clock starts with the first snapshot whose tip is in the mouth, and
   /// stands in a pause. `paused_s`: of the attempt until now.
   void show_snapshot(const engine::Snapshot& snapshot, double paused_s = 0.0);
+  /// A row for the tube, in a scene that has one.
+  void show_tube(bool shown);
   void clear();
 
  private:
   std::optional<curricula::Mouth> mouth_;
   double attempt_start_s_ = -1.0, attempt_s_ = 0.0;
-  QLabel *clock_, *limit_, *seen_, *state_, *loop_, *steps_;
+  QLabel *clock_, *limit_, *seen_, *state_, *loop_, *steps_, *tube_, *tube_caption_;
   class SightBar* sight_;
   double sight_percent_ = 25.0, best_percent_ = 0.0, attempt_limit_s_ = 30.0;
 };

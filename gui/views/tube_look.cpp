@@ -236,11 +236,12 @@ void TubeLook::add_stylet(const engine::TubeDesign& tube, const engine::Stylet& 
 }
 
 void TubeLook::add_catheter(double outer_m) {
-  const double r = 0.5 * outer_m, length = 0.200;  // what is seen of it; the rest hangs down to the suction
-  std::vector<std::array<double, 2>> rings{{0.0, 0.55 * r}, {0.4 * r, 0.9 * r}, {r, r}};
+  const engine::TubeDesign catheter = engine::suction_catheter(outer_m);
+  const double r = 0.5 * outer_m, length = catheter.length;
+  std::vector<std::array<double, 2>> rings{{0.0, 0.8 * r}, {0.2 * r, r}};
   for (double at = 2.0 * kRing; at < length; at += kRing) rings.push_back({at, r});
   vtkActor* wall = add(SweptSurface::turned(rings, 16), true, false);
-  make_clear(wall, 0.66, false);
+  make_clear(wall, catheter.inner_diameter / catheter.outer_diameter, false);
   make_solid(add(SweptSurface::turned({{length - 0.012, r},
                                        {length - 0.012, 0.0035},
                                        {length, 0.0045},

@@ -133,13 +133,16 @@ Body::Body(const Variation& variation)
   static_assert(kTests == 14, "one bit a question");
 }
 
-Matter Body::at(const Vec& p, const Open& open) const {
+Matter Body::at(const Vec& given, const Open& open) const {
+  const Vec p = without_larynx(variation_, given);
   for (int i = 0; i < kTests; ++i)
     if (open[i] && tests_[i].shape(p) < 0.0) return tests_[i].matter;
   return mouth_.oesophagus(p) < 0.0 ? Matter::oesophagus : Matter::skin;
 }
 
-bool Body::settle(const Vec& centre, double radius, Open& open, Matter& matter) const {
+bool Body::settle(const Vec& given, double given_radius, Open& open, Matter& matter) const {
+  const Vec centre = without_larynx(variation_, given);
+  const double radius = variation_.larynx_rise == 0.0 ? given_radius : kLarynxStretch * given_radius;
   bool certain = true;
   for (int i = 0; i < kTests; ++i) {
     if (!open[i]) continue;

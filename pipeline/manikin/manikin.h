@@ -6,6 +6,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,12 +15,22 @@
 
 namespace vallecula::pipeline {
 
+/// What a scenario asks of one infant instead of what its seed draws. Nothing given: the seed's.
+struct ManikinShape {
+  std::optional<double> mouth_opening;      ///< factor on the design's (22 mm at term), 0.8 .. 1.15
+  std::optional<double> tongue_size;        ///< factor on the design's width and height, 0.9 .. 1.1
+  std::optional<double> larynx_height_mm;   ///< to the head from the design's, in a term infant: -3 .. 1.5
+  std::optional<double> epiglottis_length;  ///< factor on the design's, 0.8 .. 1.2
+  std::optional<double> gestation_weeks;    ///< 22 .. 44: sets the way from the cords to the carina
+};
+
 struct ManikinOptions {
   double weight_kg = 3.2;    ///< 0.6 .. 4.5
   std::uint64_t seed = 1;    ///< 0 is the unvaried design; any other seed is one infant of that weight
   double noise_hu = 12.0;    ///< standard deviation in a uniform region, 0 .. 200
   double in_plane_mm = 0.0;  ///< 0.4 .. 0.6; 0 chooses 0.5, and 0.4 below 2 kg
   double slice_mm = 0.0;     ///< 0.6 .. 1.0; 0 chooses 0.8, and 0.6 below 2 kg
+  ManikinShape shape{};
 };
 
 /// Smallest and largest weight the manikin is made for, kg.
@@ -29,8 +40,8 @@ constexpr double kHeaviest = 4.5;
 /// The true anatomy, free of voxels. Points are LPS mm with the origin at the upper gum's midline.
 class Manikin {
  public:
-  /// Throws std::runtime_error for a weight outside kLightest .. kHeaviest.
-  explicit Manikin(double weight_kg = 3.2, std::uint64_t seed = 1);
+  /// Throws std::runtime_error for a weight outside kLightest .. kHeaviest and for a shape out of its range.
+  explicit Manikin(double weight_kg = 3.2, std::uint64_t seed = 1, const ManikinShape& shape = {});
   ~Manikin();
   Manikin(Manikin&&) noexcept;
   Manikin& operator=(Manikin&&) noexcept;

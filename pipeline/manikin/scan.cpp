@@ -224,7 +224,7 @@ ManikinScan scan_manikin(const ManikinOptions& options, const ManikinProgress& p
     if (progress) progress(stage, fraction);
   };
   report("shaping the anatomy", 0.0);
-  const Manikin man(options.weight_kg, options.seed);
+  const Manikin man(options.weight_kg, options.seed, options.shape);
   ManikinScan scan;
   scan.labels = Labels(grid_for(options, man));
   const Grid& grid = scan.labels.grid;

@@ -27,11 +27,13 @@ class Posed {
         epiglottis_(epiglottis_shape(data.body.variation(), lift_mm / data.scale)) {}
 
   bool solid(const Vec& p) const {
-    if (tongue_(p) < 0.0 || epiglottis_(p) < 0.0) return true;
+    const Vec q = without_larynx(data_.body.variation(), p);
+    if (tongue_(q) < 0.0 || epiglottis_(q) < 0.0) return true;
     return is_fixed(data_.body.at(p));
   }
 
-  bool seen(const Vec& target) const {
+  bool seen(const Vec& unmoved) const {
+    const Vec target = with_larynx(data_.body.variation(), unmoved);
     const Vec way = data_.eye - target;
     const double length = norm(way);
     constexpr double kStep = 0.2;
@@ -103,7 +105,7 @@ double Manikin::sight_clearance(const std::string& part, double lift_mm) const {
                                  {"arytenoids", 1.0, {36.0, -47.0}, {40.0, -42.0}, 1.75},
                                  {"lower_gum", -1.0, {0.5, -26.0}, {6.5, -18.0}}};
   const auto& body = data_->body;
-  const Vec centre{0.0, manikin::kGlottisCentre.u, manikin::kGlottisCentre.v};
+  const Vec centre = with_larynx(body.variation(), {0.0, manikin::kGlottisCentre.u, manikin::kGlottisCentre.v});
   const double length = norm(data_->eye - centre);
   const Vec along = (1.0 / length) * (data_->eye - centre);
   const Vec across{0.0, along.z, -along.y};
@@ -124,7 +126,7 @@ double Manikin::sight_clearance(const std::string& part, double lift_mm) const {
     double reach = -kFar;
     on_line([&](const Vec& p) {
       for (double d = kFar; d > reach; d -= kStep)
-        if (shape(p + d * across) < 0.0) reach = d;
+        if (shape(without_larynx(body.variation(), p + d * across)) < 0.0) reach = d;
     });
     return -reach * data_->scale;
   }

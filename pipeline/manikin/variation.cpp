@@ -54,6 +54,19 @@ Flat with_jaw(const Variation& v, Flat p, double share) {
           kCondyle.v + std::sin(angle) * u + std::cos(angle) * w};
 }
 
+Vec without_larynx(const Variation& v, const Vec& p) {
+  if (v.larynx_rise == 0.0) return p;
+  const double share = ramp(-17.0, -32.0, p.z) * ramp(8.0, 24.0, p.y) * ramp(30.0, 16.0, std::abs(p.x));
+  return {p.x, p.y, p.z - v.larynx_rise * share};
+}
+
+Vec with_larynx(const Variation& v, const Vec& p) {
+  Vec moved =
+      p;  // the way back is given; it is at most 0.3 steep along z, so this halves its error three times a round
+  for (int i = 0; i < 24 && v.larynx_rise != 0.0; ++i) moved.z += p.z - without_larynx(v, moved).z;
+  return moved;
+}
+
 double with_gonia(const Variation& v, double x, double y) {
   return x * (1.0 + (v.gonial_width / 63.6 - 1.0) * ramp(12.0, 34.0, y));
 }

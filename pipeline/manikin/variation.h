@@ -25,6 +25,7 @@ struct Variation {
   double cheek = 0.0;              ///< mm of fullness; -1.5 .. 1.5
   double chin = 0.0;               ///< mm forward; -0.8 .. 0.8
   double ear_size = 1.0;           ///< factor; 0.9-1.1
+  double larynx_rise = 0.0;        ///< mm to the head, of the larynx and all that hangs on it; not drawn
 };
 
 /// Seed 0 is the unvaried design; any other seed draws every number of Variation afresh.
@@ -35,6 +36,16 @@ Variation vary(std::uint64_t seed);
 Flat with_jaw(const Variation& v, Flat p, double share = 1.0);
 /// Growth of the rami's distance from the middle with the gonial width; the front of the arch keeps its width.
 double with_gonia(const Variation& v, double x, double y);
+
+/// Where a point goes when the larynx lies higher than the design's by `larynx_rise`: everything from the tip of the
+/// epiglottis down and behind the floor of the mouth moves with it, the space up to the soft palate gives or takes.
+Vec with_larynx(const Variation& v, const Vec& p);
+/// Where it came from.
+Vec without_larynx(const Variation& v, const Vec& p);
+/// No distance grows by more than this on the way back, for rises from kDeepestLarynx to kHighestLarynx.
+constexpr double kLarynxStretch = 1.5;
+constexpr double kDeepestLarynx = -3.0;
+constexpr double kHighestLarynx = 1.5;  // a larynx higher than that is not seen by any lift
 
 constexpr Flat kCondyle{46.7, -6.3};
 constexpr double kCondyleX = 30.0;

@@ -55,6 +55,10 @@ struct QualityItem {
   bool judged = true;  ///< false: a figure without a limit to hold it against; `ok` says nothing
 };
 
+/// The head's extension on the neck that every import is brought into and the built-in patient has, degrees (a neck up
+/// to 8 short of it is left as it is).
+constexpr double kHeadExtendedDeg = 25.0;
+
 /// How the scripted expert goes about this patient, from its plan: mm (term) along the line of sight and along the
 /// lift. Found by playing (the last check of an import).
 struct Approach {

@@ -14,6 +14,7 @@
 #include "engine/tube/tube_design.h"
 #include "tests/engine/box_mesh.h"
 #include "tests/engine/tube/airways.h"
+#include "tests/engine/tube/soft_loads.h"
 
 namespace {
 
@@ -160,7 +161,7 @@ void measure_on_tongue(const char* what, double press, int ticks) {
     tissue.push_back(us(pressed - moved));
     bare.push_back(us(end - pressed));
     pressing += count;
-    force += soft_loads(*scene, soft).tongue_n;
+    force += testing::soft_loads(*scene, soft).tongue_n;
   }
   std::printf("%s: %.0f contacts, %.3f N on average\n", what, pressing / ticks, force / ticks);
   tell("contacts found", find);

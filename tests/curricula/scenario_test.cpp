@@ -62,6 +62,10 @@ const char* const kIntubation = R"(    intubation:
         time_to_pass_s: 20
         attempts: 2
         co2_confirmed: true
+        depth_neutral: true
+        oesophagus_in_time: true
+        no_severe_desaturation: true
+      breathes: false
 )";
 
 std::string replaced(std::string text, const std::string& from, const std::string& to) {
@@ -87,8 +91,8 @@ TEST_F(CurriculumFile, ReadsEveryField) {
   EXPECT_EQ(c.find("first"), &s);
   EXPECT_EQ(c.find("second"), nullptr);
   EXPECT_EQ(s.title, "First");
-  EXPECT_EQ(s.briefing, "Do it.");
-  EXPECT_EQ(s.debriefing, "Done.");
+  EXPECT_EQ(s.briefing.in("en"), "Do it.");
+  EXPECT_EQ(s.debriefing.in("en"), "Done.");
   EXPECT_EQ(s.manikin.weight_kg, 1.5);
   EXPECT_EQ(s.manikin.seed, 4u);
   EXPECT_EQ(s.blade, "miller-0");  // from the table
@@ -133,6 +137,10 @@ TEST_F(CurriculumFile, ReadsEveryFieldOfAnIntubation) {
     EXPECT_EQ(i.pass.time_to_pass_s, 20.0);
     EXPECT_EQ(i.pass.attempts, 2);
     EXPECT_TRUE(i.pass.co2_confirmed);
+    EXPECT_TRUE(i.pass.depth_neutral);
+    EXPECT_TRUE(i.pass.oesophagus_in_time);
+    EXPECT_TRUE(i.pass.no_severe_desaturation);
+    EXPECT_FALSE(i.breathes);
   }
 }
 
@@ -146,7 +154,7 @@ TEST_F(CurriculumFile, WhatAnIntubationDoesNotSayFollowsFromItsCourseAndWeight) 
   } cases[] = {{"premedicated-preterm", "32", true, 10.0, 0.0},
                {"term", "32.5", false, 10.0, 1.0},
                {"preoxygenated", "30", true, 0.0, 0.0},
-               {"delivery-room", "40", false, 10.0, 1.0}};
+               {"delivery-room", "33", false, 10.0, 1.0}};
   for (const auto& c : cases) {
     const std::string block =
         std::string("    intubation: { course: ") + c.course + ", gestation_weeks: " + c.weeks + " }\n";
@@ -156,11 +164,13 @@ TEST_F(CurriculumFile, WhatAnIntubationDoesNotSayFollowsFromItsCourseAndWeight) 
       const IntubationSpec& i = *scenario.intubation;
       EXPECT_EQ(i.tube, "3.0") << "settled by weight, also in the scenario's own text";
       EXPECT_EQ(i.premedicated, c.premedicated) << c.course;
+      EXPECT_EQ(i.breathes, !c.premedicated) << c.course << ": whoever has no relaxant breathes, and its cords open";
       EXPECT_EQ(i.added_oxygen_percent, c.added_oxygen) << c.course;
       EXPECT_EQ(i.cord_closure_s, c.closure_s) << c.course;
       EXPECT_EQ(i.pass.outcomes, std::vector<Outcome>{Outcome::good_depth});
       EXPECT_FALSE(i.pass.lowest_spo2_percent || i.pass.lowest_heart_per_min || i.pass.tube_force_n ||
-                   i.pass.time_to_pass_s || i.pass.attempts || i.pass.co2_confirmed);
+                   i.pass.time_to_pass_s || i.pass.attempts || i.pass.co2_confirmed ||
+                   i.pass.depth_neutral || i.pass.oesophagus_in_time || i.pass.no_severe_desaturation);
     }
   }
 }
@@ -197,7 +207,11 @@ TEST_F(CurriculumFile, EveryMistakeInAnIntubationNamesItsFieldAndWhatIsAllowed) 
       {"lowest_spo2_percent: 60", "lowest_spo2_percent: 0.6", 43, "pass.lowest_spo2_percent", "'0.6'", "from 1 to 100"},
       {"attempts: 2", "attempts: none", 47, "pass.attempts", "'none'", "from 1 to 20"},
       {"co2_confirmed: true", "co2: true", 48, "pass.co2", "'true'", "co2_confirmed"},
+      {"breathes: false", "breathes: often", 52, "breathes", "'often'", "true or false"},
       // What contradicts what.
+      {"catheter_f: 6", "catheter_f: 0", 38, "secretions_ml", "'1.5'", "0 where catheter_f is 0"},
+      {"breaths_to_confirm: 5", "breaths_to_confirm: 4", 40, "breaths_to_confirm", "'4'", "5 or 6 where pass.co2"},
+      {"breaths_to_confirm: 5", "breaths_to_confirm: 7", 40, "breaths_to_confirm", "'7'", "5 or 6 where pass.co2"},
       {"premedicated: false", "premedicated: true", 34, "premedicated", "'true'", "false in the course delivery-room"},
       {"course: delivery-room", "course: term", 31, "gestation_weeks", "'31.5'",
        "more than 32 weeks in the course term"},
@@ -221,6 +235,24 @@ TEST_F(CurriculumFile, EveryMistakeInAnIntubationNamesItsFieldAndWhatIsAllowed) 
       EXPECT_NE(message.find(part), std::string::npos) << c.to << " lacks '" << part << "' -> " << message;
     }
   }
+  const std::string relaxed = replaced(replaced(good, "course: delivery-room", "course: premedicated-preterm"),
+                                       "premedicated: false", "premedicated: true");
+  const std::string still = replaced(replaced(replaced(relaxed, "laryngospasm_s: 25", "laryngospasm_s: 0"),
+                                              "from_start: true", "from_start: false"),
+                                     "cord_closure_s: 2", "cord_closure_s: 0");
+  EXPECT_EQ(error(still), "");
+  EXPECT_NE(error(replaced(still, "breathes: false", "breathes: true"))
+                .find("intubation.breathes is 'true'; allowed: false where the infant is premedicated"),
+            std::string::npos);
+  // By the growth chart 1.50 kg at 31.5 weeks (half to 1.6 times of it allowed, assumed); 0.65 at 24, 3.1 at 38.
+  EXPECT_NE(error(replaced(good, "gestation_weeks: 31.5", "gestation_weeks: 39"))
+                .find(":12: scenarios[0].manikin.weight_kg is '1.5'; allowed: from 1.74 kg to 5.54 kg at 39 weeks "
+                      "(intubation.gestation_weeks)"),
+            std::string::npos)
+      << error(replaced(good, "gestation_weeks: 31.5", "gestation_weeks: 39"));
+  EXPECT_NE(error(replaced(good, "gestation_weeks: 31.5", "gestation_weeks: 24"))
+                .find("from 0.33 kg to 1.04 kg at 24 weeks"),
+            std::string::npos);
   const std::string twice =
       replaced(kGood, "scenarios:",
                "tubes_by_weight:\n  - { below_kg: 2, tube: 3.0 }\n  - { below_kg: 2, tube: 3.5 }\n"
@@ -248,8 +280,8 @@ TEST_F(CurriculumFile, AScenariosOwnTextSaysTheSame) {
     const Scenario again = parse_scenario(s.yaml, "log");
     EXPECT_EQ(again.id, s.id);
     EXPECT_EQ(again.title, s.title);
-    EXPECT_EQ(again.briefing, s.briefing);
-    EXPECT_EQ(again.debriefing, s.debriefing);
+    EXPECT_EQ(again.briefing.by_language(), s.briefing.by_language());
+    EXPECT_EQ(again.debriefing.by_language(), s.debriefing.by_language());
     EXPECT_EQ(again.blade, s.blade);
     EXPECT_EQ(again.manikin.weight_kg, s.manikin.weight_kg);
     EXPECT_EQ(again.manikin.seed, s.manikin.seed);
@@ -266,14 +298,15 @@ TEST_F(CurriculumFile, ABriefingAsksForWhatTheRubricAsksFor) {
   for (const auto& entry : fs::directory_iterator(fs::path(VALLECULA_SOURCE_DIR) / "curricula/courses")) {
     if (entry.path().extension() != ".yaml") continue;
     for (const Scenario& s : load_curriculum(entry.path()).scenarios) {
+      const std::string briefing = s.briefing.in("en");
       const auto each = [&](const std::regex& number, double limit, int& count) {
-        for (std::sregex_iterator it(s.briefing.begin(), s.briefing.end(), number), end; it != end; ++it, ++count) {
-          EXPECT_EQ(std::stod((*it)[1]), limit) << entry.path() << ", " << s.id << ": " << s.briefing;
+        for (std::sregex_iterator it(briefing.begin(), briefing.end(), number), end; it != end; ++it, ++count) {
+          EXPECT_EQ(std::stod((*it)[1]), limit) << entry.path() << ", " << s.id << ": " << briefing;
         }
       };
       each(std::regex("([0-9.]+) *(?:%|percent)"), s.pass.glottis_visible_percent, percentages);
       each(std::regex("([0-9.]+) seconds"), s.pass.attempt_time_s, times);
-      EXPECT_EQ(s.briefing.find("half of the glottis"), std::string::npos) << s.id;
+      EXPECT_EQ(briefing.find("half of the glottis"), std::string::npos) << s.id;
     }
   }
   EXPECT_GE(percentages, 3) << "the shipped briefings state the share of the glottis";
@@ -303,6 +336,10 @@ TEST_F(CurriculumFile, TheShippedIntubationsGoThroughTheCoursesWithTubesByWeight
     EXPECT_EQ(s.intubation->tube, s.manikin.weight_kg < 2.0 ? "3.0" : "3.5") << s.id;
     EXPECT_EQ(s.intubation->pass.outcomes, std::vector<Outcome>{Outcome::good_depth}) << s.id;
     EXPECT_TRUE(s.intubation->pass.co2_confirmed) << s.id;
+    EXPECT_TRUE(s.intubation->pass.oesophagus_in_time) << s.id;
+    if (s.briefing.in("en").find("open with a breath") != std::string::npos) {
+      EXPECT_TRUE(s.intubation->breathes) << s.id << ": cords that open with no breath";
+    }
     EXPECT_LT(*s.intubation->pass.tube_force_n, 3.3) << s.id << ": no device here could exceed it";
     EXPECT_GE(s.max_attempt_s, *s.intubation->pass.attempts * s.pass.attempt_time_s + 30.0)
         << s.id << ": no time to ventilate between its attempts";
@@ -352,7 +389,7 @@ TEST_F(CurriculumFile, EveryMistakeNamesFileLineFieldValueAndWhatIsAllowed) {
       {"below_kg: 3.0", "below_kg: 0.9", 6, "blades_by_weight[1].below_kg", "'0.9'", "more than the row before, 1 kg"},
       {"id: first", "id: First One", 8, "scenarios[0].id", "'First One'", "lower-case"},
       {"title: A course", "title: \"\"", 3, "title", "''", "1 to 120 characters"},
-      {"schema: 1", "schema: 2", 1, "schema", "'2'", "1"},
+      {"schema: 1", "schema: 3", 1, "schema", "'3'", "1 or 2"},
       {"schema: 1\n", "", 1, "schema", "missing", "1"},
       {"briefing: Do it.", "briefing: { do: it }", 10, "scenarios[0].briefing", "a group of fields",
        "text of 1 to 4000"},

@@ -15,7 +15,7 @@ using testing::error_of;
 
 // The layout as written down in trial_log_format.h, told here a second time: a change of the format must fail this
 // test.
-constexpr std::size_t kFileHead = 12, kBlockHead = 12, kChecksum = 4, kTick = 547, kTickWithIntubation = 881;
+constexpr std::size_t kFileHead = 12, kBlockHead = 12, kChecksum = 4, kTick = 547, kTickWithIntubation = 882;
 constexpr int kTicksPerBlock = 256;
 
 class TrialLogFile : public testing::TemporaryFolder {
@@ -62,6 +62,7 @@ LogTick random_tick(std::mt19937_64& random, bool intubation = false) {
   i.in_hand = static_cast<LoggedInHand>(random() % 3);
   fill(i.tip_m), fill(i.tip_direction);
   i.place = static_cast<LoggedPlace>(random() % 6);
+  i.side = static_cast<std::int8_t>(static_cast<int>(random() % 3) - 1);
   for (double* v : {&i.past_cords_m, &i.at_mouth_m, &i.buckled_m, &i.tip_load_n, &i.glottis_opening, &i.secretions_ml,
                     &i.sao2, &i.spo2, &i.heart_per_min, &i.given_per_min})
     *v = any_bits(random);
@@ -96,7 +97,7 @@ bool same_bits(const LogTick& a, const LogTick& b) {
   const LogIntubation &i = a.intubation, &j = b.intubation;
   return same && a.has_intubation == b.has_intubation && same_bits(i.hand_pose, j.hand_pose) &&
          i.hand_valid == j.hand_valid && i.in_hand == j.in_hand && same_bits(i.tip_m, j.tip_m) &&
-         same_bits(i.tip_direction, j.tip_direction) && i.place == j.place &&
+         same_bits(i.tip_direction, j.tip_direction) && i.place == j.place && i.side == j.side &&
          same_bits(i.past_cords_m, j.past_cords_m) && same_bits(i.at_mouth_m, j.at_mouth_m) &&
          same_bits(i.buckled_m, j.buckled_m) && same_bits(i.model_force_n, j.model_force_n) &&
          same_bits(i.displayed_force_n, j.displayed_force_n) && same_bits(i.loads_n, j.loads_n) &&
@@ -210,12 +211,12 @@ TEST_F(TrialLogFile, WhatAnIntubationDoesNotKnowIsRefused) {
   std::string good;
   log_format::put_tick(good, tick);
   ASSERT_EQ(good.size(), kTickWithIntubation);
-  // Places by the layout: pose 56, valid 1, in hand 1, tip and direction 48, place 1, ... what is before the tip 275.
+  // Places by the layout: pose 56, valid 1, in hand 1, tip and direction 48, place 1, side 1, ... what is before the tip 276.
   const struct {
     std::size_t at;
     int first_unknown;
     const char* what;
-  } cases[] = {{57, 3, "thing in hand"}, {106, 6, "place"}, {275, 11, "thing before the tip"}};
+  } cases[] = {{57, 3, "thing in hand"}, {106, 6, "place"}, {107, 2, "main bronchus"}, {276, 11, "thing before the tip"}};
   for (const auto& c : cases) {
     std::string bytes = good;
     bytes[kTick + c.at] = static_cast<char>(c.first_unknown - 1);

@@ -5,9 +5,11 @@
 
 #include <cmath>
 
+#include "curricula/scenario.h"
 #include "engine/tube/passage.h"
 #include "gui/session/anatomy_motion.h"
 #include "gui/session/builtin_patient.h"
+#include "gui/session/intubation_of.h"
 #include "pipeline/manikin/manikin.h"
 #include "pipeline/manikin/manikin_data.h"
 #include "pipeline/manikin/shapes.h"
@@ -237,6 +239,33 @@ TEST_F(AirwayCourseManikin, BronchiAreImagedAndTheOesophagusBeginsAtTheThroatsEn
   EXPECT_NEAR(mouth.y(), 41.6 * scale_, 1.0);
   EXPECT_NEAR(mouth.z(), -50.0 * scale_, 2.0);
   EXPECT_NEAR(mouth.x(), 0.0, 0.3);
+}
+
+// The shipped scenarios tell a hand to wait for the cords to open with a breath.
+TEST_F(AirwayCourseManikin, AScenariosInfantBreathesAndItsCordsMoveWithIt) {
+  const curricula::Curriculum course = curricula::load_curriculum(
+      std::filesystem::path(VALLECULA_SOURCE_DIR) / "curricula/courses/first-intubation.yaml");
+  for (const auto& [id, breathes] : {std::pair{"term-tube", true}, std::pair{"laryngospasm", true},
+                                     std::pair{"preterm-premedicated", false}, std::pair{"delivery-room", false}}) {
+    const engine::IntubationDescription d = intubation_of(*package_, *course.find(id));
+    EXPECT_EQ(d.breathes, breathes) << id;
+    const engine::Infant infant = engine::build_infant(d.infant);
+    engine::InfantState life = engine::start(infant);
+    engine::GlottisState cords = engine::start(d.glottis);
+    double least = 1.0, most = 0.0;
+    for (int n = 0; n < 4000; ++n) {
+      engine::InfantInput to_infant;
+      to_infant.breathing = d.breathes;
+      engine::GlottisInput to_cords;
+      to_cords.breathing = d.breathes;
+      to_cords.breath_phase = engine::step(infant, life, to_infant, 0.001).breath_phase;
+      engine::step(d.glottis, cords, to_cords, 0.001);
+      if (n < 1000) continue;
+      least = std::min(least, cords.opening);
+      most = std::max(most, cords.opening);
+    }
+    EXPECT_EQ(most - least > 0.2, breathes) << id << ": cords from " << least << " to " << most;
+  }
 }
 
 }  // namespace

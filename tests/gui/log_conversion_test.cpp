@@ -22,6 +22,7 @@ LogTick some_tick(bool intubation) {
   LogTick tick;
   tick.has_intubation = intubation;
   tick.intubation.tip_against = curricula::kTubeTongue;
+  tick.intubation.side = 0;  // its last bit changed is 1, a side as well
   return tick;
 }
 
@@ -73,10 +74,13 @@ TEST(LogConversion, SettingsNameTheTubeAndTheWayToTheCarina) {
   scene.intubation = intubation;
   const auto settings = settings_of(scene);
   EXPECT_NEAR(settings.at("cords_to_carina_m"), 0.023, 1e-15);
+  EXPECT_EQ(settings.at("infant_breathes"), 0.0);
   EXPECT_EQ(settings.at("tube_outer_diameter_m"), intubation.tube.outer_diameter);
   EXPECT_EQ(settings.at("stylet_diameter_m"), 0.0);
   EXPECT_EQ(settings.count("step_s"), 1u);
   scene.intubation->stylet.emplace();
+  scene.intubation->breathes = true;
+  EXPECT_EQ(settings_of(scene).at("infant_breathes"), 1.0);
   EXPECT_EQ(settings_of(scene).at("stylet_diameter_m"), engine::Stylet{}.diameter);
 }
 

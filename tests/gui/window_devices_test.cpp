@@ -186,7 +186,7 @@ TEST_F(WindowDevices, TheChosenOneIsPractisedWithAndRemembered) {
   const auto curriculum = curricula::load_curriculum(default_curriculum());
   {
     MainWindow window;
-    window.show_start(curriculum);
+    window.show_start({curriculum});
     window.show();
     EXPECT_EQ(device_of(window), "mouse");
     button(window.start_page(), "Devices ...")->click();
@@ -202,10 +202,10 @@ TEST_F(WindowDevices, TheChosenOneIsPractisedWithAndRemembered) {
     keep_picture(window, "devices-start.png");
   }
   MainWindow window;
-  window.show_start(curriculum);
+  window.show_start({curriculum});
   EXPECT_EQ(device_of(window), "spacemouse:A17") << "though it is not plugged in now: a trial will say so";
   emit window.devices_page().found({mouse(), spacemouse("A17"), spacemouse("B18"), falcon_not_permitted()});
-  const auto* combo = window.start_page().findChildren<QComboBox*>().last();
+  const auto* combo = window.start_page().findChild<QComboBox*>("device");
   const auto offered = [combo] {
     std::vector<std::string> texts;
     for (int i = 0; i < combo->count(); ++i) texts.push_back(combo->itemText(i).toStdString());

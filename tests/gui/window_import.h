@@ -48,7 +48,7 @@ class WindowImport : public Screen {
   static QString series() { return QString::fromStdString((*series_box_ / "ct").string()); }
   void open_window() {
     window_ = std::make_unique<MainWindow>();
-    window_->show_start(curricula::load_curriculum(default_curriculum()));
+    window_->show_start({curricula::load_curriculum(default_curriculum())});
     window_->show();
     QPushButton* from_ct = button(window_->start_page(), "New patient from a CT ...");
     from_ct->click();

@@ -1,9 +1,11 @@
 // The window as a person uses it: choosing, steering, ending, closing; and the virtual display it is tested on.
 #include <QCloseEvent>
+#include <QComboBox>
 #include <QLabel>
 #include <QListWidget>
 #include <QMouseEvent>
 #include <QPushButton>
+#include <QStandardItemModel>
 #include <algorithm>
 #include <csignal>
 #include <cstdlib>
@@ -118,6 +120,50 @@ TEST(Advice, PutsTheGumFirstAndAlwaysSaysSomething) {
   EXPECT_EQ(what_to_change(score, scenario).find("upper"), std::string::npos) << "the score does not tell which gum";
 }
 
+TEST(Advice, OfAnIntubationPutsTheInfantAndTheTubeBeforeTheView) {
+  curricula::Scenario scenario;
+  scenario.pass = {6.8, 3.0, 50.0, 30.0, 3.0, 0.2};
+  scenario.intubation.emplace();
+  auto& pass = scenario.intubation->pass;
+  pass.lowest_heart_per_min = 100.0;
+  pass.lowest_spo2_percent = 70.0;
+  pass.tube_force_n = 3.0;
+  pass.attempts = 2;
+  pass.co2_confirmed = true;
+  curricula::Score score;
+  score.attempt_begun = true;
+  score.peak_gum_force_n = 10.0;
+  auto& tube = score.intubation.emplace();
+  std::set<std::string> said;
+  using curricula::Outcome;
+  for (const Outcome outcome : {Outcome::oesophagus, Outcome::mainstem, Outcome::too_deep, Outcome::too_shallow,
+                                Outcome::cricoid_too_narrow, Outcome::cords_closed, Outcome::abandoned}) {
+    tube.outcome = outcome;
+    said.insert(what_to_change(score, scenario));
+  }
+  tube.recognised_late = true;
+  EXPECT_NE(what_to_change(score, scenario).find("oesophagus"), std::string::npos);
+  said.insert(what_to_change(score, scenario));
+  tube.recognised_late = false;
+  tube.outcome = Outcome::good_depth;
+  tube.attempts.resize(3);
+  said.insert(what_to_change(score, scenario));  // not confirmed
+  tube.co2_confirmed = true;
+  said.insert(what_to_change(score, scenario));  // three attempts
+  tube.tip_load_n.value = 4.0;
+  said.insert(what_to_change(score, scenario));
+  tube.lowest_spo2_percent = 60.0;
+  said.insert(what_to_change(score, scenario));
+  tube.lowest_heart_per_min = 80.0;
+  said.insert(what_to_change(score, scenario));
+  EXPECT_EQ(said.size(), 13u) << "each has a sentence of its own, the weightier one first";
+  EXPECT_NE(what_to_change(score, scenario).find("heart"), std::string::npos);
+  tube = {};
+  tube.outcome = Outcome::good_depth;
+  tube.co2_confirmed = true;
+  EXPECT_NE(what_to_change(score, scenario).find("gum"), std::string::npos) << "then the laryngoscopy";
+}
+
 TEST(KeyMoments, ComeInTheOrderOfTheProcedure) {
   const auto package = coarse_patient();
   KeyMoments moments(package, 25.0);
@@ -143,6 +189,33 @@ TEST(KeyMoments, ComeInTheOrderOfTheProcedure) {
     if (moment == "5-best-sight") continue;
     EXPECT_EQ(std::count(seen.begin(), seen.end(), moment), 1) << moment;
   }
+}
+
+TEST(KeyMoments, OfAnIntubationGoOnUntilTheDetectorTells) {
+  const auto package = coarse_patient();
+  KeyMoments moments(package, 25.0);
+  std::vector<std::string> seen;
+  const auto pass = [&](double into, engine::TipPlace place, double past_cords_m, bool yellow) {
+    auto snapshot = lifted_snapshot(package, into, 0.0);
+    snapshot.has_intubation = true;
+    snapshot.glottis_visible = 0.0;
+    snapshot.intubation.place = place;
+    snapshot.intubation.past_cords_m = past_cords_m;
+    snapshot.intubation.detector_yellow = yellow;
+    for (const auto& moment : moments.at(snapshot))
+      if (std::find(seen.begin(), seen.end(), moment) == seen.end()) seen.push_back(moment);
+  };
+  for (int i = 0; i <= 40; ++i) pass(i / 40.0, engine::TipPlace::mouth, 0.0, false);
+  pass(1.0, engine::TipPlace::oesophagus, 0.020, false);
+  const std::vector<std::string> before = {"1-lips", "2-sweep", "3-vallecula"};
+  EXPECT_EQ(seen, before) << "a tube behind the larynx is between no cords";
+  for (int mm = -10; mm <= 24; ++mm)
+    pass(1.0, mm < 0 ? engine::TipPlace::larynx : engine::TipPlace::trachea, 1e-3 * mm, false);
+  for (int i = 40; i >= 0; --i) pass(i / 40.0, engine::TipPlace::trachea, 0.024, false);
+  pass(0.0, engine::TipPlace::trachea, 0.024, true);
+  const std::vector<std::string> all = {"1-lips",          "2-sweep",      "3-vallecula",      "6-tip-at-cords",
+                                        "7-between-cords", "8-withdrawal", "9-detector-yellow"};
+  EXPECT_EQ(seen, all);
 }
 
 /// What a window said.
@@ -179,7 +252,7 @@ class Window : public Screen {
 
 TEST_F(Window, OpensOnTheShippedScenariosAndHandsOverTheChoice) {
   MainWindow window;
-  window.show_start(curricula::load_curriculum(default_curriculum()));
+  window.show_start({curricula::load_curriculum(default_curriculum())});
   window.show();
   QApplication::processEvents();
   EXPECT_EQ(window.page_name(), "start");
@@ -191,6 +264,37 @@ TEST_F(Window, OpensOnTheShippedScenariosAndHandsOverTheChoice) {
   EXPECT_EQ(choice.device, "scripted:expert");
   EXPECT_TRUE(choice.patient.empty()) << "the built-in manikin unless another is chosen";
   EXPECT_FALSE(window.start_page().select("no such scenario", "mouse"));
+}
+
+TEST_F(Window, OffersEveryCurriculumAndAsksWhoHasTheTube) {
+  MainWindow window;
+  window.show_start({curricula::load_curriculum(default_curriculum()),
+                     curricula::load_curriculum(curricula_folder() / "first-intubation.yaml")});
+  window.show();
+  QApplication::processEvents();
+  StartPage& page = window.start_page();
+  auto* curriculum = page.findChild<QComboBox*>("curriculum");
+  auto* device = page.findChild<QComboBox*>("device");
+  auto* second = page.findChild<QComboBox*>("second");
+  EXPECT_EQ(curriculum->count(), 2);
+  EXPECT_FALSE(second->isVisibleTo(&page)) << "laryngoscopy alone needs no second hand";
+  const int novice = device->findData("scripted:novice");
+  EXPECT_TRUE(qobject_cast<QStandardItemModel*>(device->model())->item(novice)->isEnabled());
+  ASSERT_TRUE(page.select("term-tube", "mouse"));
+  EXPECT_EQ(curriculum->currentIndex(), 1);
+  EXPECT_FALSE(second->isVisibleTo(&page)) << "a mouse takes blade and tube in turn";
+  EXPECT_FALSE(qobject_cast<QStandardItemModel*>(device->model())->item(novice)->isEnabled()) << "it has no tube";
+  page.choose_device("falcon", "Falcon");
+  EXPECT_TRUE(second->isVisibleTo(&page));
+  EXPECT_EQ(page.choice().second.toStdString(), "");
+  second->setCurrentIndex(second->findData("mouse"));
+  const Choice choice = page.choice();
+  EXPECT_EQ(choice.second.toStdString(), "mouse");
+  EXPECT_EQ(choice.device.toStdString(), "falcon");
+  EXPECT_EQ(choice.curriculum.filename(), "first-intubation.yaml");
+  keep_picture(window, "start.png");
+  ASSERT_TRUE(page.select("term", "scripted:novice"));
+  EXPECT_TRUE(page.choice().second.isEmpty());
 }
 
 TEST_F(Window, RunsAScriptedTrialToItsResultPage) {
@@ -225,7 +329,7 @@ TEST_F(Window, RunsAScriptedTrialToItsResultPage) {
 
 TEST_F(Window, SaysWhatIsWrongWithAPatientAndStaysOpen) {
   MainWindow window;
-  window.show_start(curricula::load_curriculum(default_curriculum()));
+  window.show_start({curricula::load_curriculum(default_curriculum())});
   window.show();
   Heard heard(window);
   TrialSetup setup = scripted();

@@ -416,6 +416,15 @@ TEST(ScoreJson, HasTheKeysThatOthersRead) {
   EXPECT_EQ(o.value("software_version").toString(), "9.8.7");
   EXPECT_EQ(o.value("real_time_setup").toString(), "servo: real-time priority 80");
   EXPECT_EQ(o.value("criteria").toArray().size(), 8);
+  EXPECT_EQ(o.value("mode").toString(), "practice");
+  EXPECT_EQ(o.value("attempt_seed").toInt(-1), 0);
+  EXPECT_NEAR(o.value("points_of_100").toDouble(), 100.0, 1e-9) << "all of them, since it passed";
+  const QJsonArray points = o.value("points").toArray();
+  ASSERT_EQ(points.size(), 6) << "one for each limit of scenario.pass";
+  for (const QJsonValue& mark : points) {
+    EXPECT_NEAR(mark.toObject().value("of").toDouble(), 100.0 / 6.0, 1e-9);
+    EXPECT_TRUE(mark.toObject().value("source").toString().endsWith("not validated"));
+  }
 }
 
 TEST(ScoreJson, WhatDoesNotExistIsNullAndNothingIsNan) {

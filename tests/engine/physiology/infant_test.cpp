@@ -158,6 +158,27 @@ TEST(Infant, TheTubesPushCountsAsTheBladesAndAtropineHoldsBoth) {
   EXPECT_GT(medicated.signs.heart_per_min, 0.9 * resting);
 }
 
+// A tube in place goes on pressing on cords and cricoid: the reflex answers the change and gets used to what stays.
+TEST(Infant, AtATubeThatLiesWellAndIsVentilatedTheHeartIsBackAtRestWithinHalfAMinute) {
+  for (const double newton : {0.5, 1.5, 3.0, 4.5}) {
+    for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+      Patient p(term(seed), 0.1);
+      InfantInput in;
+      in.tip = TubeTip::trachea;
+      in.tube_load_n = newton;
+      double lowest = 1e3;
+      for (int k = 0; k < 300; ++k) {
+        in.breath = k % 15 == 0 ? Breath::tube : Breath::none;
+        p.tick(in);
+        lowest = std::min(lowest, p.signs.heart_per_min);
+      }
+      const double resting = p.infant.heart.resting_per_min;
+      EXPECT_NEAR(p.signs.heart_per_min, resting, 0.05 * resting) << newton << " N, infant " << seed;
+      if (newton > 1) EXPECT_LT(lowest, resting - 3) << newton << " N, infant " << seed;  // it was felt
+    }
+  }
+}
+
 // CLINICAL: a rising heart rate is the first sign of success.
 TEST(Infant, TheHeartRisesBeforeTheDisplay) {
   for (std::uint64_t seed = 1; seed <= 100; ++seed) {

@@ -79,6 +79,17 @@ inline SceneDescription intubation_scene(const std::array<int, 3>& cells = {4, 4
   return d;
 }
 
+/// A straight stylet in a tube too thick for the cricoid: what the hand pushes with stands against it.
+inline SceneDescription jamming_scene() {
+  SceneDescription d = intubation_scene();
+  d.intubation->stylet = Stylet{};
+  d.intubation->stylet->bend_rad = 0;
+  for (AirwayRing& ring : d.intubation->course.airway)
+    if (ring.part == AirwayPart::cricoid) ring.to_left_m = ring.to_right_m = ring.to_front_m = ring.to_back_m = 0.0018;
+  return d;
+}
+const Vec3 kJammed(0.040, 0.015, kCordsZ - 0.012);
+
 /// The hand whose rod, undeformed, has its tip at `tip` pointing to the lungs, its bevel to the patient's left and its
 /// concave side to the back.
 inline Pose hand_of_tip(const Rod& rod, const Vec3& tip) {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "tests/engine/tube/intubation_scene.h"
+#include "tests/engine/tube/soft_loads.h"
 
 namespace vallecula::engine {
 namespace {
@@ -34,6 +35,8 @@ TEST(Intubation, WhatContradictsItselfIsRefusedWithItsNumber) {
   expect(refusal([](auto& d) { d.press_n = -1; }), "-1.0");
   expect(refusal([](auto& d) { d.press_direction *= 2; }), "2.0");
   expect(refusal([](auto& d) { d.mouth_inward.setZero(); }), "0.0");
+  expect(refusal([](auto& d) { d.mouth_axis *= 2; }), "2.0");
+  expect(refusal([](auto& d) { d.mouth_radius_m = -0.002; }), "-2.0");
   expect(refusal([](auto& d) { d.device_limit_n = 0; }), "0.0");
   expect(refusal([](auto& d) { d.mouth_gap_m = 0.0048; }), "4.8");
   expect(refusal([](auto& d) { d.catheter_outer_m = 0.02; }), "20.0");
@@ -136,6 +139,44 @@ TEST(Intubation, BreathsByMaskWhileTheMouthIsFree) {
   EXPECT_EQ(t.record.intubation.breaths_given, 15);
 }
 
+// Beside the head and below it there is no mouth, however far back.
+TEST(Intubation, TheMouthEndsAtItsRadiusForTubeBladeAndMask) {
+  SceneDescription d = intubation_scene();
+  d.intubation->mouth_radius_m = 0.018;
+  d.intubation->mouth_axis = Vec3(0.6, 0, -0.8);  // goes aside: at a depth of 8 mm its middle lies 6 mm to the left
+  const Vec3 front(0.040, 0.015, testing::kMouthZ), middle = front + 0.010 * d.intubation->mouth_axis;
+  const Vec3 across(0.8, 0, 0.6);
+  struct {
+    Vec3 tip;
+    TipPlace place;
+  } const spots[] = {{middle + 0.0178 * Vec3::UnitY(), TipPlace::mouth},
+                     {middle + 0.0182 * Vec3::UnitY(), TipPlace::outside},
+                     {middle - 0.0120 * across, TipPlace::mouth},
+                     {middle - 0.0182 * across, TipPlace::outside},
+                     {front + Vec3(0, 0, 0.0005), TipPlace::outside}};
+  for (const auto& spot : spots) {
+    Trial at(d);
+    at.hold(0.001, spot.tip);
+    EXPECT_EQ(at.record.intubation.place, spot.place) << spot.tip.transpose();
+    EXPECT_EQ(at.record.intubation.at_mouth_m > 0, spot.place == TipPlace::mouth) << spot.tip.transpose();
+  }
+  // There the tube is changed, and a mask is held while the blade lies aside as well; not while it is in the mouth.
+  const Vec3 aside(0.040, 0.080, 0.010);
+  Trial beside(d);
+  beside.blade.position = Vec3(0.040, -0.060, 0.010);
+  EXPECT_EQ(beside.hold(0.01, aside).place, TipPlace::outside);
+  EXPECT_EQ(beside.hold(0.01, aside, kActionCatheter).in_hand, InHand::catheter);
+  EXPECT_EQ(beside.hold(0.01, aside).in_hand, InHand::tube);
+  EXPECT_EQ(beside.hold(0.01, aside, kActionBreath).breaths_given, 1);
+  Trial within(d);
+  within.blade.position = Vec3(0.040, 0.010, 0.025);
+  EXPECT_EQ(within.hold(0.01, aside, kActionBreath).breaths_given, 0);
+  // In a canal it is in, whatever the mouth's radius.
+  Trial deep(d);
+  EXPECT_EQ(deep.go(kBeforeMouth, testing::kInTrachea).place, TipPlace::trachea);
+  EXPECT_EQ(deep.hold(0.01, testing::kInTrachea, kActionCatheter).in_hand, InHand::tube);
+}
+
 // What the tube presses on the tongue with is what the hand feels, and the tongue gives way.
 TEST(Intubation, TheTonguePressedByTheTubeGivesWayAndBears) {
   SceneDescription d = intubation_scene({10, 10, 5});
@@ -154,6 +195,8 @@ TEST(Intubation, TheTonguePressedByTheTubeGivesWayAndBears) {
   EXPECT_LT(r.model_force_n.z(), load);
   EXPECT_NEAR(r.tip_load_n, r.model_force_n.z(), 0.2 * load);
   EXPECT_EQ(r.tip_against, kLoadTongue);
+  // As the tissue itself has it.
+  EXPECT_NEAR(load, testing::soft_loads(*t.scene, t.loop.state.intubation->soft).tongue_n, 0.1 * load);
   double deepest = 0.0;
   for (const Vec3& u : t.loop.state.tissue.displacement) deepest = std::max(deepest, -u.z());
   EXPECT_GT(deepest, 0.001);
@@ -197,6 +240,9 @@ TEST(Intubation, ThroughATubeInTheTracheaTheInfantRecoversAndTheDetectorTurnsYel
 TEST(Intubation, InAMainBronchusHalfOfTheLungsIsReached) {
   const Ventilated trachea = ventilate({kBeforeMouth, testing::kInTrachea}, 8, TipPlace::trachea);
   const Ventilated bronchus = ventilate({kBeforeMouth, testing::kInBronchus}, 8, TipPlace::main_bronchus);
+  EXPECT_EQ(trachea.record.side, -1);
+  EXPECT_EQ(bronchus.record.side, 0) << "the right one";
+  EXPECT_LT(bronchus.record.tip_m.x(), 0.040 - 0.001) << "and that is where the tip is: x grows to the left";
   EXPECT_TRUE(bronchus.record.detector_yellow);
   EXPECT_LT(bronchus.after - bronchus.before, trachea.after - trachea.before);
 }

@@ -7,6 +7,7 @@
 #include "engine/tube/soft_contacts.h"
 #include "tests/engine/box_mesh.h"
 #include "tests/engine/tube/rods.h"
+#include "tests/engine/tube/soft_loads.h"
 
 namespace vallecula::engine::testing {
 

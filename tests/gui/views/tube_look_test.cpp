@@ -171,14 +171,10 @@ TEST(CordsLook, OpensAsTheEngineHasItAndPartsAroundATube) {
       EXPECT_GE(edges[row][side] + 1e-12, 0.5 * (edges[row - 1][side] + edges[row + 1][side])) << "taut, not dented";
 }
 
-TEST(AirwayMarks, MeasureFromTheCordsToTheCarina) {
-  const auto intubation = plain_intubation(patient());
-  const auto& glottis = patient().landmarks.at("glottis_centre");
-  const auto& carina = patient().landmarks.at("carina");
-  const double straight = std::hypot(glottis[1] - carina[1], glottis[2] - carina[2]);
-  EXPECT_NEAR(1e3 * cords_to_carina_m(intubation.course), straight, 1e-6);
-  engine::AirwayCourse none;
+TEST(AirwayMarks, NeedCords) {
+  const engine::AirwayCourse none;
   EXPECT_THROW(airway_marks(none, 0.0, 0.0, 1.0), std::runtime_error);
+  EXPECT_FALSE(airway_marks(plain_intubation(patient()).course, 0.0, 0.0, 1.0).empty());
 }
 
 class TubeViews : public Screen {

@@ -1,0 +1,97 @@
+#include "gui/pages/hand_panel.h"
+
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QPushButton>
+
+namespace vallecula::gui {
+
+HandPanel::HandPanel(QWidget* parent) : QWidget(parent) {
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(6);
+  const auto button = [&](const QString& text, const QString& tip) {
+    auto* made = new QPushButton(text, this);
+    made->setFocusPolicy(Qt::NoFocus);  // keys are the hands'
+    made->setToolTip(tip);
+    made->setStyleSheet("padding: 5px 4px; font-size: 9pt;");
+    made->setMinimumWidth(80);
+    row->addWidget(made);
+    return made;
+  };
+  using engine::Action;
+  held_ = {
+      {{Action::kActionBreath,
+        button("Breath (B)", "Held: 40 a minute, by mask, or by the tube once it is in"),
+        {Qt::Key_B, Qt::Key_Space}},
+       {Action::kActionSuction,
+        button("Suction (V)", "Held, with the catheter's tip in the secretions"),
+        {Qt::Key_V, 0}},
+       {Action::kActionPress, button("Press larynx (L)", "Held: the assistant presses on the larynx"), {Qt::Key_L, 0}},
+       {Action::kActionStyletOut,
+        button("Stylet out (T)", "Draws the stylet out of the tube, for good"),
+        {Qt::Key_T, 0}}}};
+  for (const Held& held : held_) {
+    connect(held.button, &QPushButton::pressed, this, [this, held] { hold(held, true); });
+    connect(held.button, &QPushButton::released, this, [this, held] { hold(held, false); });
+  }
+  catheter_ = button("Catheter (C)", "Takes the suction catheter in place of the tube, and back: outside the mouth");
+  other_hand_ = button("Other hand (X)", "Steers the other hand; what this one holds stays where it is (X or Tab)");
+  connect(catheter_, &QPushButton::clicked, this, &HandPanel::change_catheter);
+  connect(other_hand_, &QPushButton::clicked, this, [this] {
+    if (actions_ != nullptr) actions_->change_hand();
+  });
+}
+
+void HandPanel::serve(HandActions* actions, bool switches) {
+  release_all();
+  if (actions_ != nullptr) actions_->release_all();
+  actions_ = actions;
+  other_hand_->setVisible(switches);
+}
+
+void HandPanel::hold(const Held& held, bool on) {
+  if (actions_ != nullptr) actions_->hold(held.action, on);
+}
+
+void HandPanel::change_catheter() {
+  if (actions_ != nullptr) actions_->hold(engine::kActionCatheter, !actions_->held(engine::kActionCatheter));
+}
+
+bool HandPanel::key(QKeyEvent* event, bool pressed) {
+  if (actions_ == nullptr) return false;
+  for (const Held& held : held_)
+    if (event->key() == held.keys[0] || event->key() == held.keys[1]) {
+      if (event->isAutoRepeat()) return true;
+      held.button->setDown(pressed);
+      hold(held, pressed);
+      return true;
+    }
+  const bool other = event->key() == Qt::Key_X || event->key() == Qt::Key_Tab || event->key() == Qt::Key_Backtab;
+  if (event->key() != Qt::Key_C && !(other && other_hand_->isVisibleTo(this))) return false;
+  if (pressed && !event->isAutoRepeat()) (other ? other_hand_ : catheter_)->click();
+  return true;
+}
+
+void HandPanel::release_all() {
+  for (const Held& held : held_) {
+    held.button->setDown(false);
+    hold(held, false);
+  }
+}
+
+void HandPanel::show_snapshot(const engine::Snapshot& snapshot) {
+  if (!snapshot.has_intubation) return;
+  using engine::InHand;
+  const InHand in_hand = snapshot.intubation.in_hand;
+  const bool wanted = actions_ != nullptr && actions_->held(engine::kActionCatheter), has = in_hand == InHand::catheter;
+  catheter_->setText(wanted != has ? (wanted ? "Tube out first (C)" : "Catheter out first (C)")
+                     : has         ? "Tube (C)"
+                                   : "Catheter (C)");
+  for (const Held& held : held_) {
+    if (held.action == engine::kActionSuction) held.button->setEnabled(has);
+    if (held.action == engine::kActionStyletOut) held.button->setEnabled(in_hand == InHand::tube_with_stylet);
+  }
+}
+
+}  // namespace vallecula::gui

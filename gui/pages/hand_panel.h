@@ -1,0 +1,45 @@
+// What a person asks for beside steering: breaths, suction, pressure on the larynx, catheter, stylet, the other hand.
+// By key, or by a button that is held as long.
+#pragma once
+
+#include <QWidget>
+#include <array>
+
+#include "engine/snapshot.h"
+#include "gui/session/hand_actions.h"
+
+class QKeyEvent;
+class QPushButton;
+
+namespace vallecula::gui {
+
+class HandPanel : public QWidget {
+  Q_OBJECT
+ public:
+  explicit HandPanel(QWidget* parent = nullptr);
+  /// Whose bits are set from now on; nullptr: nobody's. `switches`: one device drives both hands in turn. What was held
+  /// is let go.
+  void serve(HandActions* actions, bool switches);
+  bool serving() const { return actions_ != nullptr; }
+  /// True when the key is one of these. Space gives a breath like B where nothing else takes it.
+  bool key(QKeyEvent* event, bool pressed);
+  /// Lets go of all that is held; catheter or tube in hand stays.
+  void release_all();
+  /// What can be asked for now.
+  void show_snapshot(const engine::Snapshot& snapshot);
+
+ private:
+  struct Held {
+    engine::Action action;
+    QPushButton* button;
+    std::array<int, 2> keys;
+  };
+  void hold(const Held& held, bool on);
+  void change_catheter();
+
+  HandActions* actions_ = nullptr;
+  std::array<Held, 4> held_;
+  QPushButton *catheter_, *other_hand_;
+};
+
+}  // namespace vallecula::gui

@@ -1,0 +1,14 @@
+// What to do next, in one line, by what can be seen at the bedside: never by where the tip is known to be beyond sight.
+#pragma once
+
+#include <QString>
+
+#include "engine/snapshot.h"
+
+namespace vallecula::gui {
+
+/// Of a scene with an intubation. `sight_percent`: from where on the glottis counts as in sight; `blade_in`: the
+/// blade's tip is in the mouth; `other_hand`: the key that takes the other hand, empty with a device for each.
+QString hint_for(const engine::Snapshot& snapshot, double sight_percent, bool blade_in, const QString& other_hand);
+
+}  // namespace vallecula::gui

@@ -1,0 +1,66 @@
+#include "gui/pages/result_figures.h"
+
+#include "gui/report/report.h"
+
+namespace vallecula::gui {
+namespace {
+
+std::string seconds(const std::optional<double>& time_s) { return time_s ? number(*time_s, 1) + " s" : "never"; }
+
+std::vector<Row> tube_figures(const curricula::Score& score) {
+  const curricula::IntubationScore& tube = *score.intubation;
+  const curricula::Attempt* decisive = tube.decisive();
+  const auto lowest = [](const std::optional<double>& value, const std::string& unit) {
+    return value ? number(*value, 0) + unit : std::string("no attempt");
+  };
+  std::vector<Row> rows = {
+      {"Tip past the cords", tube.depth_m ? number(1e3 * *tube.depth_m, 0) + " mm" : std::string("not there"),
+       tube.depth_m ? number(100.0 * *tube.depth_share(), 0) + " % of the way; good: 33 to 67 %" : std::string(), ""},
+      row(score, "Attempts", std::to_string(tube.attempts.size()), "attempts", "at most"),
+      row(score, "Lowest SpO2", lowest(tube.lowest_spo2_percent, " %"), "lowest_spo2_percent", "at least"),
+      row(score, "Lowest heart rate", lowest(tube.lowest_heart_per_min, " /min"), "lowest_heart_per_min", "at least"),
+      {"Time to view", seconds(decisive != nullptr ? decisive->time_to_view_s : std::nullopt), "", ""},
+      row(score, "Time to pass", seconds(decisive != nullptr ? decisive->time_to_pass_s : std::nullopt),
+          "time_to_pass_s", "at most"),
+      row(score, "CO2 detector", tube.co2_confirmed ? "yellow" : "never yellow", "co2_confirmed", "with breath"),
+      row(score, "Peak force, tube", number(tube.tip_load_n.value, 1) + " N", "tube_force_n", "at most"),
+  };
+  if (tube.oesophagus_breaths > 0)
+    rows.push_back({"In the oesophagus", std::to_string(tube.oesophagus_breaths) + " breaths",
+                    tube.recognised_late ? "recognised late" : "", ""});
+  return rows;
+}
+
+}  // namespace
+
+std::vector<Row> result_figures(const TrialOutcome& outcome, const curricula::Scenario& scenario) {
+  const auto& score = outcome.score;
+  std::vector<Row> rows;
+  if (score.intubation) rows = tube_figures(score);
+  rows.push_back(
+      row(score, "Peak force, tongue", number(score.peak_tongue_force_n, 1) + " N", "peak_tongue_force_n", "at most"));
+  rows.push_back(
+      row(score, "Peak force, gum", number(score.peak_gum_force_n, 1) + " N", "peak_gum_force_n", "at most"));
+  rows.push_back(row(score, "Glottis visible, best", number(score.glottis_visible_max_percent, 0) + " %",
+                     "glottis_visible_max_percent", "at least"));
+  if (!score.intubation)
+    rows.push_back({"Time to sight",
+                    score.time_to_trachea_visible_s < 0.0 ? "never" : number(score.time_to_trachea_visible_s, 1) + " s",
+                    "from " + number(scenario.sight_percent, 0) + " %", ""});
+  rows.push_back(score.attempt_begun
+                     ? row(score,
+                           score.intubation && score.intubation->attempts.size() > 1 ? "Longest attempt" : "Attempt",
+                           number(score.attempt_time_s, 1) + " s", "attempt_time_s", "at most")
+                     : Row{"Attempt", "no attempt", "-", ""});
+  rows.push_back(
+      row(score, "Over the target", number(score.time_over_target_s, 1) + " s", "time_over_target_s", "at most"));
+  rows.push_back(row(score, "Over the device limit", number(score.time_over_force_limit_s, 1) + " s",
+                     "time_over_force_limit_s", "at most"));
+  if (!score.pauses.empty()) rows.push_back({"Paused", number(score.paused_s, 1) + " s", pauses_in_words(score), ""});
+  rows.push_back({"Loop", score.loop_rate_hz > 0.0 ? number(score.loop_rate_hz, 0) + " Hz" : "no real time",
+                  std::to_string(score.deadline_misses) + " late, " + std::to_string(score.overruns) + " steps dropped",
+                  ""});
+  return rows;
+}
+
+}  // namespace vallecula::gui

@@ -1,0 +1,166 @@
+// What is asked for by keys and buttons reaches the bits the loop reads, and is let go of again.
+#include "gui/pages/hand_panel.h"
+
+#include <QKeyEvent>
+#include <QPushButton>
+
+#include "gui/pages/hints.h"
+#include "tests/gui/window_screen.h"
+
+namespace vallecula::gui::window_test {
+namespace {
+
+using engine::Action;
+
+class Hands : public Screen {
+ protected:
+  Hands() { panel_.serve(&actions_, true); }
+  bool key(int code, bool pressed, bool repeated = false) {
+    QKeyEvent event(pressed ? QEvent::KeyPress : QEvent::KeyRelease, code, Qt::NoModifier, QString(), repeated);
+    return panel_.key(&event, pressed);
+  }
+  QPushButton* button(const QString& begin) {
+    for (auto* candidate : panel_.findChildren<QPushButton*>())
+      if (candidate->text().startsWith(begin)) return candidate;
+    return nullptr;
+  }
+  HandActions actions_;
+  HandPanel panel_;
+};
+
+TEST_F(Hands, HoldWhatTheirKeysHold) {
+  const std::pair<int, Action> all[] = {{Qt::Key_B, Action::kActionBreath},
+                                        {Qt::Key_Space, Action::kActionBreath},
+                                        {Qt::Key_V, Action::kActionSuction},
+                                        {Qt::Key_L, Action::kActionPress},
+                                        {Qt::Key_T, Action::kActionStyletOut}};
+  for (const auto& [code, action] : all) {
+    EXPECT_TRUE(key(code, true));
+    EXPECT_EQ(actions_.bits(), action);
+    EXPECT_TRUE(key(code, true, true));  // a key held repeats itself: it is still one breath until it is let go
+    EXPECT_TRUE(key(code, false, true));
+    EXPECT_EQ(actions_.bits(), action);
+    EXPECT_TRUE(key(code, false));
+    EXPECT_EQ(actions_.bits(), 0u);
+  }
+  EXPECT_TRUE(key(Qt::Key_L, true));
+  EXPECT_TRUE(key(Qt::Key_B, true));
+  EXPECT_EQ(actions_.bits(), Action::kActionPress | Action::kActionBreath) << "an assistant has hands of their own";
+  panel_.release_all();
+  EXPECT_EQ(actions_.bits(), 0u);
+  EXPECT_FALSE(key(Qt::Key_W, true)) << "the blade's";
+}
+
+TEST_F(Hands, ChangeTubeForCatheterAndHandForHand) {
+  EXPECT_TRUE(key(Qt::Key_C, true));
+  EXPECT_TRUE(key(Qt::Key_C, false));
+  EXPECT_EQ(actions_.bits(), Action::kActionCatheter) << "it stays in the hand";
+  EXPECT_TRUE(key(Qt::Key_V, true));
+  panel_.release_all();
+  EXPECT_EQ(actions_.bits(), Action::kActionCatheter);
+  EXPECT_TRUE(key(Qt::Key_C, true));
+  EXPECT_EQ(actions_.bits(), 0u);
+  for (const int code : {Qt::Key_X, Qt::Key_Tab}) {
+    EXPECT_TRUE(key(code, true));
+    EXPECT_TRUE(key(code, false));
+  }
+  EXPECT_EQ(actions_.changes(), 2u);
+  panel_.serve(&actions_, false);  // a device for each hand
+  EXPECT_FALSE(key(Qt::Key_X, true));
+  EXPECT_EQ(actions_.changes(), 2u);
+}
+
+TEST_F(Hands, ButtonsHoldAsLongAsTheyArePressedAndSayWhatCanBeDone) {
+  engine::Snapshot snapshot;
+  snapshot.has_intubation = true;
+  snapshot.intubation.in_hand = engine::InHand::tube_with_stylet;
+  panel_.show_snapshot(snapshot);
+  EXPECT_FALSE(button("Suction")->isEnabled()) << "there is no catheter in the hand";
+  EXPECT_TRUE(button("Stylet")->isEnabled());
+  auto* breath = button("Breath");
+  emit breath->pressed();
+  EXPECT_EQ(actions_.bits(), Action::kActionBreath);
+  emit breath->released();
+  EXPECT_EQ(actions_.bits(), 0u);
+  button("Catheter")->click();
+  panel_.show_snapshot(snapshot);
+  EXPECT_NE(button("Tube out first"), nullptr) << "asked for, and not yet in the hand";
+  snapshot.intubation.in_hand = engine::InHand::catheter;
+  panel_.show_snapshot(snapshot);
+  EXPECT_NE(button("Tube (C)"), nullptr);
+  EXPECT_TRUE(button("Suction")->isEnabled());
+  EXPECT_FALSE(button("Stylet")->isEnabled());
+  panel_.serve(nullptr, false);
+  EXPECT_EQ(actions_.bits(), 0u) << "the trial is over";
+  EXPECT_FALSE(key(Qt::Key_B, true));
+}
+
+engine::Snapshot at(engine::TipPlace place) {
+  engine::Snapshot snapshot;
+  snapshot.has_intubation = true;
+  snapshot.intubation.place = place;
+  snapshot.intubation.in_hand = engine::InHand::tube;
+  snapshot.intubation.spo2 = 0.95;
+  snapshot.intubation.heart_per_min = 150.0;
+  snapshot.intubation.glottis_opening = 0.55;
+  return snapshot;
+}
+std::string hint(const engine::Snapshot& snapshot, bool blade_in = true) {
+  return hint_for(snapshot, 25.0, blade_in, "X").toStdString();
+}
+bool says(const std::string& text, const char* words) { return text.find(words) != std::string::npos; }
+
+TEST(Hint, PutsTheInfantBeforeTheTube) {
+  auto now = at(engine::TipPlace::larynx);
+  now.intubation.tip_load_n = 2.0;
+  now.intubation.heart_per_min = 95.0;
+  EXPECT_TRUE(says(hint(now), "Stop this attempt"));
+  now.intubation.heart_per_min = 55.0;
+  EXPECT_TRUE(says(hint(now), "compressions"));
+  auto out = at(engine::TipPlace::outside);
+  out.intubation.spo2 = 0.78;
+  EXPECT_TRUE(says(hint(out, false), "Hold B"));
+}
+
+TEST(Hint, DoesNotTellTracheaFromOesophagusBeforeTheDetectorDoes) {
+  auto trachea = at(engine::TipPlace::trachea), wrong = at(engine::TipPlace::oesophagus);
+  for (const int breaths : {0, 3}) {
+    trachea.intubation.breaths_given = wrong.intubation.breaths_given = breaths;
+    EXPECT_EQ(hint(trachea), hint(wrong));
+  }
+  trachea.intubation.breaths_given = wrong.intubation.breaths_given = 7;
+  trachea.intubation.given_per_min = wrong.intubation.given_per_min = 40.0;
+  trachea.intubation.detector_yellow = true;
+  EXPECT_TRUE(says(hint(trachea), "in the airway"));
+  EXPECT_TRUE(says(hint(wrong), "No CO2"));
+}
+
+TEST(Hint, SaysNeverToPush) {
+  auto now = at(engine::TipPlace::larynx);
+  now.intubation.tip_load_n = 1.5;
+  EXPECT_TRUE(says(hint(now), "never push"));
+  now.intubation.glottis_opening = 0.0;
+  EXPECT_TRUE(says(hint(now), "Wait"));
+  now.intubation.spasm = true;
+  EXPECT_TRUE(says(hint(now), "laryngospasm"));
+}
+
+TEST(Hint, GoesAlongWithTheProcedure) {
+  auto now = at(engine::TipPlace::outside);
+  EXPECT_TRUE(says(hint(now, false), "right corner"));
+  EXPECT_TRUE(says(hint(now, true), "lift"));
+  now.intubation.secretions_ml = 1.0;
+  EXPECT_TRUE(says(hint(now, true), "suction catheter"));
+  now.intubation.secretions_ml = 0.0;
+  now.glottis_visible = 0.5;
+  EXPECT_TRUE(says(hint(now, true), "X takes the tube"));
+  EXPECT_FALSE(says(hint_for(now, 25.0, true, "").toStdString(), "X takes")) << "a device for each hand";
+  now.intubation.place = engine::TipPlace::mouth;
+  EXPECT_TRUE(says(hint(now), "beside the blade"));
+  now.intubation.place = engine::TipPlace::trachea;
+  now.intubation.in_hand = engine::InHand::tube_with_stylet;
+  EXPECT_TRUE(says(hint(now), "stylet"));
+}
+
+}  // namespace
+}  // namespace vallecula::gui::window_test
