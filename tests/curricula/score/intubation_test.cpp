@@ -132,7 +132,7 @@ TEST(IntubationScore, EveryOutcomeIsWhereTheTipReallyIs) {
          if (t.time_s < 30) return;
          t.intubation.tip_against = t.time_s < 31 ? kTubeCricoid : kTubeTrachea;
          t.intubation.past_cords_m = t.time_s < 31 ? 0.010 : 0.025;
-         t.intubation.tip_load_n = 2.5;
+         t.intubation.tip_load_n = 2.0;
        },
        Outcome::good_depth},
       {"what a tube that fits takes at the cricoid is no stop",
