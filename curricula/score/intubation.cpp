@@ -14,6 +14,7 @@ constexpr double kStoppedN = 0.5;  ///< along the tube: from here on closed cord
 constexpr double kCricoidStopsN = 2.0;
 constexpr double kAtTheLastS = 1.0;    ///< before the end: the tube still stands against it (assumed)
 constexpr double kJustBeforeS = 10.0;  ///< before the end: the cricoid is what it was given up for (assumed)
+constexpr double kBevelM = 0.008;  ///< a bevelled tip reaches past what holds the tube's full width by less than this
 constexpr double kClosedOpening = 0.25;  ///< cords nearer together let no tube between them (assumed)
 /// The head's flexion moves the tip down by this, for one degree (assumed: 5 mm for the 25 degrees of sniffing; it is
 /// less in smaller infants).
@@ -24,6 +25,7 @@ struct Stop {
   bool was = false;
   bool by_cords = false;
   double worked_s = 0.0;  ///< of the trial until then, less pauses
+  double depth_m = 0.0;   ///< of the tip, past the cords
 };
 
 struct Course {
@@ -82,10 +84,13 @@ Course follow(const TrialLog& log, const std::vector<Attempt>& attempts, Intubat
     measure_forces(tick, score);
     if (!attempts.empty() && tick.time_s >= attempts.front().start_s) measure_infant(tick, score);
     course.worked_s = static_cast<double>(worked) * log.header.servo_period_s;
-    if (i.in_hand == LoggedInHand::catheter) continue;
-    const bool by_cords = i.tip_against == kTubeCords && i.tip_load_n >= kStoppedN && cords_closed(i);
+    if (i.in_hand == LoggedInHand::catheter || !(i.tip_load_n >= kStoppedN)) continue;
+    const bool by_cords = i.tip_against == kTubeCords && cords_closed(i);
     const bool by_cricoid = i.tip_against == kTubeCricoid && i.tip_load_n >= kCricoidStopsN;
-    if (by_cords || by_cricoid) course.stop = {true, by_cords, course.worked_s};
+    if (by_cords || by_cricoid)
+      course.stop = {true, by_cords, course.worked_s, i.past_cords_m};
+    else if (course.stop.was && !course.stop.by_cords && i.past_cords_m < course.stop.depth_m + kBevelM)
+      course.stop.worked_s = course.worked_s;  // pressed on less, or on what lies next to it: it stands there still
   }
   return course;
 }
@@ -159,14 +164,16 @@ Outcome outcome_of(const TrialLog& log, const Scenario& scenario, const Course& 
   if (tube_in_oesophagus(last)) return Outcome::oesophagus;
   const bool in = tube_past_cords(last);
   if (in && last.intubation.place == LoggedPlace::main_bronchus) return Outcome::mainstem;
+  const double since_stop_s = course.worked_s - course.stop.worked_s;
+  const bool stands = course.stop.was && since_stop_s <= kAtTheLastS;
+  if (stands && score.deepest_m < course.stop.depth_m + kBevelM)
+    return course.stop.by_cords ? Outcome::cords_closed : Outcome::cricoid_too_narrow;
   if (in && last.intubation.place == LoggedPlace::trachea) return outcome_of_depth(*score.depth_share());
 
   // Not past the cricoid, then: what stopped it?
-  const double since_stop_s = course.worked_s - course.stop.worked_s;
   const bool by_cricoid =
       course.stop.was && !course.stop.by_cords && !course.past_cricoid && since_stop_s <= kJustBeforeS;
   const bool by_cords = (course.stop.was && course.stop.by_cords) || spasm_ended_it(log, score.attempts);
-  const bool stands = course.stop.was && since_stop_s <= kAtTheLastS;
   if (by_cricoid && (stands || in)) return Outcome::cricoid_too_narrow;
   if (in) return Outcome::too_shallow;
   if (by_cords && stands) return Outcome::cords_closed;

@@ -24,6 +24,7 @@ constexpr double kJoinedShare = 1.6;                      // of the area of the 
 constexpr double kFar = 1000.0;
 constexpr double kCricoidFrom = 4.5, kCricoidTo = 9.0;    // below the cords; nearer to them it is their slit that is cut
 constexpr double kCricoidStep = 0.5;                      // between the cuts of which it is the narrowest
+constexpr double kCone = 0.4;                             // the elastic cone below the cords gives that much more than it
 constexpr double kSpacing = 2.0;                          // of cuts
 constexpr double kLeastSpacing = 0.6, kMostSpacing = 3.5; // mm of any patient
 constexpr double kMarch = 1.0;                            // from one cut to the next while the way is sought
@@ -203,8 +204,8 @@ void Finder::trachea() {
   found_.cricoid_area_m2 = M_PI * ring_of_cricoid.to_left_m * ring_of_cricoid.to_front_m * kMetres * kMetres;
   for (AirwayRing& r : rings) {
     if (r.part != AirwayPart::subglottis) continue;
-    r.to_left_m = r.to_right_m = std::max(r.to_left_m, ring_of_cricoid.to_left_m);
-    r.to_front_m = r.to_back_m = std::max(r.to_front_m, ring_of_cricoid.to_front_m);
+    r.to_left_m = r.to_right_m = std::max(r.to_left_m, ring_of_cricoid.to_left_m + kCone * size_);
+    r.to_front_m = r.to_back_m = std::max(r.to_front_m, ring_of_cricoid.to_front_m + kCone * size_);
   }
   stretch(cricoid, way.length(), AirwayPart::trachea);
 }

@@ -17,7 +17,7 @@ struct PatientAirway {
   std::vector<std::string> assumed;  ///< what the imaging does not show and was continued or assumed, for a person
 };
 
-/// Walls: halves of the ellipse that has a cut's area. Between the cords and the cricoid no cut is narrower than the
+/// Walls: halves of the ellipse that has a cut's area. Between the cords and the cricoid every cut is wider than the
 /// cricoid's: what is imaged there is the slit of resting cords, which gives as they do. Throws std::runtime_error when
 /// the package has no airway where its landmarks say.
 PatientAirway airway_of(const pipeline::PatientPackage& package);

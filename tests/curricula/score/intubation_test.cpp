@@ -112,6 +112,29 @@ TEST(IntubationScore, EveryOutcomeIsWhereTheTipReallyIs) {
          t.intubation.tip_load_n = 2.0;
        },
        Outcome::too_shallow},
+      {"its bevel reaches past the cricoid it stands in",
+       [](LogTick& t) {
+         t.intubation.past_cords_m = std::min(t.intubation.past_cords_m, 0.0095);
+         if (t.time_s < 30) return;
+         t.intubation.place = LoggedPlace::trachea;
+         t.intubation.tip_against = t.time_s < 45 ? kTubeCricoid : kTubeTrachea;
+         t.intubation.tip_load_n = t.time_s < 45 ? 2.5 : 1.0;
+       },
+       Outcome::cricoid_too_narrow},
+      {"its bevel is wedged between closed cords",
+       [](LogTick& t) {
+         pushed(15, 50, kTubeCords, 0.0)(t);
+         t.intubation.past_cords_m = 0.003;
+       },
+       Outcome::cords_closed},
+      {"in by much more than its bevel, it presses on the trachea",
+       [](LogTick& t) {
+         if (t.time_s < 30) return;
+         t.intubation.tip_against = t.time_s < 31 ? kTubeCricoid : kTubeTrachea;
+         t.intubation.past_cords_m = t.time_s < 31 ? 0.010 : 0.025;
+         t.intubation.tip_load_n = 2.0;
+       },
+       Outcome::good_depth},
       {"what a tube that fits takes at the cricoid is no stop",
        [](LogTick& t) {
          pushed(15, 38, kTubeCricoid, 0.8)(t);
