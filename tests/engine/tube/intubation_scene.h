@@ -90,8 +90,8 @@ inline SceneDescription jamming_scene() {
 }
 const Vec3 kJammed(0.040, 0.015, kCordsZ - 0.012);
 
-/// The hand whose rod, undeformed, has its tip at `tip` pointing to the lungs, its bevel to the patient's left and its
-/// concave side to the back.
+/// The hand whose rod, undeformed, has its tip at `tip` pointing to the lungs, its
+/// concave side to the back: so its bevel faces the patient's right, and its point goes ahead on the left.
 inline Pose hand_of_tip(const Rod& rod, const Vec3& tip) {
   const RodState rest(rod, Pose{});
   Mat3 axes;
