@@ -8,6 +8,7 @@
 
 #include "gui/session/airway_cuts.h"
 #include "gui/session/anatomy_motion.h"
+#include "gui/session/package_parts.h"
 
 namespace vallecula::gui {
 
@@ -43,23 +44,6 @@ constexpr double kGulletSettles = 10.0;                   // below its mouth it 
 constexpr double kWithin = 0.066;
 constexpr double kMetres = 0.001;
 
-Vec3 landmark(const pipeline::PatientPackage& package, const char* name) {
-  const auto found = package.landmarks.find(name);
-  if (found == package.landmarks.end())
-    throw std::runtime_error("patient '" + package.name + "': it has no landmark '" + name + "'; import it again");
-  return Vec3(found->second[0], found->second[1], found->second[2]);
-}
-
-engine::TriangleMesh surface(const pipeline::PatientPackage& package, const char* name) {
-  const auto found = package.surfaces.find(name);
-  if (found == package.surfaces.end() || found->second.triangles.empty())
-    throw std::runtime_error("patient '" + package.name + "': it has no surface '" + name + "'; import it again");
-  engine::TriangleMesh mesh;
-  for (const auto& p : found->second.points) mesh.points.emplace_back(p[0], p[1], p[2]);
-  mesh.triangles = found->second.triangles;
-  return mesh;
-}
-
 AirwayRing ring(const Outline& outline, const Across& frame, AirwayPart part) {
   AirwayRing r;
   r.centre = outline.centre;
@@ -90,7 +74,7 @@ class Finder {
  public:
   explicit Finder(const pipeline::PatientPackage& package)
       : package_(package),
-        mesh_(surface(package, "airway")),
+        mesh_(mesh_of(surface(package, "airway"))),
         motion_(package),
         size_(size_of(package)),
         spacing_(std::min(kSpacing * size_, kMostSpacing)),
@@ -143,7 +127,7 @@ AirwayRing Finder::cords() {
   r.left = frame.left;
   r.part = AirwayPart::cords;
   r.to_left_m = r.to_right_m = r.to_front_m = r.to_back_m = 0.0;
-  for (const Vec3& p : surface(package_, "glottis").points) {
+  for (const Vec3& p : mesh_of(surface(package_, "glottis")).points) {
     r.to_left_m = std::max(r.to_left_m, frame.left.dot(p - glottis_));
     r.to_right_m = std::max(r.to_right_m, -frame.left.dot(p - glottis_));
     r.to_front_m = std::max(r.to_front_m, frame.front.dot(p - glottis_));

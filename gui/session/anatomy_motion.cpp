@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "gui/session/package_parts.h"
+
 namespace vallecula::gui {
 
 namespace {
@@ -25,26 +27,9 @@ double smooth_step(double from, double to, double x) {
   return t * t * (3.0 - 2.0 * t);
 }
 
-Vec3 landmark(const pipeline::PatientPackage& package, const char* name) {
-  const auto found = package.landmarks.find(name);
-  if (found == package.landmarks.end())
-    throw std::runtime_error("patient '" + package.name + "': it has no landmark '" + name + "'; import it again");
-  return Vec3(found->second[0], found->second[1], found->second[2]);
-}
-
-engine::TriangleMesh mesh(const pipeline::PatientPackage& package, const char* name) {
-  const auto found = package.surfaces.find(name);
-  if (found == package.surfaces.end() || found->second.triangles.empty())
-    throw std::runtime_error("patient '" + package.name + "': it has no surface '" + name + "'; import it again");
-  engine::TriangleMesh out;
-  for (const auto& p : found->second.points) out.points.emplace_back(p[0], p[1], p[2]);
-  out.triangles = found->second.triangles;
-  return out;
-}
-
 /// The face's lips, with what skin and mucosa lies within `about` (mm) of them.
 engine::TriangleMesh lips_of(const pipeline::PatientPackage& package, double about) {
-  const engine::TriangleMesh face = mesh(package, "face");
+  const engine::TriangleMesh face = mesh_of(surface(package, "face"));
   const auto& tissue = package.surfaces.at("face").tissue;
   engine::TriangleMesh red{face.points, {}}, out;
   for (std::size_t t = 0; t < std::min(tissue.size(), face.triangles.size()); ++t)
@@ -78,13 +63,13 @@ double size_of(const pipeline::PatientPackage& package) {
 }
 
 AnatomyMotion::AnatomyMotion(const pipeline::PatientPackage& package)
-    : mandible_(mesh(package, "mandible")),
-      upper_jaw_(mesh(package, "palate")),
+    : mandible_(mesh_of(surface(package, "mandible"))),
+      upper_jaw_(mesh_of(surface(package, "palate"))),
       condyles_(landmark(package, "condyle_axis")),
       glottis_(landmark(package, "glottis_centre")),
       back_(glottis_.y()),
       size_(size_of(package)) {
-  for (const Vec3& p : mesh(package, "glottis").points) back_ = std::max(back_, p.y());
+  for (const Vec3& p : mesh_of(surface(package, "glottis")).points) back_ = std::max(back_, p.y());
   lips_ = lips_of(package, kAboutLips * size_);
   if (!lips_.triangles.empty()) lips_bvh_.emplace(lips_);
 }

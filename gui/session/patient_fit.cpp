@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "gui/session/airway_course.h"
 #include "gui/session/anatomy_motion.h"
 #include "gui/session/play_check.h"
 
@@ -30,6 +31,8 @@ std::vector<std::string> misfits(const pipeline::PatientPackage& package, const 
       said.emplace_back(
           "this patient's import could not bring the glottis into sight, and a trial may not either: see its quality "
           "report");
+  if (scenario.intubation)
+    for (const std::string& what : airway_of(package).assumed) said.push_back(what);
   return said;
 }
 

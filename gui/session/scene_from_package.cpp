@@ -8,6 +8,7 @@
 #include "engine/tool/miller_blade.h"
 #include "gui/session/anatomy_motion.h"
 #include "gui/session/intubation_of.h"
+#include "gui/session/package_parts.h"
 
 namespace vallecula::gui {
 
@@ -43,27 +44,7 @@ constexpr double kMandibleMass = 0.030;      // kg (assumed)
 
 Vec3 metres(const pipeline::Point& p) { return Vec3(p[0], p[1], p[2]) * kMetres; }
 
-const pipeline::Surface& surface(const PatientPackage& package, const char* name) {
-  const auto found = package.surfaces.find(name);
-  if (found == package.surfaces.end() || found->second.triangles.empty())
-    throw std::runtime_error("patient '" + package.name + "': it has no surface '" + name + "'; import it again");
-  return found->second;
-}
-
-Vec3 landmark(const PatientPackage& package, const char* name) {
-  const auto found = package.landmarks.find(name);
-  if (found == package.landmarks.end())
-    throw std::runtime_error("patient '" + package.name + "': it has no landmark '" + name + "'; import it again");
-  return metres(found->second);
-}
-
-engine::TriangleMesh mesh_of(const pipeline::Surface& s) {
-  engine::TriangleMesh mesh;
-  mesh.points.reserve(s.points.size());
-  for (const auto& p : s.points) mesh.points.push_back(metres(p));
-  mesh.triangles = s.triangles;
-  return mesh;
-}
+Vec3 landmark_m(const PatientPackage& package, const char* name) { return landmark(package, name) * kMetres; }
 
 engine::Structure structure_of(std::uint8_t tissue) {
   switch (static_cast<Tissue>(tissue)) {
@@ -102,7 +83,7 @@ engine::SoftBodyDescription soft_body(const PatientPackage& package, const curri
           static_cast<Anchor>(package.tongue.anchor[v]) == Anchor::larynx)
         soft.tet_material[t] = 2;
 
-  const Vec3 condyles = landmark(package, "condyle_axis");
+  const Vec3 condyles = landmark_m(package, "condyle_axis");
   const double size = size_of(package);
   const double stiffer = soft.materials[0].young_pa / 6000.0;  // a stiffer tongue is taken to hang in stiffer muscles
   const auto damped = [](engine::SprungBody body) {
@@ -115,7 +96,7 @@ engine::SoftBodyDescription soft_body(const PatientPackage& package, const curri
   mandible.axis = Vec3::UnitX();
   mandible.stiffness = kMandibleStiffness * stiffer * size * size * size;
   mandible.stop = kMandibleStop;
-  const double reach = (landmark(package, "lower_gum_midline") - condyles).norm();
+  const double reach = (landmark_m(package, "lower_gum_midline") - condyles).norm();
   mandible.inertia = kMandibleMass * size * size * size * reach * reach / 3;
   engine::SprungBody hyoid;
   hyoid.motion = engine::SprungBody::Motion::translation;
@@ -132,7 +113,7 @@ engine::SoftBodyDescription soft_body(const PatientPackage& package, const curri
   floor.stiffness = kFloorStiffness * stiffer * size;
   floor.inertia = kFloorMass * size * size * size;
   soft.bodies = {damped(mandible), damped(hyoid), damped(larynx), damped(floor)};
-  const engine::TriangleBvh bone(mesh_of(surface(package, "mandible")));
+  const engine::TriangleBvh bone(mesh_of(surface(package, "mandible"), kMetres));
   for (std::uint8_t anchor : package.tongue.anchor) {
     switch (static_cast<Anchor>(anchor)) {
       case Anchor::free: soft.node_anchor.push_back(-1); break;
@@ -170,7 +151,7 @@ engine::SceneDescription scene_from_package(const PatientPackage& package, const
   engine::SceneDescription scene;
   scene.soft = soft_body(package, scenario);
   const pipeline::Surface& face = surface(package, "face");
-  scene.rigid.surface = mesh_of(face);
+  scene.rigid.surface = mesh_of(face, kMetres);
   for (std::size_t t = 0; t < face.triangles.size(); ++t)
     scene.rigid.triangle_structure.push_back(structure_of(t < face.tissue.size() ? face.tissue[t] : 0));
   const AnatomyMotion motion(package);
@@ -185,7 +166,7 @@ engine::SceneDescription scene_from_package(const PatientPackage& package, const
   scene.lips.tension_n_m = kLipTension;
   scene.lips.recovery_s = kLipRecovery;
   scene.tool.surface = engine::blade_surface(engine::miller_blade(scenario.blade));
-  scene.sight.eye = landmark(package, "operator_eye");
+  scene.sight.eye = landmark_m(package, "operator_eye");
   for (const auto& p : surface(package, "glottis").points) scene.sight.glottis_outline.push_back(metres(p));
   scene.sight.occluders = {scene.rigid.surface};
   engine::SightDescription::Follower jaw{kMandibleBody, 0.0, {}}, larynx{kHyoidBody, kLarynxShare, {}};

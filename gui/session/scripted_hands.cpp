@@ -8,6 +8,7 @@
 #include "engine/mesh/soft_mesh.h"
 #include "engine/mesh/triangle_bvh.h"
 #include "gui/session/operator_frame.h"
+#include "gui/session/package_parts.h"
 
 namespace vallecula::gui {
 
@@ -19,13 +20,6 @@ using engine::Vec3;
 using pipeline::PatientPackage;
 
 constexpr double kMetres = 0.001;
-
-Vec3 landmark(const PatientPackage& package, const char* name) {
-  const auto found = package.landmarks.find(name);
-  if (found == package.landmarks.end())
-    throw std::runtime_error("patient '" + package.name + "': it has no landmark '" + name + "'; import it again");
-  return Vec3(found->second[0], found->second[1], found->second[2]) * kMetres;
-}
 
 /// A keyframe with the blade's tip at `tip` and the blade passing through `through` (towards the handle), its tongue side
 /// turned to the tongue.
@@ -187,7 +181,7 @@ device::Trajectory press(const PatientPackage& package, const OperatorFrame& fra
 pipeline::Approach usual_approach(const PatientPackage& package) {
   if (package.approach.along_mm != 0.0 || package.approach.lift_mm != 0.0) return package.approach;
   const OperatorFrame frame(package);
-  const Vec3 vallecula = (landmark(package, "vallecula") - frame.origin) / (kMetres * frame.size);
+  const Vec3 vallecula = (kMetres * landmark(package, "vallecula") - frame.origin) / (kMetres * frame.size);
   const double along = vallecula.dot(frame.sight) - kValleculaAlong;
   const double lift = vallecula.dot(frame.lift) - kValleculaLift;
   if (std::hypot(along, lift) < kElsewhere) return package.approach;

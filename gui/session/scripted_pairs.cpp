@@ -34,6 +34,7 @@ constexpr double kStyletUntil = 0.020;
 constexpr double kStyletTakes = 0.6;      // s
 constexpr double kBladeOutAfter = 0.6;    // s that the tube is held before the blade goes
 constexpr double kWithdrawal = 4.5;       // s that the blade takes (expert_laryngoscopy)
+constexpr double kVentilated = 30.0;      // s by mask where the heart begins slow
 constexpr double kBreaths = 12.2;         // s of breaths, 40 a minute: the detector needs up to 6
 constexpr double kLarynxLifted = 1.5;     // mm term: the way of the larynx under the expert's lift
 
@@ -232,10 +233,24 @@ class Planner {
   bool drawn_ = false;  ///< the stylet
 };
 
-}  // namespace
+device::Trajectory later(const device::Trajectory& hand, double by_s) {
+  std::vector<device::Keyframe> keys = hand.keyframes();
+  for (device::Keyframe& k : keys) k.time_s += by_s;
+  return device::Trajectory(std::move(keys));
+}
 
-ScriptedPair scripted_pair(const std::string& kind, const pipeline::PatientPackage& package,
-                           const curricula::Scenario& scenario, const engine::IntubationDescription& intubation) {
+/// Breaths by mask first, then the pair.
+ScriptedPair ventilated_first(const ScriptedPair& pair, double for_s) {
+  std::vector<device::TimedActions> actions{{0.0, engine::kActionBreath}, {for_s - 1.0, 0}};
+  for (device::TimedActions change : pair.actions.changes()) {
+    change.time_s += for_s;
+    actions.push_back(change);
+  }
+  return {later(pair.blade, for_s), later(pair.tube, for_s), device::ActionPlan(std::move(actions))};
+}
+
+ScriptedPair planned(const std::string& kind, const pipeline::PatientPackage& package,
+                     const curricula::Scenario& scenario, const engine::IntubationDescription& intubation) {
   Planner planner(package, intubation);
   if (kind == "expert") return planner.intubate(0.6, 0.0);
   if (kind == "shallow") return planner.intubate(0.3, 0.0);
@@ -245,6 +260,15 @@ ScriptedPair scripted_pair(const std::string& kind, const pipeline::PatientPacka
   if (kind == "abandon") return planner.look_only(kGivenUp);
   if (kind == "late") return planner.look_only(std::max(kGivenUp, scenario.max_attempt_s));
   throw std::runtime_error("scripted pair '" + kind + "' is not known");
+}
+
+}  // namespace
+
+ScriptedPair scripted_pair(const std::string& kind, const pipeline::PatientPackage& package,
+                           const curricula::Scenario& scenario, const engine::IntubationDescription& intubation) {
+  ScriptedPair pair = planned(kind, package, scenario, intubation);
+  const bool slow_heart = intubation.infant.course == engine::Course::delivery_room;
+  return slow_heart ? ventilated_first(pair, kVentilated) : pair;
 }
 
 }  // namespace vallecula::gui

@@ -19,6 +19,7 @@
 #include "gui/session/placed_tool.h"
 #include "gui/session/results_folder.h"
 #include "gui/session/scene_from_package.h"
+#include "gui/session/trial_header.h"
 #include "gui/session/two_hands.h"
 #include "gui/session/user_paths.h"
 
@@ -145,30 +146,15 @@ void TrialSession::Impl::make_runner() {
 }
 
 curricula::LogHeader TrialSession::Impl::header() const {
-  curricula::LogHeader header;
-  header.software_version = VALLECULA_VERSION;
-  header.build_hash = sha256_of_program();
-  header.instruction_set = engine::instruction_set();
-  header.package_name = package.name;
+  curricula::LogHeader header = header_of(package, scenario, description);
   header.package_path = path_for_log(setup.patient, results.folder());
   header.package_sha256 = package_sha256;
   header.curriculum_path = path_for_log(setup.curriculum, results.folder());
-  header.scenario_id = scenario.id;
-  header.scenario_yaml = scenario.yaml;
-  header.scenario_sha256 = sha256_of_bytes(scenario.yaml);
   if (!tool_ply.empty()) header.tool_sha256 = sha256_of_bytes(tool_ply);
   header.device_kind = hands->kind();
-  header.has_intubation = description.intubation.has_value();
   header.servo_period_s = kPeriodS;
-  header.device_limit_n = description.haptics.device_limit_n;
   header.realtime = setup.realtime;
-  header.settings = settings_of(description);
   header.settings.merge(hands->settings());
-  if (description.intubation) header.settings[curricula::kHeadExtension] = pipeline::kHeadExtendedDeg;
-  for (const auto& [name, point] : package.landmarks) {
-    const double scale = name == "glottis_normal" ? 1.0 : 1e-3;
-    header.landmarks_m[name] = {point[0] * scale, point[1] * scale, point[2] * scale};
-  }
   return header;
 }
 

@@ -1,0 +1,30 @@
+#include "gui/session/trial_header.h"
+
+#include "engine/haptics/runner.h"
+#include "gui/session/files.h"
+#include "gui/session/log_conversion.h"
+
+namespace vallecula::gui {
+
+curricula::LogHeader header_of(const pipeline::PatientPackage& package, const curricula::Scenario& scenario,
+                               const engine::SceneDescription& scene) {
+  curricula::LogHeader header;
+  header.software_version = VALLECULA_VERSION;
+  header.build_hash = sha256_of_program();
+  header.instruction_set = engine::instruction_set();
+  header.package_name = package.name;
+  header.scenario_id = scenario.id;
+  header.scenario_yaml = scenario.yaml;
+  header.scenario_sha256 = sha256_of_bytes(scenario.yaml);
+  header.has_intubation = scene.intubation.has_value();
+  header.device_limit_n = scene.haptics.device_limit_n;
+  header.settings = settings_of(scene);
+  if (scene.intubation) header.settings[curricula::kHeadExtension] = pipeline::kHeadExtendedDeg;
+  for (const auto& [name, point] : package.landmarks) {
+    const double scale = name == "glottis_normal" ? 1.0 : 1e-3;
+    header.landmarks_m[name] = {point[0] * scale, point[1] * scale, point[2] * scale};
+  }
+  return header;
+}
+
+}  // namespace vallecula::gui
