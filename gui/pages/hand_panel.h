@@ -25,7 +25,7 @@ class HandPanel : public QWidget {
   bool key(QKeyEvent* event, bool pressed);
   /// Lets go of all that is held; catheter or tube in hand stays.
   void release_all();
-  /// What can be asked for now.
+  /// What may be asked for, as hands and tools stand.
   void show_snapshot(const engine::Snapshot& snapshot);
 
  private:
