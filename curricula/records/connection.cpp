@@ -202,17 +202,25 @@ void Connection::repeat(const std::function<void()>& once) {
 void Connection::write(const std::function<void()>& work) {
   repeat([&] {
     run(dialect() == Dialect::sqlite ? "BEGIN IMMEDIATE" : "BEGIN");
+    in_write_ = true;
     try {
       work();
+      in_write_ = false;
       run("COMMIT");
     } catch (...) {
+      in_write_ = false;
       QSqlQuery(database()).exec("ROLLBACK");
       throw;
     }
   });
 }
 
-void Connection::read(const std::function<void()>& work) { repeat(work); }
+void Connection::read(const std::function<void()>& work) {
+  if (in_write_)
+    work();  // opened anew in between, the first half of the transaction would be lost
+  else
+    repeat(work);
+}
 
 void Connection::lock_table(const char* table) {
   if (dialect() == Dialect::postgres) run(QString("LOCK TABLE %1 IN EXCLUSIVE MODE").arg(table));

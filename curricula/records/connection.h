@@ -37,7 +37,7 @@ class Connection {
   /// writer got in the way, it is done again, for up to the location's patience_s: it must come to the same when its first run was
   /// committed and the answer was lost.
   void write(const std::function<void()>& work);
-  /// Reads once more when the connection was lost.
+  /// Reads once more when the connection was lost; within write(), as part of it.
   void read(const std::function<void()>& work);
   QString for_update() const { return dialect() == Dialect::postgres ? QStringLiteral(" FOR UPDATE") : QString(); }
   void lock_table(const char* table);
@@ -55,6 +55,7 @@ class Connection {
 
   RecordsLocation location_;
   QString name_;
+  bool in_write_ = false;
   bool was_open_ = false;  ///< a server that never answered is an error at once, not something to wait for
 };
 
