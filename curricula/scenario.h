@@ -2,9 +2,12 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
+
+#include "curricula/intubation_spec.h"
 
 namespace vallecula::curricula {
 
@@ -46,6 +49,7 @@ struct Scenario {
   double max_attempt_s = 60.0;        ///< the trial ends by itself
   Targets targets;
   PassLimits pass;
+  std::optional<IntubationSpec> intubation;  ///< none: laryngoscopy alone
   std::string yaml;                   ///< this scenario's own text, kept in the trial log
 };
 

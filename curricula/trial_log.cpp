@@ -92,7 +92,8 @@ struct TrialLogWriter::Impl {
   int descriptor = -1;
   std::uint32_t blocks = 0;
   std::int64_t ticks = 0;
-  std::string pending;  ///< encoded ticks of the block being filled
+  bool intubation = false;  ///< of the trial, by its header
+  std::string pending;      ///< encoded ticks of the block being filled
 
   [[noreturn]] void fail(const std::string& what, const std::string& mend) const {
     throw TrialLogError("trial log " + part.string() + ": " + what + " (" + system_reason() + "); " + mend);
@@ -126,7 +127,8 @@ TrialLogWriter::TrialLogWriter(const fs::path& path, const LogHeader& header) : 
   } catch (const TrialLogError& error) {
     throw TrialLogError("trial log " + path.string() + ": header: " + error.what());
   }
-  impl_->pending.reserve(kTicksPerBlock * kTickBytes);
+  impl_->intubation = header.has_intubation;
+  impl_->pending.reserve(kTicksPerBlock * tick_bytes(header.has_intubation));
   impl_->descriptor = ::open(impl_->part.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
   if (impl_->descriptor < 0) impl_->fail("cannot be created", "check that its folder exists and may be written to");
   try {
@@ -149,9 +151,14 @@ TrialLogWriter::~TrialLogWriter() {
 
 void TrialLogWriter::append(const LogTick& tick) {
   if (impl_->descriptor < 0) throw TrialLogError("trial log " + impl_->path.string() + ": is closed already");
+  if (tick.has_intubation != impl_->intubation) {
+    throw TrialLogError("trial log " + impl_->path.string() + ": tick " + std::to_string(tick.tick) +
+                        (impl_->intubation ? " lacks the intubation its header names"
+                                           : " has an intubation that its header does not name"));
+  }
   put_tick(impl_->pending, tick);
   ++impl_->ticks;
-  if (impl_->pending.size() >= kTicksPerBlock * kTickBytes) impl_->flush_ticks();
+  if (impl_->pending.size() >= kTicksPerBlock * tick_bytes(impl_->intubation)) impl_->flush_ticks();
 }
 
 void TrialLogWriter::close(const LogFooter& footer) {
@@ -208,9 +215,9 @@ TrialLog read_trial_log(const fs::path& given) {
         problem = "its header is missing or stands twice";
       } else if (block.kind == "HEAD") {
         log.header = header_from_json(block.payload);
-      } else if (block.kind == "TICK" && block.payload.size() % kTickBytes == 0) {
-        for (std::size_t at = 0; at < block.payload.size(); at += kTickBytes) {
-          log.ticks.push_back(get_tick(block.payload.data() + at));
+      } else if (block.kind == "TICK" && block.payload.size() % tick_bytes(log.header.has_intubation) == 0) {
+        for (std::size_t at = 0; at < block.payload.size(); at += tick_bytes(log.header.has_intubation)) {
+          log.ticks.push_back(get_tick(block.payload.data() + at, log.header.has_intubation));
         }
       } else if (block.kind == "FOOT") {
         std::int64_t ticks = 0;

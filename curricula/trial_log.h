@@ -29,6 +29,54 @@ struct LogLoad {
   std::int32_t contacts = 0;
 };
 
+/// What the second hand holds, and where its tip is. `larynx`: from the inlet to the cricoid.
+enum class LoggedInHand : std::uint8_t { tube_with_stylet = 0, tube, catheter };
+enum class LoggedPlace : std::uint8_t { outside = 0, mouth, larynx, trachea, main_bronchus, oesophagus };
+
+/// Order of LogIntubation::loads_n.
+enum LoggedTubeLoad {
+  kTubeVestibule = 0,
+  kTubeCords,
+  kTubeSubglottis,
+  kTubeCricoid,
+  kTubeTrachea,
+  kTubeBronchus,
+  kTubeOesophagus,
+  kTubePharynx,
+  kTubeTongue,
+  kTubeEpiglottis,
+  kTubeBlade,
+  kTubeLoads
+};
+constexpr std::uint8_t kNothingAgainstTip = 255;
+
+/// The second half of the procedure in one tick: the same fields as engine::IntubationRecord.
+struct LogIntubation {
+  LogPose hand_pose;
+  bool hand_valid = true;
+  LoggedInHand in_hand = LoggedInHand::tube;
+  std::array<double, 3> tip_m{};
+  std::array<double, 3> tip_direction{0, 0, 1};
+  LoggedPlace place = LoggedPlace::outside;
+  double past_cords_m = 0.0;  ///< of the tip along the airway, at most 0 above; in the oesophagus from its mouth
+  double at_mouth_m = 0.0;    ///< the tube's mark at the mouth's front; 0: outside
+  double buckled_m = 0.0;
+  std::array<double, 3> model_force_n{};  ///< on the second hand, world axes
+  std::array<double, 3> displayed_force_n{};
+  std::array<double, kTubeLoads> loads_n{};       ///< by what is touched, sums of magnitudes
+  double tip_load_n = 0.0;                        ///< along the tube, of what stands before its tip
+  std::uint8_t tip_against = kNothingAgainstTip;  ///< what that is, mostly: a LoggedTubeLoad
+  double glottis_opening = 0.0;                   ///< 0..1
+  bool spasm = false;
+  double secretions_ml = 0.0;
+  double sao2 = 0.0, spo2 = 0.0;  ///< 0..1; true, displayed
+  double heart_per_min = 0.0;
+  bool detector_yellow = false;
+  std::int32_t breaths_given = 0;  ///< since the trial began
+  double given_per_min = 0.0;
+  std::uint32_t faults = 0;
+};
+
 /// One servo tick. The same fields as engine::TickRecord; curricula knows no engine, so they are written out here.
 struct LogTick {
   std::int64_t tick = 0;
@@ -47,11 +95,24 @@ struct LogTick {
   bool has_sight = false;
   double glottis_visible = 0.0;
   std::uint32_t faults = 0;
+  bool has_intubation = false;  ///< of the trial: the same in all its ticks
+  LogIntubation intubation;
 };
+
+/// The trial's clock stands: a device that a hand needs cannot be used.
+inline bool paused(const LogTick& tick) noexcept {
+  return !tick.device_valid || (tick.has_intubation && !tick.intubation.hand_valid);
+}
+
+/// The setting a depth is judged by: this infant's way from the cords to the carina, m.
+constexpr char kCordsToCarina[] = "cords_to_carina_m";
+/// The head's extension on the neck, degrees; where it is known, depth is told for the neutral head as well.
+constexpr char kHeadExtension[] = "head_extension_deg";
 
 /// Everything that must be known to understand and to repeat the trial. No identity of patient or trainee.
 struct LogHeader {
-  int schema = 1;                      ///< as read; written: 2 with a tool of its own, which older readers must not miss
+  int schema = 1;  ///< as read; written: 3 with an intubation, 2 with a tool of its own, which older
+                   ///< readers must not miss
   std::string software_version;
   std::string build_hash;              ///< of the program that wrote it
   std::string instruction_set;         ///< kernels' level, for instance "x86-64"
@@ -63,6 +124,7 @@ struct LogHeader {
   std::string scenario_yaml;           ///< the scenario's text: scoring needs no other file
   std::string scenario_sha256;
   std::string tool_sha256;             ///< of tool.ply beside the log; empty: the scenario's blade
+  bool has_intubation = false;         ///< its ticks have the second half; settings then hold kCordsToCarina
   std::string device_kind;             ///< scores are never pooled across kinds
   double servo_period_s = 0.001;
   double device_limit_n = 7.9;

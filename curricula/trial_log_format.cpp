@@ -1,9 +1,5 @@
 #include "curricula/trial_log_format.h"
 
-#include <QJsonArray>
-#include <QJsonDocument>
-#include <QJsonObject>
-#include <cmath>
 #include <cstring>
 
 namespace vallecula::curricula::log_format {
@@ -32,6 +28,7 @@ void put(std::string& out, std::int64_t value) { put_unsigned(out, static_cast<s
 void put(std::string& out, std::int32_t value) { put_unsigned(out, static_cast<std::uint32_t>(value)); }
 void put(std::string& out, std::uint32_t value) { put_unsigned(out, value); }
 void put(std::string& out, std::uint8_t value) { out.push_back(static_cast<char>(value)); }
+void put(std::string& out, bool value) { out.push_back(value ? '\1' : '\0'); }
 template <std::size_t N>
 void put(std::string& out, const std::array<double, N>& values) {
   for (double v : values) put(out, v);
@@ -65,36 +62,72 @@ struct Cursor {
   }
 };
 
-double finite_or_throw(double value, const std::string& name) {
-  if (!std::isfinite(value)) throw TrialLogError("'" + name + "' is not a finite number and cannot be stored");
+void put_intubation(std::string& out, const LogIntubation& i) {
+  put(out, i.hand_pose);
+  put(out, i.hand_valid);
+  put(out, static_cast<std::uint8_t>(i.in_hand));
+  put(out, i.tip_m);
+  put(out, i.tip_direction);
+  put(out, static_cast<std::uint8_t>(i.place));
+  put(out, i.past_cords_m);
+  put(out, i.at_mouth_m);
+  put(out, i.buckled_m);
+  put(out, i.model_force_n);
+  put(out, i.displayed_force_n);
+  put(out, i.loads_n);
+  put(out, i.tip_load_n);
+  put(out, i.tip_against);
+  put(out, i.glottis_opening);
+  put(out, i.spasm);
+  put(out, i.secretions_ml);
+  put(out, i.sao2);
+  put(out, i.spo2);
+  put(out, i.heart_per_min);
+  put(out, i.detector_yellow);
+  put(out, i.breaths_given);
+  put(out, i.given_per_min);
+  put(out, i.faults);
+}
+
+/// A byte that must name one of `last` + 1 things; `what` and `tick` for the message.
+std::uint8_t known(std::uint8_t value, std::uint8_t last, const char* what, std::int64_t tick) {
+  if (value > last)
+    throw TrialLogError("tick " + std::to_string(tick) + " has the unknown " + what + " " + std::to_string(value));
   return value;
 }
 
-QString text(const std::string& s) { return QString::fromStdString(s); }
-
-QJsonObject parse_object(const std::string& json) {
-  QJsonParseError error{};
-  const QJsonDocument document = QJsonDocument::fromJson(QByteArray::fromStdString(json), &error);
-  if (!document.isObject()) throw TrialLogError("its JSON cannot be read (" + error.errorString().toStdString() + ")");
-  return document.object();
-}
-
-QJsonValue field(const QJsonObject& object, const char* name, QJsonValue::Type type) {
-  const QJsonValue value = object.value(QLatin1String(name));
-  if (value.type() != type) throw TrialLogError(std::string("field '") + name + "' is missing or of the wrong type");
-  return value;
-}
-std::string get_text(const QJsonObject& o, const char* name) {
-  return field(o, name, QJsonValue::String).toString().toStdString();
-}
-double get_number(const QJsonObject& o, const char* name) { return field(o, name, QJsonValue::Double).toDouble(); }
-bool get_bool(const QJsonObject& o, const char* name) { return field(o, name, QJsonValue::Bool).toBool(); }
-std::int64_t get_integer(const QJsonObject& o, const char* name) {
-  return field(o, name, QJsonValue::Double).toVariant().toLongLong();
-}
-
-std::string compact(const QJsonObject& object) {
-  return QJsonDocument(object).toJson(QJsonDocument::Compact).toStdString();
+LogIntubation get_intubation(Cursor& c, std::int64_t tick) {
+  LogIntubation i;
+  std::uint8_t in_hand = 0, place = 0;
+  c.get(i.hand_pose);
+  c.get(i.hand_valid);
+  c.get(in_hand);
+  c.get(i.tip_m);
+  c.get(i.tip_direction);
+  c.get(place);
+  c.get(i.past_cords_m);
+  c.get(i.at_mouth_m);
+  c.get(i.buckled_m);
+  c.get(i.model_force_n);
+  c.get(i.displayed_force_n);
+  c.get(i.loads_n);
+  c.get(i.tip_load_n);
+  c.get(i.tip_against);
+  c.get(i.glottis_opening);
+  c.get(i.spasm);
+  c.get(i.secretions_ml);
+  c.get(i.sao2);
+  c.get(i.spo2);
+  c.get(i.heart_per_min);
+  c.get(i.detector_yellow);
+  c.get(i.breaths_given);
+  c.get(i.given_per_min);
+  c.get(i.faults);
+  i.in_hand = static_cast<LoggedInHand>(
+      known(in_hand, static_cast<std::uint8_t>(LoggedInHand::catheter), "thing in hand", tick));
+  i.place = static_cast<LoggedPlace>(known(place, static_cast<std::uint8_t>(LoggedPlace::oesophagus), "place", tick));
+  if (i.tip_against != kNothingAgainstTip) known(i.tip_against, kTubeLoads - 1, "thing before the tip", tick);
+  return i;
 }
 
 }  // namespace
@@ -138,7 +171,7 @@ void put_tick(std::string& out, const LogTick& tick) {
   put(out, tick.time_s);
   put(out, tick.device_pose);
   put(out, tick.buttons);
-  put(out, static_cast<std::uint8_t>(tick.device_valid));
+  put(out, tick.device_valid);
   put(out, tick.step_fed);
   put(out, tick.step_used);
   put(out, tick.proxy_pose);
@@ -151,12 +184,13 @@ void put_tick(std::string& out, const LogTick& tick) {
     put(out, load.centre_m);
     put(out, load.contacts);
   }
-  put(out, static_cast<std::uint8_t>(tick.has_sight));
+  put(out, tick.has_sight);
   put(out, tick.glottis_visible);
   put(out, tick.faults);
+  if (tick.has_intubation) put_intubation(out, tick.intubation);
 }
 
-LogTick get_tick(const char* bytes) {
+LogTick get_tick(const char* bytes, bool intubation) {
   LogTick tick;
   std::uint8_t state = 0;
   Cursor c{bytes};
@@ -180,109 +214,11 @@ LogTick get_tick(const char* bytes) {
   c.get(tick.has_sight);
   c.get(tick.glottis_visible);
   c.get(tick.faults);
-  if (state > static_cast<std::uint8_t>(LoggedState::recovering)) {
-    throw TrialLogError("tick " + std::to_string(tick.tick) + " has the unknown state " + std::to_string(state));
-  }
-  tick.state = static_cast<LoggedState>(state);
+  tick.state =
+      static_cast<LoggedState>(known(state, static_cast<std::uint8_t>(LoggedState::recovering), "state", tick.tick));
+  tick.has_intubation = intubation;
+  if (intubation) tick.intubation = get_intubation(c, tick.tick);
   return tick;
-}
-
-std::string header_to_json(const LogHeader& header) {
-  QJsonObject o;
-  o["schema"] = header.tool_sha256.empty() ? 1 : 2;
-  o["software_version"] = text(header.software_version);
-  o["build_hash"] = text(header.build_hash);
-  o["instruction_set"] = text(header.instruction_set);
-  o["package_name"] = text(header.package_name);
-  o["package_path"] = text(header.package_path);
-  o["package_sha256"] = text(header.package_sha256);
-  o["curriculum_path"] = text(header.curriculum_path);
-  o["scenario_id"] = text(header.scenario_id);
-  o["scenario_yaml"] = text(header.scenario_yaml);
-  o["scenario_sha256"] = text(header.scenario_sha256);
-  if (!header.tool_sha256.empty()) o["tool_sha256"] = text(header.tool_sha256);
-  o["device_kind"] = text(header.device_kind);
-  if (!(header.servo_period_s > 0.0)) throw TrialLogError("'servo_period_s' must be positive");
-  o["servo_period_s"] = finite_or_throw(header.servo_period_s, "servo_period_s");
-  o["device_limit_n"] = finite_or_throw(header.device_limit_n, "device_limit_n");
-  o["realtime"] = header.realtime;
-  QJsonObject settings, landmarks;
-  for (const auto& [name, value] : header.settings) settings[text(name)] = finite_or_throw(value, name);
-  for (const auto& [name, point] : header.landmarks_m) {
-    QJsonArray coordinates;
-    for (double c : point) coordinates.append(finite_or_throw(c, name));
-    landmarks[text(name)] = coordinates;
-  }
-  o["settings"] = settings;
-  o["landmarks_m"] = landmarks;
-  return compact(o);
-}
-
-LogHeader header_from_json(const std::string& json) {
-  const QJsonObject o = parse_object(json);
-  LogHeader header;
-  header.schema = static_cast<int>(get_integer(o, "schema"));
-  if (header.schema != 1 && header.schema != 2) {
-    throw TrialLogError("its schema is " + std::to_string(header.schema) +
-                        ", this version reads 1 and 2; use the newer Vallecula");
-  }
-  header.software_version = get_text(o, "software_version");
-  header.build_hash = get_text(o, "build_hash");
-  header.instruction_set = get_text(o, "instruction_set");
-  header.package_name = get_text(o, "package_name");
-  header.package_path = get_text(o, "package_path");
-  header.package_sha256 = get_text(o, "package_sha256");
-  header.curriculum_path = get_text(o, "curriculum_path");
-  header.scenario_id = get_text(o, "scenario_id");
-  header.scenario_yaml = get_text(o, "scenario_yaml");
-  header.scenario_sha256 = get_text(o, "scenario_sha256");
-  if (header.schema == 2) header.tool_sha256 = get_text(o, "tool_sha256");
-  header.device_kind = get_text(o, "device_kind");
-  header.servo_period_s = get_number(o, "servo_period_s");
-  if (!(header.servo_period_s > 0.0)) throw TrialLogError("its servo_period_s is not positive");
-  header.device_limit_n = get_number(o, "device_limit_n");
-  header.realtime = get_bool(o, "realtime");
-  const QJsonObject settings = field(o, "settings", QJsonValue::Object).toObject();
-  for (auto it = settings.begin(); it != settings.end(); ++it)
-    header.settings[it.key().toStdString()] = it.value().toDouble();
-  const QJsonObject landmarks = field(o, "landmarks_m", QJsonValue::Object).toObject();
-  for (auto it = landmarks.begin(); it != landmarks.end(); ++it) {
-    const QJsonArray c = it.value().toArray();
-    if (c.size() != 3) throw TrialLogError("landmark '" + it.key().toStdString() + "' does not have three coordinates");
-    header.landmarks_m[it.key().toStdString()] = {c[0].toDouble(), c[1].toDouble(), c[2].toDouble()};
-  }
-  return header;
-}
-
-std::string footer_to_json(const LogFooter& footer, std::int64_t ticks) {
-  QJsonObject o;
-  o["complete"] = footer.complete;
-  o["ended"] = text(footer.ended);
-  o["loop_rate_hz"] = finite_or_throw(footer.loop_rate_hz, "loop_rate_hz");
-  o["deadline_misses"] = static_cast<qint64>(footer.deadline_misses);
-  o["overruns"] = static_cast<qint64>(footer.overruns);
-  o["real_time_setup"] = text(footer.real_time_setup);
-  QJsonArray faults;
-  for (const std::string& fault : footer.pause_faults) faults.append(text(fault));
-  o["pause_faults"] = faults;
-  o["ticks"] = static_cast<qint64>(ticks);
-  return compact(o);
-}
-
-LogFooter footer_from_json(const std::string& json, std::int64_t& ticks) {
-  const QJsonObject o = parse_object(json);
-  LogFooter footer;
-  footer.complete = get_bool(o, "complete");
-  footer.ended = get_text(o, "ended");
-  footer.loop_rate_hz = get_number(o, "loop_rate_hz");
-  footer.deadline_misses = get_integer(o, "deadline_misses");
-  footer.overruns = get_integer(o, "overruns");
-  // Older logs lack these two.
-  if (o.contains("real_time_setup")) footer.real_time_setup = get_text(o, "real_time_setup");
-  for (const QJsonValue& fault : o.value("pause_faults").toArray())
-    footer.pause_faults.push_back(fault.toString().toStdString());
-  ticks = get_integer(o, "ticks");
-  return footer;
 }
 
 }  // namespace vallecula::curricula::log_format

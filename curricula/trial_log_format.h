@@ -3,7 +3,9 @@
 //   "\x89VTRIAL\n"  u32 format version
 //   blocks:  kind (4 letters)  u32 number (0, 1, 2, ...)  u32 payload bytes  payload  u32 CRC-32 of all that
 //     HEAD   JSON, the first block
-//     TICK   whole ticks of kTickBytes each
+//     TICK   whole ticks of tick_bytes() each: LogTick's fields in their order; where the header's schema is 3 those
+//            of LogIntubation follow, in theirs. Enumerations and truth values are one byte, counts and bits four,
+//            tick and steps eight.
 //     FOOT   JSON with the number of ticks, the last block
 //
 // Doubles are stored as their 64 bits, so a log gives back exactly what was measured, NaN included.
@@ -28,6 +30,10 @@ constexpr int kTicksPerBlock = 256;                 ///< a crash loses at most a
 constexpr std::size_t kPoseBytes = 7 * 8, kVectorBytes = 3 * 8, kLoadBytes = 2 * kVectorBytes + 4;
 constexpr std::size_t kTickBytes =
     8 + 8 + kPoseBytes + 4 + 1 + 8 + 8 + kPoseBytes + 1 + 3 * kVectorBytes + kStructures * kLoadBytes + 1 + 8 + 4;
+constexpr std::size_t kIntubationBytes = kPoseBytes + 1 + 1 + 2 * kVectorBytes + 1 + 3 * 8 + 2 * kVectorBytes +
+                                         kTubeLoads * 8 + 8 + 1 + 8 + 1 + 8 + 2 * 8 + 8 + 1 + 4 + 8 + 4;
+
+constexpr std::size_t tick_bytes(bool intubation) { return kTickBytes + (intubation ? kIntubationBytes : 0); }
 
 /// CRC-32 of IEEE 802.3 (the one of zlib, PNG and Ethernet).
 std::uint32_t crc32(const char* data, std::size_t size) noexcept;
@@ -39,8 +45,9 @@ std::string file_head();
 std::string block(const char kind[4], std::uint32_t number, const std::string& payload);
 
 void put_tick(std::string& out, const LogTick& tick);
-/// `bytes` holds kTickBytes. Throws TrialLogError (without the file's name) on a state that does not exist.
-LogTick get_tick(const char* bytes);
+/// `bytes` holds tick_bytes(intubation). Throws TrialLogError (without the file's name) on a state or place that does
+/// not exist.
+LogTick get_tick(const char* bytes, bool intubation);
 
 /// JSON texts. The getters throw TrialLogError (without the file's name) naming the field that is missing or wrong.
 std::string header_to_json(const LogHeader& header);

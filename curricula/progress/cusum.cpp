@@ -46,16 +46,4 @@ int procedures_to_consecutive(const std::vector<bool>& success, int n) {
   return -1;
 }
 
-std::vector<bool> procedures_of_attempts(const std::vector<bool>& attempt_succeeded, int attempts) {
-  if (attempts < 1) throw std::invalid_argument("attempts of a procedure: 1 or more");
-  std::vector<bool> procedures;
-  int failed = 0;
-  for (const bool succeeded : attempt_succeeded) {
-    if (!succeeded && ++failed < attempts) continue;
-    procedures.push_back(succeeded);
-    failed = 0;
-  }
-  return procedures;
-}
-
 }  // namespace vallecula::curricula

@@ -44,8 +44,4 @@ CusumCurve cusum(const std::vector<bool>& success, const CusumRule& rule = {});
 /// Procedures up to and with the n-th success in a row; -1: not reached. Throws std::invalid_argument for n < 1.
 int procedures_to_consecutive(const std::vector<bool>& success, int n);
 
-/// What a trainee did on one patient, trial by trial, seen as procedures: success within `attempts` attempts (2 in
-/// PMC8290971). Attempts count from the procedure's first; a success ends it, and so do that many failures.
-std::vector<bool> procedures_of_attempts(const std::vector<bool>& attempt_succeeded, int attempts = 2);
-
 }  // namespace vallecula::curricula

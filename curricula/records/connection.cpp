@@ -83,7 +83,7 @@ QString quoted(const std::string& value) {
 }  // namespace
 
 QVariant bound(const std::string& s) { return s.empty() ? QVariant(QString("")) : QVariant(text(s)); }
-QVariant bound(double number, bool present) { return present ? QVariant(number) : QVariant(QVariant::Double); }
+QVariant bound(const std::optional<double>& number) { return number ? QVariant(*number) : QVariant(QVariant::Double); }
 QVariant bound_id(long long id) { return id == 0 ? QVariant(QVariant::LongLong) : QVariant(static_cast<qlonglong>(id)); }
 
 Connection::Connection(const RecordsLocation& location) : location_(location) {

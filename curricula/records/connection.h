@@ -5,6 +5,7 @@
 #include <QSqlQuery>
 #include <QVariant>
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "curricula/records/location.h"
@@ -15,8 +16,7 @@ enum class Dialect { sqlite, postgres };
 
 /// A text as the database keeps it: an empty one is empty, not NULL.
 QVariant bound(const std::string& text);
-/// NULL where `present` is false.
-QVariant bound(double number, bool present);
+QVariant bound(const std::optional<double>& number);
 QVariant bound_id(long long id);  ///< 0, nobody, is NULL
 
 class Connection {

@@ -42,6 +42,8 @@ const std::vector<std::vector<Statement>>& record_migrations() {
        "deadline_misses INTEGER NOT NULL, "
        "ticks INTEGER NOT NULL)"},
       {"CREATE INDEX trials_by_time ON trials (finished_utc)"},
+      {"ALTER TABLE trials ADD COLUMN outcome TEXT",  // NULL: a trial without an intubation
+       "ALTER TABLE trials ADD COLUMN lowest_spo2_percent REAL"},
       // People, whose trial it was, trials under way, notes, what is to be deleted, and the audit trail.
       {"CREATE TABLE people ("
        "id INTEGER PRIMARY KEY AUTOINCREMENT, "  // never given twice: the audit trail goes on naming it
@@ -53,10 +55,13 @@ const std::vector<std::vector<Statement>>& record_migrations() {
        "wait_ms INTEGER NOT NULL DEFAULT 0, "  // from wait_from_ms, ms since 1970
        "wait_from_ms INTEGER NOT NULL DEFAULT 0)",
        "ALTER TABLE trials ADD COLUMN trainee_id INTEGER REFERENCES people (id)",  // NULL: nobody's
-       "ALTER TABLE trials ADD COLUMN uid TEXT",                                   // NULL: before schema 3
+       "ALTER TABLE trials ADD COLUMN uid TEXT",                                   // NULL: before schema 4
        "ALTER TABLE trials ADD COLUMN started_utc TEXT NOT NULL DEFAULT ''",
        "ALTER TABLE trials ADD COLUMN station TEXT NOT NULL DEFAULT ''",
        "ALTER TABLE trials ADD COLUMN log_sha256 TEXT NOT NULL DEFAULT ''",
+       "ALTER TABLE trials ADD COLUMN attempts INTEGER",
+       "ALTER TABLE trials ADD COLUMN time_to_pass_s REAL",
+       "ALTER TABLE trials ADD COLUMN lowest_heart_per_min REAL",
        "CREATE UNIQUE INDEX trials_by_uid ON trials (uid)",
        "CREATE INDEX trials_by_trainee ON trials (trainee_id, scenario_id, device_kind)",
        "CREATE TABLE open_trials ("

@@ -31,7 +31,7 @@ constexpr const char* kNotRecorded = "the trial could not be recorded";
 
 long long insert_trial(Connection& connection, const RecordRow& row, const std::string& uid) {
   const Score& s = row.score;
-  const std::vector<std::pair<const char*, QVariant>> columns = {
+  std::vector<std::pair<const char*, QVariant>> columns = {
       {"uid", bound(uid)},
       {"trainee_id", bound_id(row.trainee_id)},
       {"started_utc", bound(row.started_utc)},
@@ -47,7 +47,7 @@ long long insert_trial(Connection& connection, const RecordRow& row, const std::
       {"reasons", reasons_to_json(s.reasons)},
       {"peak_tongue_force_n", s.peak_tongue_force_n},
       {"time_of_peak_tongue_force_s", s.time_of_peak_tongue_force_s},
-      {"time_to_trachea_visible_s", bound(s.time_to_trachea_visible_s, s.time_to_trachea_visible_s >= 0.0)},
+      {"time_to_trachea_visible_s", bound(s.time_to_trachea_visible_s < 0.0 ? std::nullopt : std::optional(s.time_to_trachea_visible_s))},
       {"glottis_visible_max_percent", s.glottis_visible_max_percent},
       {"peak_gum_force_n", s.peak_gum_force_n},
       {"time_of_peak_gum_force_s", s.time_of_peak_gum_force_s},
@@ -59,6 +59,15 @@ long long insert_trial(Connection& connection, const RecordRow& row, const std::
       {"deadline_misses", static_cast<qlonglong>(s.deadline_misses)},
       {"ticks", static_cast<qlonglong>(s.ticks)},
   };
+  if (s.intubation) {  // NULL: a trial without one
+    const IntubationScore& tube = *s.intubation;
+    const Attempt* decisive = tube.decisive();
+    columns.emplace_back("outcome", QString(name_of(tube.outcome)));
+    columns.emplace_back("lowest_spo2_percent", bound(tube.lowest_spo2_percent));
+    columns.emplace_back("lowest_heart_per_min", bound(tube.lowest_heart_per_min));
+    columns.emplace_back("attempts", static_cast<int>(tube.attempts.size()));
+    columns.emplace_back("time_to_pass_s", bound(decisive != nullptr ? decisive->time_to_pass_s : std::nullopt));
+  }
   QStringList names, marks;
   QVariantList values;
   for (const auto& [name, value] : columns) {
@@ -181,6 +190,16 @@ std::vector<RecordRow> trial_rows(Connection& connection, const QString& where, 
       s.loop_rate_hz = number("loop_rate_hz");
       s.deadline_misses = whole("deadline_misses");
       s.ticks = whole("ticks");
+      if (const auto outcome = outcome_named(word("outcome"))) {
+        const auto known = [&](const char* column) {
+          return query.value(column).isNull() ? std::nullopt : std::optional(number(column));
+        };
+        s.intubation.emplace().outcome = *outcome;
+        s.intubation->lowest_spo2_percent = known("lowest_spo2_percent");
+        s.intubation->lowest_heart_per_min = known("lowest_heart_per_min");
+        row.attempts = static_cast<int>(whole("attempts"));
+        row.time_to_pass_s = known("time_to_pass_s");
+      }
       rows.push_back(row);
     }
   });

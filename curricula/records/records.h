@@ -16,7 +16,7 @@ class Connection;
 
 struct RecordRow {
   long long id = 0;
-  std::string uid;           ///< as begin() gave it; empty for rows older than schema 3
+  std::string uid;           ///< as begin() gave it; empty for rows older than schema 4
   long long trainee_id = 0;  ///< 0: nobody's
   std::string started_utc;   ///< ISO 8601; empty: not known
   std::string finished_utc;  ///< ISO 8601
@@ -24,6 +24,9 @@ struct RecordRow {
   std::string station;     ///< whose disk trial_path is on
   std::string log_sha256;  ///< of the file at trial_path; a later trial in the same folder has another
   Score score;
+  // Of an intubation, taken from the score when it is added.
+  int attempts = 0;                      ///< 0: not known, or no intubation
+  std::optional<double> time_to_pass_s;  ///< in the decisive attempt
 };
 
 /// A trial under way.
@@ -59,7 +62,7 @@ class Records {
   long long add(const RecordRow& row);
   /// The last `count` trials that belong to nobody, by finished_utc, newest first; those of a trainee are read by
   /// Progress. Of the score the figures of score.json's first part come back (everything up to `reasons`, and
-  /// `complete`); the rest is in the trial's log.
+  /// `complete`) and of an intubation outcome, lowest saturation and heart rate; the rest is in the trial's log.
   std::vector<RecordRow> newest(int count) const;
 
   Connection& connection() const { return *connection_; }  ///< for the library's other parts

@@ -3,6 +3,7 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QRegularExpression>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <set>
@@ -62,7 +63,7 @@ std::string allowed_by(const QJsonObject& schema) {
     allowed = number_text(schema.value("const").toDouble());
   } else if (schema.contains("enum")) {
     QStringList words;
-    for (const QJsonValue& word : schema.value("enum").toArray()) words << word.toString();
+    for (const QJsonValue& word : schema.value("enum").toArray()) words << word.toVariant().toString();
     allowed = "one of " + joined(words);
   } else if (type == "number") {
     allowed = range_text("a number", schema);
@@ -71,6 +72,8 @@ std::string allowed_by(const QJsonObject& schema) {
   } else if (type == "string") {
     allowed = "text of " + number_text(schema.value("minLength").toDouble(1)) + " to " +
               number_text(schema.value("maxLength").toDouble()) + " characters";
+  } else if (type == "boolean") {
+    allowed = "true or false";
   } else if (type == "array") {
     allowed = "a list of " + number_text(schema.value("minItems").toDouble()) + " to " +
               number_text(schema.value("maxItems").toDouble()) + " entries";
@@ -102,6 +105,20 @@ bool yaml_number(const YAML::Node& node, double& value) {
   const char* begin = text.data() + (text.size() > 1 && text[0] == '+' && text[1] != '-' ? 1 : 0);
   const auto [end, error] = std::from_chars(begin, text.data() + text.size(), value);
   return error == std::errc() && end == text.data() + text.size() && std::isfinite(value);
+}
+
+double checked_number(const YAML::Node& node) {
+  double value = 0.0;
+  yaml_number(node, value);
+  return value;
+}
+
+bool checked_bool(const YAML::Node& node) { return node.Scalar() == "true"; }
+
+std::string with_unit(double value, const char* unit) {
+  std::array<char, 32> digits{};
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
+  return std::string(digits.data(), end) + " " + unit;
 }
 
 Validator::Validator(const char* schema_json, std::string file) : file_(std::move(file)) {
@@ -146,6 +163,8 @@ void Validator::check(const YAML::Node& node, const QJsonObject& given, const st
     check_number(node, schema, path, line);
   } else if (type == "string") {
     check_string(node, schema, path, line);
+  } else if (type == "boolean") {
+    check_boolean(node, schema, path, line);
   } else {
     throw std::logic_error("schema type '" + type + "' is not understood");
   }
@@ -200,6 +219,7 @@ void Validator::check_number(const YAML::Node& node, const QJsonObject& schema, 
   ok =
       ok && value >= schema.value("minimum").toDouble(-HUGE_VAL) && value <= schema.value("maximum").toDouble(HUGE_VAL);
   ok = ok && (!schema.contains("const") || value == schema.value("const").toDouble());
+  ok = ok && (!schema.contains("enum") || schema.value("enum").toArray().contains(value));
   if (!ok) fail(line, path, shown(node), allowed_by(schema));
 }
 
@@ -214,6 +234,13 @@ void Validator::check_string(const YAML::Node& node, const QJsonObject& schema, 
     const QRegularExpression whole(QRegularExpression::anchoredPattern(schema.value("pattern").toString()));
     ok = ok && whole.match(value).hasMatch();
   }
+  if (!ok) fail(line, path, shown(node), allowed_by(schema));
+}
+
+void Validator::check_boolean(const YAML::Node& node, const QJsonObject& schema, const std::string& path,
+                              int line) const {
+  const bool ok =
+      node.IsScalar() && node.Tag() == "?" && (node.Scalar() == "true" || node.Scalar() == "false");  // not quoted
   if (!ok) fail(line, path, shown(node), allowed_by(schema));
 }
 

@@ -30,6 +30,7 @@ class Validator {
   void check_list(const YAML::Node& node, const QJsonObject& schema, const std::string& path, int line) const;
   void check_number(const YAML::Node& node, const QJsonObject& schema, const std::string& path, int line) const;
   void check_string(const YAML::Node& node, const QJsonObject& schema, const std::string& path, int line) const;
+  void check_boolean(const YAML::Node& node, const QJsonObject& schema, const std::string& path, int line) const;
   [[noreturn]] void fail(int line, const std::string& path, const std::string& value, const std::string& allowed) const;
 
   QJsonObject schema_;
@@ -38,5 +39,12 @@ class Validator {
 
 /// A YAML number as JSON Schema means it: an unquoted decimal number, finite. The point is a point in every locale.
 bool yaml_number(const YAML::Node& node, double& value);
+
+/// Of a node that the validator has let pass.
+double checked_number(const YAML::Node& node);
+bool checked_bool(const YAML::Node& node);
+
+/// A value for a message, "6.5 N".
+std::string with_unit(double value, const char* unit);
 
 }  // namespace vallecula::curricula

@@ -1,34 +1,11 @@
 #include "curricula/score/rubric.h"
 
-#include <QString>
-
+#include "curricula/score/criterion.h"
+#include "curricula/score/intubation_rubric.h"
 #include "curricula/score/mouth.h"
 
 namespace vallecula::curricula {
 namespace {
-
-std::string fixed(double value, int decimals) { return QString::number(value, 'f', decimals).toStdString(); }
-std::string second(double time_s) { return fixed(time_s, 2) + " s"; }
-std::string limit_text(double value) { return QString::number(value, 'g', 6).toStdString(); }
-
-/// Two decimals, or four where two would make an excess look like equality.
-std::string figure(const Criterion& c) {
-  const std::string text = fixed(c.value, 2);
-  return text == fixed(c.limit, 2) && c.value != c.limit ? fixed(c.value, 4) : text;
-}
-
-/// Figures that must not exceed their limit. `what` is the sentence's subject, `when` says at which second.
-Criterion at_most(const char* name, const char* unit, double value, double limit, double at_s, const std::string& what,
-                  const std::string& when) {
-  Criterion c{name, unit, value, limit, at_s, value <= limit, {}};
-  c.sentence = what + " " + figure(c) + " " + unit + when + (c.met ? ", within the " : ", more than the ") +
-               limit_text(limit) + " " + unit + " allowed";
-  return c;
-}
-
-Criterion fact(const char* name, bool met, double at_s, const std::string& sentence) {
-  return {name, "", met ? 1.0 : 0.0, 1.0, at_s, met, sentence};
-}
 
 Criterion completeness(const TrialLog& log, const Score& score) {
   const double end_s = log.ticks.empty() ? 0.0 : log.ticks.back().time_s;
@@ -50,20 +27,10 @@ Criterion attempt_begun(const TrialLog& log, const Score& score) {
 }
 
 Criterion glottis_seen(const Scenario& scenario, const Score& score) {
-  Criterion c{"glottis_visible_max_percent",
-              "%",
-              score.glottis_visible_max_percent,
-              scenario.pass.glottis_visible_percent,
-              score.time_of_glottis_max_s,
-              false,
-              {}};
-  c.met = c.value >= c.limit;
-  if (c.at_s < 0.0) {
-    c.sentence = "The glottis was never in sight; " + limit_text(c.limit) + " % of it must be seen";
-  } else {
-    c.sentence = "Glottis seen to " + figure(c) + " % at " + second(c.at_s) +
-                 (c.met ? ", at least the " : ", less than the ") + limit_text(c.limit) + " % asked for";
-  }
+  const double limit = scenario.pass.glottis_visible_percent, at_s = score.time_of_glottis_max_s;
+  Criterion c = at_least("glottis_visible_max_percent", "%", score.glottis_visible_max_percent, limit, at_s,
+                         "Glottis seen to", " at " + second(at_s));
+  if (at_s < 0.0) c.sentence = "The glottis was never in sight; " + limit_text(limit) + " % of it must be seen";
   return c;
 }
 
@@ -90,7 +57,8 @@ void judge(const TrialLog& log, const Scenario& scenario, const Moments& moments
     return at_s < 0.0 ? std::string() : " (" + std::string(what) + " " + second(at_s) + ")";
   };
   score.criteria = {completeness(log, score), attempt_begun(log, score), glottis_seen(scenario, score)};
-  if (score.attempt_begun) score.criteria.push_back(attempt_time(scenario, score));
+  if (score.attempt_begun)
+    score.criteria.push_back(score.intubation ? longest_attempt_time(scenario, score) : attempt_time(scenario, score));
   score.criteria.push_back(peak("peak_tongue_force_n", "Peak force on the tongue", score.peak_tongue_force_n,
                                 pass.peak_tongue_force_n, score.time_of_peak_tongue_force_s));
   score.criteria.push_back(peak("peak_gum_force_n", "Peak force on the gums", score.peak_gum_force_n,
@@ -109,6 +77,8 @@ void judge(const TrialLog& log, const Scenario& scenario, const Moments& moments
         "forces_finite", false, moments.not_finite_s,
         "A recorded force is not a number at " + second(moments.not_finite_s) + ": please report this trial's log"));
   }
+
+  if (score.intubation) judge_intubation(scenario, *score.intubation, score.criteria);
 
   score.passed = true;
   for (const Criterion& c : score.criteria) score.passed = score.passed && c.met;

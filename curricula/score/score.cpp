@@ -1,56 +1,38 @@
 // The figures of a trial, measured on its log.
 #include "curricula/score/score.h"
 
+#include <algorithm>
 #include <cmath>
 
-#include "curricula/score/mouth.h"
+#include "curricula/score/intubation.h"
 #include "curricula/score/rubric.h"
+#include "curricula/score/stays.h"
 
 namespace vallecula::curricula {
 namespace {
-
-/// Out of the mouth for less than this is jitter about its plane, not a second entry.
-constexpr double kOutForAnEntryS = 1.0;
 
 /// Not finite when a component is not (the three-argument std::hypot of libstdc++ returns 0 for 0, NaN, 0).
 double magnitude(const std::array<double, 3>& v) { return std::hypot(std::hypot(v[0], v[1]), v[2]); }
 
 void measure_attempt(const TrialLog& log, Score& score) {
-  const auto mouth = mouth_from_landmarks(log.header.landmarks_m);
-  if (!mouth) return;
+  const std::vector<Stay> stays = stays_in_mouth(log);
+  if (stays.empty()) return;
   const double period_s = log.header.servo_period_s;
-  double last_inside_s = 0.0, last_worked_s = 0.0;
-  long long paused = 0, paused_at_start = 0, paused_at_last = 0;
-  for (const LogTick& tick : log.ticks) {
-    if (!tick.device_valid) {
-      ++paused;
-      continue;
-    }
-    last_worked_s = tick.time_s;
-    if (tick.step_used < 0 || !mouth->holds(tick.proxy_pose.position_m)) continue;  // no step yet: no proxy yet
-    if (!score.attempt_begun) {
-      score.attempt_begun = true;
-      score.attempt_start_s = tick.time_s;
-      score.mouth_entries = 1;
-      paused_at_start = paused;
-    } else if (tick.time_s - last_inside_s - period_s * static_cast<double>(paused - paused_at_last) >
-               kOutForAnEntryS) {
-      ++score.mouth_entries;
-    }
-    last_inside_s = tick.time_s;
-    paused_at_last = paused;
-  }
-  if (!score.attempt_begun) return;
-  score.attempt_paused_s = static_cast<double>(paused_at_last - paused_at_start) * period_s;
-  score.attempt_time_s = last_inside_s + period_s - score.attempt_start_s - score.attempt_paused_s;
-  score.blade_out = last_inside_s < last_worked_s;  // where a pause ends the trial: before it
+  const Stay &first = stays.front(), &last = stays.back();
+  score.attempt_begun = true;
+  score.attempt_start_s = first.first_s;
+  score.mouth_entries = static_cast<int>(stays.size());
+  score.attempt_paused_s = static_cast<double>(last.paused_at_last - first.paused_at_first) * period_s;
+  score.attempt_time_s = last.last_s + period_s - score.attempt_start_s - score.attempt_paused_s;
+  const auto worked = std::find_if_not(log.ticks.rbegin(), log.ticks.rend(), paused);
+  score.blade_out = last.last_s < worked->time_s;  // where a pause ends the trial: before it
 }
 
 void measure_sight(const TrialLog& log, const Scenario& scenario, Score& score) {
   double attempt_paused_s = 0.0;
   for (const LogTick& tick : log.ticks) {
     const bool in_attempt = score.attempt_begun && tick.time_s >= score.attempt_start_s;
-    if (!tick.device_valid) {
+    if (paused(tick)) {
       if (in_attempt) attempt_paused_s += log.header.servo_period_s;
       continue;
     }
@@ -62,6 +44,7 @@ void measure_sight(const TrialLog& log, const Scenario& scenario, Score& score) 
     }
     if (in_attempt && percent >= scenario.sight_percent && score.time_to_trachea_visible_s < 0.0) {
       score.time_to_trachea_visible_s = tick.time_s - score.attempt_start_s - attempt_paused_s;
+      score.time_of_first_sight_s = tick.time_s;
     }
   }
 }
@@ -71,7 +54,7 @@ Moments measure_forces(const TrialLog& log, const Scenario& scenario, Score& sco
   Moments moments;
   long long over_target = 0, over_device_limit = 0;  // counted in ticks: sums of 0.001 would drift past a limit
   long long stay = 0, longest_stay = 0;
-  long long paused = 0;
+  long long paused_ticks = 0;
   bool after_pause = false;  ///< the device has not taken hold again yet
   double stay_began_s = 0.0;
   for (const LogTick& tick : log.ticks) {
@@ -81,7 +64,7 @@ Moments measure_forces(const TrialLog& log, const Scenario& scenario, Score& sco
         if (moments.not_finite_s < 0.0) moments.not_finite_s = tick.time_s;
         continue;
       }
-      if (!tick.device_valid) continue;
+      if (paused(tick)) continue;
       if (force_n > score.peak_force_n[static_cast<std::size_t>(structure)]) {
         score.peak_force_n[static_cast<std::size_t>(structure)] = force_n;
         score.time_of_peak_s[static_cast<std::size_t>(structure)] = tick.time_s;
@@ -97,9 +80,9 @@ Moments measure_forces(const TrialLog& log, const Scenario& scenario, Score& sco
     } else if (moments.not_finite_s < 0.0) {
       moments.not_finite_s = tick.time_s;
     }
-    paused += !tick.device_valid;
-    after_pause = !tick.device_valid || (after_pause && (tick.state == LoggedState::lost ||
-                                                         tick.state == LoggedState::recovering));
+    paused_ticks += paused(tick);
+    after_pause =
+        paused(tick) || (after_pause && (tick.state == LoggedState::lost || tick.state == LoggedState::recovering));
     if (tick.state != LoggedState::tracking && !after_pause) {
       ++over_device_limit;
       if (stay++ == 0) stay_began_s = tick.time_s;
@@ -111,7 +94,7 @@ Moments measure_forces(const TrialLog& log, const Scenario& scenario, Score& sco
       stay = 0;
     }
   }
-  score.paused_s = static_cast<double>(paused) * log.header.servo_period_s;
+  score.paused_s = static_cast<double>(paused_ticks) * log.header.servo_period_s;
   score.time_over_target_s = static_cast<double>(over_target) * log.header.servo_period_s;
   score.time_over_force_limit_s = static_cast<double>(over_device_limit) * log.header.servo_period_s;
   score.peak_tongue_force_n = score.peak_force_n[kTongue];
@@ -126,7 +109,7 @@ std::vector<Pause> pauses_in(const TrialLog& log) {
   std::vector<Pause> pauses;
   long long ticks = 0;
   for (const LogTick& tick : log.ticks) {
-    if (tick.device_valid) {
+    if (!paused(tick)) {
       ticks = 0;
       continue;
     }
@@ -135,6 +118,23 @@ std::vector<Pause> pauses_in(const TrialLog& log) {
     pauses.back().for_s = static_cast<double>(ticks) * log.header.servo_period_s;
   }
   return pauses;
+}
+
+/// With an intubation there may be several attempts: what the score says of "the attempt" is settled anew.
+void settle_attempts(Score& score) {
+  score.time_to_trachea_visible_s = score.time_of_first_sight_s = -1.0;
+  const std::vector<Attempt>& attempts = score.intubation->attempts;
+  const auto seen = std::find_if(attempts.begin(), attempts.end(),
+                                 [](const Attempt& attempt) { return attempt.time_to_view_s.has_value(); });
+  if (seen != attempts.end()) {
+    score.time_to_trachea_visible_s = *seen->time_to_view_s;
+    score.time_of_first_sight_s = *seen->view_at_s;
+  }
+  if (const Attempt* longest = score.intubation->longest()) {
+    score.attempt_start_s = longest->start_s;
+    score.attempt_time_s = longest->time_s;
+    score.attempt_paused_s = longest->paused_s;
+  }
 }
 
 }  // namespace
@@ -150,7 +150,11 @@ Score score_trial(const TrialLog& log, const Scenario& scenario) {
   score.pauses = pauses_in(log);
   measure_attempt(log, score);
   measure_sight(log, scenario, score);
-  const Moments moments = measure_forces(log, scenario, score);
+  Moments moments = measure_forces(log, scenario, score);
+  if (log.header.has_intubation && scenario.intubation) {
+    score.intubation = measure_intubation(log, scenario, moments.not_finite_s);
+    settle_attempts(score);
+  }
   judge(log, scenario, moments, score);
   return score;
 }

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "curricula/scenario.h"
+#include "curricula/score/intubation_score.h"
 #include "curricula/trial_log.h"
 
 namespace vallecula::curricula {
@@ -54,28 +56,53 @@ struct Score {
   std::array<double, kStructures> peak_force_n{};    ///< model force by LoadedStructure
   std::array<double, kStructures> time_of_peak_s{};  ///< trial time
   double peak_displayed_force_n = 0.0;               ///< what the device was told
+  double time_of_first_sight_s = -1.0;               ///< trial time of time_to_trachea_visible_s; -1: never
   double time_of_glottis_max_s = -1.0;               ///< trial time of glottis_visible_max_percent; -1: never seen
   bool attempt_begun = false;                        ///< the blade tip was in the mouth at least once
   bool blade_out = false;                            ///< and was out again in the last tick that was not paused
   int mouth_entries = 0;  ///< times the tip came in after a second or more outside, less pauses
   bool complete = false;                             ///< the log has its end; otherwise the trial was interrupted
   std::vector<Criterion> criteria;                   ///< the whole rubric, met or not
+  std::optional<IntubationScore> intubation;         ///< none: laryngoscopy alone
 };
 
 /// Definitions (times are trial time; a tick counts for servo_period_s):
-/// - a tick is paused when the device could not be used (device_valid is false): the tool stands still and nothing that
-///   happens then is the hand's doing. Paused ticks count for nothing below but that a figure is a number: no time, no
+/// - a tick is paused when a device that a hand needs could not be used (device_valid, or hand_valid of the second hand,
+///   is false): the tools stand still and nothing that happens then is the hand's doing. Paused ticks count for nothing below but that a figure is a number: no time, no
 ///   force, no sight.
 /// - the attempt runs from the first tick with the proxy's tip in the mouth (score/mouth.h) to the last one: blade into
 /// the
-///   mouth to blade out (NEAR4NEOS). Short ways out do not stop the clock. Simplification: one trial holds one attempt,
-///   since nothing between attempts (ventilation) exists yet; mouth_entries tells when there were more.
+///   mouth to blade out (NEAR4NEOS). Short ways out do not stop the clock. Simplification: in a trial without an
+///   intubation there is one attempt, since there is nothing between attempts (ventilation); mouth_entries tells when
+///   the blade went in more than once.
 /// - peaks are the largest single tick of the model force's magnitude, over the whole trial, unfiltered.
 /// - in sight: the first sight sample since the attempt's start with at least scenario.sight_percent of the glottis.
 /// - over the device limit: the haptic state was not `tracking`, so a tick counts while the device is at its limit,
 ///   while it is lost (it let go after too long a stay there), and until it has taken hold again; but taking hold again
 ///   after a pause does not count. The reason cites the start of the longest such stay.
 /// - over the target: model force on the tongue above it.
+/// With an intubation (IntubationScore; "in" below: tip past the cords in larynx, trachea or a main bronchus, by the
+/// tube, never the catheter):
+/// - an attempt is one way of the blade into the mouth and out, out for a second or more less pauses; there may be
+///   several. attempt_time_s, attempt_start_s and attempt_paused_s are the longest one's, for the limit holds for each;
+///   time_to_trachea_visible_s is that of the first attempt with a view, from its own start.
+/// - time to view: as above, of each attempt. Time to pass: from then to the last time the tip came in, within the
+///   attempt; from its start where there was no view before.
+/// - desaturation: displayed saturation, whole percents, from the highest between the attempts to the lowest until the
+///   next (the display is late); 20 points or more. Bradycardia: below 100 per minute over the same time.
+/// - outcome: by the last tick that was not paused. Tip in the oesophagus, in a main bronchus, or in the trachea: in the
+///   middle third of cords_to_carina_m (both thirds' ends included) good depth, above too shallow, below too deep. In
+///   the larynx past the cords: too shallow, but cricoid too narrow where the cricoid stopped it last. Else, where the
+///   tube stood against it within the last second, cricoid too narrow or cords closed; else out of time when
+///   max_attempt_s is over; else by what stopped the tube last in the whole trial, or cords closed where a laryngospasm
+///   lasted when the last attempt ended; else abandoned. "Stopped": 0.5 N or more along the tube (assumed), mostly of the
+///   cricoid, which was never passed, or of cords in spasm or less than a quarter open (assumed).
+/// - with the head neutral the tip lies 0.2 mm deeper for each degree of extension (assumed), where the header's settings
+///   know it (kHeadExtension).
+/// - confirmed: the detector was yellow at some tick of the stay "in" that lasts to the end, after a breath in it;
+///   breaths are counted from that stay's begin.
+/// - recognised late: more than breaths_to_confirm breaths in one stay in the oesophagus.
+/// - the lowest saturation and heart rate count from the first attempt's start.
 /// - passed: the log is complete and finite, the attempt took place, and every limit of scenario.pass is kept.
 /// Never throws for a log that read_trial_log gave.
 Score score_trial(const TrialLog& log, const Scenario& scenario);

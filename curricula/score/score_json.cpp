@@ -4,6 +4,7 @@
 #include <QJsonObject>
 #include <cmath>
 
+#include "curricula/score/intubation_json.h"
 #include "curricula/score/score.h"
 
 namespace vallecula::curricula {
@@ -11,11 +12,11 @@ namespace {
 
 QString text(const std::string& s) { return QString::fromStdString(s); }
 
-QJsonValue number_or_null(double value, bool exists = true) {
+}  // namespace
+
+QJsonValue number_or_null(double value, bool exists) {
   return exists && std::isfinite(value) ? QJsonValue(value) : QJsonValue(QJsonValue::Null);
 }
-
-}  // namespace
 
 std::string score_to_json(const Score& score, const TrialLog& log, const Scenario& scenario) {
   QJsonObject o;
@@ -80,6 +81,7 @@ std::string score_to_json(const Score& score, const TrialLog& log, const Scenari
     criteria.append(line);
   }
   o["criteria"] = criteria;
+  if (score.intubation) o["intubation"] = intubation_to_json(*score.intubation);
   return QJsonDocument(o).toJson(QJsonDocument::Indented).trimmed().toStdString();
 }
 

@@ -4,6 +4,8 @@
 
 namespace vallecula::gui {
 
+using curricula::LoggedInHand;
+using curricula::LoggedPlace;
 using curricula::LoggedState;
 using curricula::LogTick;
 using engine::HapticState;
@@ -22,6 +24,30 @@ static_assert(static_cast<int>(Structure::tongue) == curricula::kTongue &&
                   static_cast<int>(Structure::larynx) == curricula::kLarynx &&
                   engine::kLoadedStructures == static_cast<int>(curricula::kStructures),
               "the log and the engine number the structures alike");
+static_assert(static_cast<int>(engine::InHand::tube_with_stylet) == static_cast<int>(LoggedInHand::tube_with_stylet) &&
+                  static_cast<int>(engine::InHand::tube) == static_cast<int>(LoggedInHand::tube) &&
+                  static_cast<int>(engine::InHand::catheter) == static_cast<int>(LoggedInHand::catheter),
+              "the log and the engine number alike what is in the hand");
+static_assert(static_cast<int>(engine::TipPlace::outside) == static_cast<int>(LoggedPlace::outside) &&
+                  static_cast<int>(engine::TipPlace::mouth) == static_cast<int>(LoggedPlace::mouth) &&
+                  static_cast<int>(engine::TipPlace::larynx) == static_cast<int>(LoggedPlace::larynx) &&
+                  static_cast<int>(engine::TipPlace::trachea) == static_cast<int>(LoggedPlace::trachea) &&
+                  static_cast<int>(engine::TipPlace::main_bronchus) == static_cast<int>(LoggedPlace::main_bronchus) &&
+                  static_cast<int>(engine::TipPlace::oesophagus) == static_cast<int>(LoggedPlace::oesophagus),
+              "the log and the engine number the places alike");
+static_assert(static_cast<int>(engine::AirwayPart::vestibule) == curricula::kTubeVestibule &&
+                  static_cast<int>(engine::AirwayPart::cords) == curricula::kTubeCords &&
+                  static_cast<int>(engine::AirwayPart::subglottis) == curricula::kTubeSubglottis &&
+                  static_cast<int>(engine::AirwayPart::cricoid) == curricula::kTubeCricoid &&
+                  static_cast<int>(engine::AirwayPart::trachea) == curricula::kTubeTrachea &&
+                  static_cast<int>(engine::AirwayPart::main_bronchus) == curricula::kTubeBronchus &&
+                  static_cast<int>(engine::AirwayPart::oesophagus) == curricula::kTubeOesophagus &&
+                  static_cast<int>(engine::kLoadPharynx) == curricula::kTubePharynx &&
+                  static_cast<int>(engine::kLoadTongue) == curricula::kTubeTongue &&
+                  static_cast<int>(engine::kLoadEpiglottis) == curricula::kTubeEpiglottis &&
+                  static_cast<int>(engine::kLoadBlade) == curricula::kTubeBlade &&
+                  static_cast<int>(engine::kTubeLoads) == static_cast<int>(curricula::kTubeLoads),
+              "the log and the engine number the tube's loads alike");
 
 namespace {
 
@@ -35,6 +61,64 @@ curricula::LogPose log_pose(const engine::Pose& pose) {
 engine::Pose engine_pose(const curricula::LogPose& pose) {
   const auto& q = pose.rotation_wxyz;
   return {vector_of(pose.position_m), engine::Quat(q[0], q[1], q[2], q[3])};
+}
+
+curricula::LogIntubation log_intubation(const engine::IntubationRecord& record) {
+  curricula::LogIntubation i;
+  i.hand_pose = log_pose(record.hand_pose);
+  i.hand_valid = record.hand_valid;
+  i.in_hand = static_cast<LoggedInHand>(record.in_hand);
+  i.tip_m = array_of(record.tip_m);
+  i.tip_direction = array_of(record.tip_direction);
+  i.place = static_cast<LoggedPlace>(record.place);
+  i.past_cords_m = record.past_cords_m;
+  i.at_mouth_m = record.at_mouth_m;
+  i.buckled_m = record.buckled_m;
+  i.model_force_n = array_of(record.model_force_n);
+  i.displayed_force_n = array_of(record.displayed_force_n);
+  i.loads_n = record.loads_n;
+  i.tip_load_n = record.tip_load_n;
+  i.tip_against = record.tip_against;
+  i.glottis_opening = record.glottis_opening;
+  i.spasm = record.spasm;
+  i.secretions_ml = record.secretions_ml;
+  i.sao2 = record.sao2;
+  i.spo2 = record.spo2;
+  i.heart_per_min = record.heart_per_min;
+  i.detector_yellow = record.detector_yellow;
+  i.breaths_given = record.breaths_given;
+  i.given_per_min = record.given_per_min;
+  i.faults = record.faults;
+  return i;
+}
+
+engine::IntubationRecord engine_intubation(const curricula::LogIntubation& i) {
+  engine::IntubationRecord record;
+  record.hand_pose = engine_pose(i.hand_pose);
+  record.hand_valid = i.hand_valid;
+  record.in_hand = static_cast<engine::InHand>(i.in_hand);
+  record.tip_m = vector_of(i.tip_m);
+  record.tip_direction = vector_of(i.tip_direction);
+  record.place = static_cast<engine::TipPlace>(i.place);
+  record.past_cords_m = i.past_cords_m;
+  record.at_mouth_m = i.at_mouth_m;
+  record.buckled_m = i.buckled_m;
+  record.model_force_n = vector_of(i.model_force_n);
+  record.displayed_force_n = vector_of(i.displayed_force_n);
+  record.loads_n = i.loads_n;
+  record.tip_load_n = i.tip_load_n;
+  record.tip_against = i.tip_against;
+  record.glottis_opening = i.glottis_opening;
+  record.spasm = i.spasm;
+  record.secretions_ml = i.secretions_ml;
+  record.sao2 = i.sao2;
+  record.spo2 = i.spo2;
+  record.heart_per_min = i.heart_per_min;
+  record.detector_yellow = i.detector_yellow;
+  record.breaths_given = i.breaths_given;
+  record.given_per_min = i.given_per_min;
+  record.faults = i.faults;
+  return record;
 }
 
 /// Compares field by field in the order of LogTick and keeps the first that differs.
@@ -54,6 +138,36 @@ class Comparison {
   void field(const std::string& name, const curricula::LogPose& recorded, const curricula::LogPose& recomputed) {
     field(name + ".position_m", recorded.position_m, recomputed.position_m);
     field(name + ".rotation_wxyz", recorded.rotation_wxyz, recomputed.rotation_wxyz);
+  }
+  void field(const std::string& name, const curricula::LogIntubation& recorded,
+             const curricula::LogIntubation& recomputed) {
+    const auto each = [&](const char* part, auto a, auto b) {
+      field(name + part, static_cast<double>(a), static_cast<double>(b));
+    };
+    field(name + ".hand_pose", recorded.hand_pose, recomputed.hand_pose);
+    each(".hand_valid", recorded.hand_valid, recomputed.hand_valid);
+    each(".in_hand", recorded.in_hand, recomputed.in_hand);
+    field(name + ".tip_m", recorded.tip_m, recomputed.tip_m);
+    field(name + ".tip_direction", recorded.tip_direction, recomputed.tip_direction);
+    each(".place", recorded.place, recomputed.place);
+    each(".past_cords_m", recorded.past_cords_m, recomputed.past_cords_m);
+    each(".at_mouth_m", recorded.at_mouth_m, recomputed.at_mouth_m);
+    each(".buckled_m", recorded.buckled_m, recomputed.buckled_m);
+    field(name + ".model_force_n", recorded.model_force_n, recomputed.model_force_n);
+    field(name + ".displayed_force_n", recorded.displayed_force_n, recomputed.displayed_force_n);
+    field(name + ".loads_n", recorded.loads_n, recomputed.loads_n);
+    each(".tip_load_n", recorded.tip_load_n, recomputed.tip_load_n);
+    each(".tip_against", recorded.tip_against, recomputed.tip_against);
+    each(".glottis_opening", recorded.glottis_opening, recomputed.glottis_opening);
+    each(".spasm", recorded.spasm, recomputed.spasm);
+    each(".secretions_ml", recorded.secretions_ml, recomputed.secretions_ml);
+    each(".sao2", recorded.sao2, recomputed.sao2);
+    each(".spo2", recorded.spo2, recomputed.spo2);
+    each(".heart_per_min", recorded.heart_per_min, recomputed.heart_per_min);
+    each(".detector_yellow", recorded.detector_yellow, recomputed.detector_yellow);
+    each(".breaths_given", recorded.breaths_given, recomputed.breaths_given);
+    each(".given_per_min", recorded.given_per_min, recomputed.given_per_min);
+    each(".faults", recorded.faults, recomputed.faults);
   }
   const Difference& result() const { return result_; }
 
@@ -84,6 +198,8 @@ LogTick to_log(const engine::TickRecord& record) {
   tick.has_sight = record.has_sight;
   tick.glottis_visible = record.glottis_visible;
   tick.faults = record.faults;
+  tick.has_intubation = record.has_intubation;
+  if (record.has_intubation) tick.intubation = log_intubation(record.intubation);
   return tick;
 }
 
@@ -108,24 +224,68 @@ engine::TickRecord from_log(const LogTick& tick) {
   record.has_sight = tick.has_sight;
   record.glottis_visible = tick.glottis_visible;
   record.faults = tick.faults;
+  record.has_intubation = tick.has_intubation;
+  if (tick.has_intubation) record.intubation = engine_intubation(tick.intubation);
   return record;
+}
+
+std::map<std::string, double> settings_of(const engine::IntubationDescription& intubation) {
+  const engine::TubeDesign& tube = intubation.tube;
+  const engine::Stylet none{};
+  const engine::Stylet& stylet = intubation.stylet ? *intubation.stylet : none;
+  const engine::Glottis& glottis = intubation.glottis;
+  const engine::InfantDescription& infant = intubation.infant;
+  return {{"tube_inner_diameter_m", tube.inner_diameter},
+          {"tube_outer_diameter_m", tube.outer_diameter},
+          {"tube_length_m", tube.length},
+          {"tube_cord_mark_m", tube.cord_mark_from_tip},
+          {"tube_bend_radius_m", tube.bend_radius},
+          {"tube_young_pa", tube.young_pa},
+          {"stylet_diameter_m", intubation.stylet ? stylet.diameter : 0.0},
+          {"stylet_bend_from_tip_m", intubation.stylet ? stylet.bend_from_tip : 0.0},
+          {"stylet_bend_rad", intubation.stylet ? stylet.bend_rad : 0.0},
+          {"catheter_outer_m", intubation.catheter_outer_m},
+          {curricula::kCordsToCarina, cords_to_carina_m(intubation.course)},
+          {"glottis_length_m", glottis.length_m},
+          {"glottis_closure_s", glottis.closure_s},
+          {"glottis_spasm_s", glottis.spasm_s},
+          {"infant_weight_kg", infant.weight_kg},
+          {"infant_gestation_weeks", infant.gestation_weeks},
+          {"infant_seed", static_cast<double>(infant.seed)},
+          {"infant_added_oxygen", infant.added_oxygen},
+          {"infant_course", static_cast<double>(infant.course)},
+          {"secretions_m3", intubation.secretions.volume_m3},
+          {"laryngeal_pressure_n", intubation.press_n},
+          {"second_device_limit_n", intubation.device_limit_n}};
+}
+
+double cords_to_carina_m(const engine::AirwayCourse& course) {
+  double way = 0.0;
+  const engine::AirwayRing* before = nullptr;  // none yet: above the cords
+  for (const engine::AirwayRing& ring : course.airway) {
+    if (before != nullptr) way += (ring.centre - before->centre).norm();
+    if (before != nullptr || ring.part == engine::AirwayPart::cords) before = &ring;
+  }
+  return way;
 }
 
 std::map<std::string, double> settings_of(const engine::SceneDescription& description) {
   const engine::HapticSettings& haptics = description.haptics;
-  return {{"device_limit_n", haptics.device_limit_n},
-          {"coupling_stiffness_n_m", haptics.coupling_stiffness_n_m},
-          {"coupling_rotation_nm_rad", haptics.coupling_rotation_nm_rad},
-          {"limit_time_s", haptics.limit_time_s},
-          {"force_rate_n_s", haptics.force_rate_n_s},
-          {"tool_mass_kg", description.tool.mass_kg},
-          {"response", static_cast<double>(description.response)},
-          {"coverage", static_cast<double>(description.coverage)},
-          {"collision", static_cast<double>(description.collision)},
-          {"friction", description.friction},
-          {"sphere_ratio", description.sphere_ratio},
-          {"sphere_levels", static_cast<double>(description.sphere_levels)},
-          {"step_s", description.step_s}};
+  std::map<std::string, double> settings = {{"device_limit_n", haptics.device_limit_n},
+                                            {"coupling_stiffness_n_m", haptics.coupling_stiffness_n_m},
+                                            {"coupling_rotation_nm_rad", haptics.coupling_rotation_nm_rad},
+                                            {"limit_time_s", haptics.limit_time_s},
+                                            {"force_rate_n_s", haptics.force_rate_n_s},
+                                            {"tool_mass_kg", description.tool.mass_kg},
+                                            {"response", static_cast<double>(description.response)},
+                                            {"coverage", static_cast<double>(description.coverage)},
+                                            {"collision", static_cast<double>(description.collision)},
+                                            {"friction", description.friction},
+                                            {"sphere_ratio", description.sphere_ratio},
+                                            {"sphere_levels", static_cast<double>(description.sphere_levels)},
+                                            {"step_s", description.step_s}};
+  if (description.intubation) settings.merge(settings_of(*description.intubation));
+  return settings;
 }
 
 std::map<std::string, double> settings_of(const device::GuardSettings& guard) {
@@ -166,6 +326,8 @@ Difference first_difference(const LogTick& recorded, const LogTick& recomputed) 
   compare.field("has_sight", count(recorded.has_sight), count(recomputed.has_sight));
   compare.field("glottis_visible", recorded.glottis_visible, recomputed.glottis_visible);
   compare.field("faults", count(recorded.faults), count(recomputed.faults));
+  compare.field("has_intubation", count(recorded.has_intubation), count(recomputed.has_intubation));
+  if (recorded.has_intubation) compare.field("intubation", recorded.intubation, recomputed.intubation);
   return compare.result();
 }
 

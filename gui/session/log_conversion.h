@@ -18,6 +18,12 @@ engine::TickRecord from_log(const curricula::LogTick& tick);
 /// repeated.
 std::map<std::string, double> settings_of(const engine::SceneDescription& description);
 
+/// Of the tube, the cords, the infant and the helps likewise; part of those of its scene.
+std::map<std::string, double> settings_of(const engine::IntubationDescription& intubation);
+
+/// This infant's way from the cords to the carina, along the middle of its airway; 0 where there are no cords.
+double cords_to_carina_m(const engine::AirwayCourse& course);
+
 /// What stood between the engine and the device, likewise.
 std::map<std::string, double> settings_of(const device::GuardSettings& guard);
 

@@ -56,6 +56,7 @@ fs::path curricula_folder() {
 
 fs::path default_curriculum() {
   const fs::path folder = curricula_folder();
+  if (const fs::path first = folder / "first-steps.yaml"; fs::is_regular_file(first)) return first;
   std::vector<fs::path> files;
   for (const auto& entry : fs::directory_iterator(folder)) {
     if (entry.is_regular_file() && entry.path().extension() == ".yaml") files.push_back(entry.path());

@@ -13,7 +13,7 @@ std::filesystem::path records_database();
 /// The shipped curricula: $VALLECULA_CURRICULA, else ../share/vallecula/curricula beside the program (installed), else
 /// the source tree this program was built from. Throws std::runtime_error when none exists.
 std::filesystem::path curricula_folder();
-/// The shipped curriculum that is meant when none is named: the first by file name.
+/// The shipped curriculum that is meant when none is named: first-steps.yaml, or where it is not the first by file name.
 std::filesystem::path default_curriculum();
 
 }  // namespace vallecula::gui

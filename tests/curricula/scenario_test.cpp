@@ -37,6 +37,33 @@ scenarios:
       time_over_device_limit_s: 0.2
 )";
 
+/// The same with an intubation, from line 25 on.
+const char* const kIntubation = R"(    intubation:
+      tube: "3.0"
+      stylet: true
+      stylet_mm: 1.5
+      catheter_f: 6
+      course: delivery-room
+      gestation_weeks: 31.5
+      infant_seed: 17
+      added_oxygen_percent: 20
+      premedicated: false
+      laryngospasm_s: 25
+      laryngospasm_from_start: true
+      cord_closure_s: 2
+      secretions_ml: 1.5
+      laryngeal_pressure_n: 4
+      breaths_to_confirm: 5
+      pass:
+        outcomes: [good-depth, too-shallow]
+        lowest_spo2_percent: 60
+        lowest_heart_per_min: 80
+        tube_force_n: 2
+        time_to_pass_s: 20
+        attempts: 2
+        co2_confirmed: true
+)";
+
 std::string replaced(std::string text, const std::string& from, const std::string& to) {
   const auto at = text.find(from);
   EXPECT_NE(at, std::string::npos) << from;
@@ -76,6 +103,142 @@ TEST_F(CurriculumFile, ReadsEveryField) {
   EXPECT_EQ(s.pass.attempt_time_s, 30.0);
   EXPECT_EQ(s.pass.time_over_target_s, 3.0);
   EXPECT_EQ(s.pass.time_over_device_limit_s, 0.2);
+}
+
+TEST_F(CurriculumFile, ReadsEveryFieldOfAnIntubation) {
+  EXPECT_FALSE(load_curriculum(write("course.yaml", kGood)).scenarios[0].intubation);
+  const Curriculum c = load_curriculum(write("course.yaml", std::string(kGood) + kIntubation));
+  for (const Scenario& scenario : {c.scenarios[0], parse_scenario(c.scenarios[0].yaml, "log")}) {
+    ASSERT_TRUE(scenario.intubation);
+    const IntubationSpec& i = *scenario.intubation;
+    EXPECT_EQ(i.tube, "3.0");
+    EXPECT_TRUE(i.stylet);
+    EXPECT_EQ(i.stylet_mm, 1.5);
+    EXPECT_EQ(i.catheter_f, 6);
+    EXPECT_EQ(i.course, InfantCourse::delivery_room);
+    EXPECT_EQ(i.gestation_weeks, 31.5);
+    EXPECT_EQ(i.infant_seed, 17u);
+    EXPECT_EQ(i.added_oxygen_percent, 20.0);
+    EXPECT_FALSE(i.premedicated);
+    EXPECT_EQ(i.laryngospasm_s, 25.0);
+    EXPECT_TRUE(i.laryngospasm_from_start);
+    EXPECT_EQ(i.cord_closure_s, 2.0);
+    EXPECT_EQ(i.secretions_ml, 1.5);
+    EXPECT_EQ(i.laryngeal_pressure_n, 4.0);
+    EXPECT_EQ(i.breaths_to_confirm, 5);
+    EXPECT_EQ(i.pass.outcomes, (std::vector<Outcome>{Outcome::good_depth, Outcome::too_shallow}));
+    EXPECT_EQ(i.pass.lowest_spo2_percent, 60.0);
+    EXPECT_EQ(i.pass.lowest_heart_per_min, 80.0);
+    EXPECT_EQ(i.pass.tube_force_n, 2.0);
+    EXPECT_EQ(i.pass.time_to_pass_s, 20.0);
+    EXPECT_EQ(i.pass.attempts, 2);
+    EXPECT_TRUE(i.pass.co2_confirmed);
+  }
+}
+
+TEST_F(CurriculumFile, WhatAnIntubationDoesNotSayFollowsFromItsCourseAndWeight) {
+  const std::string with_tubes =
+      replaced(kGood, "scenarios:", "tubes_by_weight:\n  - { below_kg: 2.0, tube: 3.0 }\nscenarios:");
+  const struct {
+    const char *course, *weeks;
+    bool premedicated;
+    double added_oxygen, closure_s;
+  } cases[] = {{"premedicated-preterm", "32", true, 10.0, 0.0},
+               {"term", "32.5", false, 10.0, 1.0},
+               {"preoxygenated", "30", true, 0.0, 0.0},
+               {"delivery-room", "40", false, 10.0, 1.0}};
+  for (const auto& c : cases) {
+    const std::string block =
+        std::string("    intubation: { course: ") + c.course + ", gestation_weeks: " + c.weeks + " }\n";
+    const Curriculum course = load_curriculum(write("course.yaml", with_tubes + block));
+    for (const Scenario& scenario : {course.scenarios[0], parse_scenario(course.scenarios[0].yaml, "log")}) {
+      ASSERT_TRUE(scenario.intubation) << c.course;
+      const IntubationSpec& i = *scenario.intubation;
+      EXPECT_EQ(i.tube, "3.0") << "settled by weight, also in the scenario's own text";
+      EXPECT_EQ(i.premedicated, c.premedicated) << c.course;
+      EXPECT_EQ(i.added_oxygen_percent, c.added_oxygen) << c.course;
+      EXPECT_EQ(i.cord_closure_s, c.closure_s) << c.course;
+      EXPECT_EQ(i.pass.outcomes, std::vector<Outcome>{Outcome::good_depth});
+      EXPECT_FALSE(i.pass.lowest_spo2_percent || i.pass.lowest_heart_per_min || i.pass.tube_force_n ||
+                   i.pass.time_to_pass_s || i.pass.attempts || i.pass.co2_confirmed);
+    }
+  }
+}
+
+TEST_F(CurriculumFile, EveryMistakeInAnIntubationNamesItsFieldAndWhatIsAllowed) {
+  const std::string good = std::string(kGood) + kIntubation;
+  const struct {
+    const char *from, *to;
+    int line;
+    const char *field, *value, *allowed;
+  } cases[] = {
+      {"tube: \"3.0\"", "tube: 4", 26, "tube", "'4'", "one of 2.5, 3.0, 3.5, 4.0"},
+      {"      tube: \"3.0\"\n", "", 26, "tube", "missing", "tubes_by_weight above 1.5 kg"},
+      {"stylet: true", "stylet: yes", 27, "stylet", "'yes'", "true or false"},
+      {"stylet: true", "stylet: \"true\"", 27, "stylet", "'true'", "true or false"},
+      {"stylet: true", "stylet: [true]", 27, "stylet", "a list", "true or false"},
+      {"stylet: true", "stylet: false", 28, "stylet_mm", "'1.5'", "none where stylet is false"},
+      {"stylet_mm: 1.5", "stylet_mm: 3", 28, "stylet_mm", "'3'", "thinner than the tube of 3.0 mm"},
+      {"catheter_f: 6", "catheter_f: 7", 29, "catheter_f", "'7'", "one of 0, 6, 8, 10"},
+      {"course: delivery-room", "course: theatre", 30, "course", "'theatre'", "premedicated-preterm, term"},
+      {"      course: delivery-room\n", "", 26, "course", "missing", "premedicated-preterm, term"},
+      {"gestation_weeks: 31.5", "gestation_weeks: 20", 31, "gestation_weeks", "'20'", "from 22 to 44"},
+      {"      gestation_weeks: 31.5\n", "", 26, "gestation_weeks", "missing", "from 22 to 44"},
+      {"infant_seed: 17", "infant_seed: -1", 32, "infant_seed", "'-1'", "a whole number from 0"},
+      {"added_oxygen_percent: 20", "added_oxygen_percent: 80", 33, "added_oxygen_percent", "'80'", "from 0 to 79"},
+      {"laryngospasm_s: 25", "laryngospasm_s: 121", 35, "laryngospasm_s", "'121'", "from 0 to 120"},
+      {"laryngospasm_s: 25", "laryngospasm_s: 0", 36, "laryngospasm_from_start", "'true'", "false where"},
+      {"secretions_ml: 1.5", "secretions_ml: 6", 38, "secretions_ml", "'6'", "from 0 to 5"},
+      {"laryngeal_pressure_n: 4", "laryngeal_pressure_n: true", 39, "laryngeal_pressure_n", "'true'", "from 0 to 10"},
+      {"breaths_to_confirm: 5", "breaths_to_confirm: 0", 40, "breaths_to_confirm", "'0'", "from 1 to 20"},
+      {"[good-depth, too-shallow]", "[good-depth, deep]", 42, "pass.outcomes[1]", "'deep'", "one of good-depth"},
+      {"[good-depth, too-shallow]", "[mainstem, mainstem]", 42, "pass.outcomes[1]", "'mainstem'", "once"},
+      {"[good-depth, too-shallow]", "[]", 42, "pass.outcomes", "a list of 0", "a list of 1 to 9"},
+      {"lowest_spo2_percent: 60", "lowest_spo2_percent: 0.6", 43, "pass.lowest_spo2_percent", "'0.6'", "from 1 to 100"},
+      {"attempts: 2", "attempts: none", 47, "pass.attempts", "'none'", "from 1 to 20"},
+      {"co2_confirmed: true", "co2: true", 48, "pass.co2", "'true'", "co2_confirmed"},
+      // What contradicts what.
+      {"premedicated: false", "premedicated: true", 34, "premedicated", "'true'", "false in the course delivery-room"},
+      {"course: delivery-room", "course: term", 31, "gestation_weeks", "'31.5'",
+       "more than 32 weeks in the course term"},
+      {"course: delivery-room\n      gestation_weeks: 31.5", "course: premedicated-preterm\n      gestation_weeks: 33",
+       31, "gestation_weeks", "'33'", "at most 32 weeks in the course premedicated-preterm"},
+      {"course: delivery-room", "course: premedicated-preterm", 34, "premedicated", "'false'", "true in the course"},
+      {"course: delivery-room", "course: preoxygenated", 33, "added_oxygen_percent", "'20'", "0 in the course"},
+      {"course: delivery-room\n      gestation_weeks: 31.5\n      infant_seed: 17\n      added_oxygen_percent: 20\n"
+       "      premedicated: false",
+       "course: premedicated-preterm\n      gestation_weeks: 30", 32, "laryngospasm_s", "'25'",
+       "0 where the infant is premedicated"},
+      {"course: delivery-room\n      gestation_weeks: 31.5\n      infant_seed: 17\n      added_oxygen_percent: 20\n"
+       "      premedicated: false\n      laryngospasm_s: 25\n      laryngospasm_from_start: true",
+       "course: premedicated-preterm\n      gestation_weeks: 30", 32, "cord_closure_s", "'2'",
+       "0 where the infant is premedicated"},
+  };
+  for (const auto& c : cases) {
+    const std::string message = error(replaced(good, c.from, c.to));
+    for (const std::string& part : {":" + std::to_string(c.line) + ": scenarios[0].intubation." + c.field + " is",
+                                    std::string(c.value), std::string(c.allowed)}) {
+      EXPECT_NE(message.find(part), std::string::npos) << c.to << " lacks '" << part << "' -> " << message;
+    }
+  }
+  const std::string twice =
+      replaced(kGood, "scenarios:",
+               "tubes_by_weight:\n  - { below_kg: 2, tube: 3.0 }\n  - { below_kg: 2, tube: 3.5 }\n"
+               "scenarios:");
+  EXPECT_NE(error(twice).find(":9: tubes_by_weight[1].below_kg is '2'; allowed: more than the row before, 2 kg"),
+            std::string::npos)
+      << error(twice);
+}
+
+TEST(Outcomes, EachHasAWordOfItsOwn) {
+  std::set<std::string> words;
+  for (int i = 0; i < kOutcomes; ++i) {
+    const auto outcome = static_cast<Outcome>(i);
+    words.insert(name_of(outcome));
+    EXPECT_EQ(outcome_named(name_of(outcome)), outcome);
+  }
+  EXPECT_EQ(words.size(), static_cast<std::size_t>(kOutcomes));
+  EXPECT_FALSE(outcome_named("deep"));
 }
 
 TEST_F(CurriculumFile, AScenariosOwnTextSaysTheSame) {
@@ -128,6 +291,28 @@ TEST_F(CurriculumFile, TheShippedCourseGoesFromTermToPretermToDifficult) {
   EXPECT_NE(c.scenarios[2].manikin.seed, c.scenarios[0].manikin.seed);
   // A limit above what the simulated devices give (7.9 N) could never be exceeded.
   for (const Scenario& s : c.scenarios) EXPECT_LT(s.pass.peak_tongue_force_n, 7.9);
+}
+
+TEST_F(CurriculumFile, TheShippedIntubationsGoThroughTheCoursesWithTubesByWeight) {
+  const Curriculum c = load_curriculum(fs::path(VALLECULA_SOURCE_DIR) / "curricula/courses/first-intubation.yaml");
+  ASSERT_EQ(c.scenarios.size(), 5u);
+  std::set<InfantCourse> courses;
+  for (const Scenario& s : c.scenarios) {
+    ASSERT_TRUE(s.intubation) << s.id;
+    courses.insert(s.intubation->course);
+    EXPECT_EQ(s.intubation->tube, s.manikin.weight_kg < 2.0 ? "3.0" : "3.5") << s.id;
+    EXPECT_EQ(s.intubation->pass.outcomes, std::vector<Outcome>{Outcome::good_depth}) << s.id;
+    EXPECT_TRUE(s.intubation->pass.co2_confirmed) << s.id;
+    EXPECT_LT(*s.intubation->pass.tube_force_n, 3.3) << s.id << ": no device here could exceed it";
+    EXPECT_GE(s.max_attempt_s, *s.intubation->pass.attempts * s.pass.attempt_time_s + 30.0)
+        << s.id << ": no time to ventilate between its attempts";
+    EXPECT_EQ(parse_scenario(s.yaml, "log").intubation->tube, s.intubation->tube) << s.id;
+  }
+  EXPECT_EQ(courses, (std::set<InfantCourse>{InfantCourse::premedicated_preterm, InfantCourse::term,
+                                             InfantCourse::delivery_room}));
+  EXPECT_GT(c.find("secretions")->intubation->secretions_ml, 0.0);
+  EXPECT_GT(c.find("secretions")->intubation->catheter_f, 0);
+  EXPECT_GT(c.find("laryngospasm")->intubation->laryngospasm_s, 0.0);
 }
 
 TEST_F(CurriculumFile, EveryMistakeNamesFileLineFieldValueAndWhatIsAllowed) {
@@ -251,6 +436,12 @@ TEST(Scenario, NeedsABladeWhereNoTableIs) {
   const std::string message = error_of<CurriculumError>([&] { parse_scenario(text, "trial x"); });
   EXPECT_NE(message.find("trial x:1: blade is missing"), std::string::npos) << message;
   EXPECT_EQ(parse_scenario("blade: miller-1\n" + text, "trial x").blade, "miller-1");
+  const std::string no_tube = "blade: miller-1\n" + text + "intubation:\n  course: term\n  gestation_weeks: 39\n";
+  EXPECT_NE(error_of<CurriculumError>([&] {
+              parse_scenario(no_tube, "trial x");
+            }).find("trial x:12: intubation.tube is missing; allowed: one of 2.5, 3.0, 3.5, 4.0"),
+            std::string::npos)
+      << error_of<CurriculumError>([&] { parse_scenario(no_tube, "trial x"); });
 }
 
 }  // namespace

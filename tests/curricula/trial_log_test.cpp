@@ -15,7 +15,7 @@ using testing::error_of;
 
 // The layout as written down in trial_log_format.h, told here a second time: a change of the format must fail this
 // test.
-constexpr std::size_t kFileHead = 12, kBlockHead = 12, kChecksum = 4, kTick = 547;
+constexpr std::size_t kFileHead = 12, kBlockHead = 12, kChecksum = 4, kTick = 547, kTickWithIntubation = 881;
 constexpr int kTicksPerBlock = 256;
 
 class TrialLogFile : public testing::TemporaryFolder {
@@ -31,11 +31,12 @@ double any_bits(std::mt19937_64& random) {
   return value;
 }
 
-LogTick random_tick(std::mt19937_64& random) {
+LogTick random_tick(std::mt19937_64& random, bool intubation = false) {
   LogTick t;
   const auto fill = [&](auto& values) {
     for (double& v : values) v = any_bits(random);
   };
+  const auto yes = [&] { return (random() & 1u) != 0; };
   t.tick = static_cast<std::int64_t>(random());
   t.time_s = any_bits(random);
   fill(t.device_pose.position_m), fill(t.device_pose.rotation_wxyz);
@@ -53,6 +54,23 @@ LogTick random_tick(std::mt19937_64& random) {
   t.has_sight = (random() & 1u) != 0;
   t.glottis_visible = any_bits(random);
   t.faults = static_cast<std::uint32_t>(random());
+  t.has_intubation = intubation;
+  if (!intubation) return t;
+  LogIntubation& i = t.intubation;
+  fill(i.hand_pose.position_m), fill(i.hand_pose.rotation_wxyz);
+  i.hand_valid = yes();
+  i.in_hand = static_cast<LoggedInHand>(random() % 3);
+  fill(i.tip_m), fill(i.tip_direction);
+  i.place = static_cast<LoggedPlace>(random() % 6);
+  for (double* v : {&i.past_cords_m, &i.at_mouth_m, &i.buckled_m, &i.tip_load_n, &i.glottis_opening, &i.secretions_ml,
+                    &i.sao2, &i.spo2, &i.heart_per_min, &i.given_per_min})
+    *v = any_bits(random);
+  fill(i.model_force_n), fill(i.displayed_force_n), fill(i.loads_n);
+  i.tip_against = static_cast<std::uint8_t>(random() % 12);
+  if (i.tip_against == kTubeLoads) i.tip_against = kNothingAgainstTip;
+  i.spasm = yes(), i.detector_yellow = yes();
+  i.breaths_given = static_cast<std::int32_t>(random());
+  i.faults = static_cast<std::uint32_t>(random());
   return t;
 }
 
@@ -75,11 +93,24 @@ bool same_bits(const LogTick& a, const LogTick& b) {
     same = same && same_bits(a.loads[i].force_n, b.loads[i].force_n) &&
            same_bits(a.loads[i].centre_m, b.loads[i].centre_m) && a.loads[i].contacts == b.loads[i].contacts;
   }
-  return same;
+  const LogIntubation &i = a.intubation, &j = b.intubation;
+  return same && a.has_intubation == b.has_intubation && same_bits(i.hand_pose, j.hand_pose) &&
+         i.hand_valid == j.hand_valid && i.in_hand == j.in_hand && same_bits(i.tip_m, j.tip_m) &&
+         same_bits(i.tip_direction, j.tip_direction) && i.place == j.place &&
+         same_bits(i.past_cords_m, j.past_cords_m) && same_bits(i.at_mouth_m, j.at_mouth_m) &&
+         same_bits(i.buckled_m, j.buckled_m) && same_bits(i.model_force_n, j.model_force_n) &&
+         same_bits(i.displayed_force_n, j.displayed_force_n) && same_bits(i.loads_n, j.loads_n) &&
+         same_bits(i.tip_load_n, j.tip_load_n) && i.tip_against == j.tip_against &&
+         same_bits(i.glottis_opening, j.glottis_opening) && i.spasm == j.spasm &&
+         same_bits(i.secretions_ml, j.secretions_ml) && same_bits(i.sao2, j.sao2) && same_bits(i.spo2, j.spo2) &&
+         same_bits(i.heart_per_min, j.heart_per_min) && i.detector_yellow == j.detector_yellow &&
+         i.breaths_given == j.breaths_given && same_bits(i.given_per_min, j.given_per_min) && i.faults == j.faults;
 }
 
-LogHeader sample_header() {
+LogHeader sample_header(bool intubation = false) {
   LogHeader h;
+  h.has_intubation = intubation;
+  if (intubation) h.settings[kCordsToCarina] = 0.05;
   h.software_version = "1.2.3";
   h.build_hash = "abc";
   h.instruction_set = "x86-64";
@@ -106,12 +137,12 @@ LogHeader sample_header() {
   return h;
 }
 
-std::vector<LogTick> write_log(const fs::path& path, int ticks, const LogFooter& footer, unsigned seed = 1) {
-  std::mt19937_64 random(seed);
+std::vector<LogTick> write_log(const fs::path& path, int ticks, const LogFooter& footer, bool intubation = false) {
+  std::mt19937_64 random(1);
   std::vector<LogTick> written;
-  TrialLogWriter writer(path, sample_header());
+  TrialLogWriter writer(path, sample_header(intubation));
   for (int i = 0; i < ticks; ++i) {
-    written.push_back(random_tick(random));
+    written.push_back(random_tick(random, intubation));
     writer.append(written.back());
   }
   writer.close(footer);
@@ -136,13 +167,70 @@ TEST_F(TrialLogFile, AToolOfItsOwnIsNamedByItsHashAndOldLogsHaveNone) {
   json.replace(json.find("tool_sha256"), 11, "tool_sha999");
   EXPECT_THROW(log_format::header_from_json(json), TrialLogError);
   json = log_format::header_to_json(header);
-  json.replace(json.find("\"schema\":2"), 10, "\"schema\":3");
-  EXPECT_THROW(log_format::header_from_json(json), TrialLogError);
+  json.replace(json.find("\"schema\":2"), 10, "\"schema\":4");
+  EXPECT_NE(error_of<TrialLogError>([&] { log_format::header_from_json(json); }).find("reads 1 to 3; use the newer"),
+            std::string::npos);
+}
+
+TEST_F(TrialLogFile, AnIntubationIsSchema3AndAnotherKindOfTickIsRefused) {
+  LogHeader header = sample_header(true);
+  TrialLogWriter(path(), header).close(sample_footer());
+  EXPECT_EQ(read_trial_log(path()).header.schema, 3) << "older programs must not take its ticks for theirs";
+  EXPECT_TRUE(read_trial_log(path()).header.has_intubation);
+  EXPECT_EQ(read_trial_log(path()).header.tool_sha256, "");
+  header.tool_sha256 = std::string(64, 'e');
+  TrialLogWriter(path(), header).close(sample_footer());
+  EXPECT_EQ(read_trial_log(path()).header.schema, 3);
+  EXPECT_EQ(read_trial_log(path()).header.tool_sha256, std::string(64, 'e'));
+  std::mt19937_64 random(1);
+  for (const bool intubation : {false, true}) {
+    TrialLogWriter writer(path(), sample_header(intubation));
+    EXPECT_NE(error_of<TrialLogError>([&] { writer.append(random_tick(random, !intubation)); }).find("tick "),
+              std::string::npos);
+    writer.append(random_tick(random, intubation));
+  }
+}
+
+TEST_F(TrialLogFile, AnIntubationsDepthMustBeKnown) {
+  for (const double wrong : {0.0, -0.05}) {
+    LogHeader header = sample_header(true);
+    header.settings[kCordsToCarina] = wrong;
+    EXPECT_NE(error_of<TrialLogError>([&] { TrialLogWriter(path(), header); }).find("cords_to_carina_m"),
+              std::string::npos);
+  }
+  std::string json = log_format::header_to_json(sample_header(true));
+  json.replace(json.find("cords_to_carina_m"), 17, "cords_to_carina_n");
+  EXPECT_NE(error_of<TrialLogError>([&] { log_format::header_from_json(json); }).find("cords_to_carina_m"),
+            std::string::npos);
+}
+
+TEST_F(TrialLogFile, WhatAnIntubationDoesNotKnowIsRefused) {
+  LogTick tick;
+  tick.has_intubation = true;
+  std::string good;
+  log_format::put_tick(good, tick);
+  ASSERT_EQ(good.size(), kTickWithIntubation);
+  // Places by the layout: pose 56, valid 1, in hand 1, tip and direction 48, place 1, ... what is before the tip 275.
+  const struct {
+    std::size_t at;
+    int first_unknown;
+    const char* what;
+  } cases[] = {{57, 3, "thing in hand"}, {106, 6, "place"}, {275, 11, "thing before the tip"}};
+  for (const auto& c : cases) {
+    std::string bytes = good;
+    bytes[kTick + c.at] = static_cast<char>(c.first_unknown - 1);
+    EXPECT_NO_THROW(log_format::get_tick(bytes.data(), true)) << c.what;
+    bytes[kTick + c.at] = static_cast<char>(c.first_unknown);
+    EXPECT_NE(error_of<TrialLogError>([&] { log_format::get_tick(bytes.data(), true); }).find(c.what),
+              std::string::npos);
+  }
+  EXPECT_NO_THROW(log_format::get_tick(good.data(), true));  // 255: nothing is before the tip
 }
 
 TEST_F(TrialLogFile, GivesBackEveryBit) {
-  for (const int ticks : {0, 1, kTicksPerBlock - 1, kTicksPerBlock, kTicksPerBlock + 1, 1000}) {
-    const auto written = write_log(path(), ticks, sample_footer());
+  for (const int ticks : {0, 1, kTicksPerBlock - 1, kTicksPerBlock, kTicksPerBlock + 1, 1000, -1000}) {
+    const bool intubation = ticks < 0;
+    const auto written = write_log(path(), std::abs(ticks), sample_footer(), intubation);
     EXPECT_FALSE(fs::exists(part()));
     for (const fs::path& given : {path(), folder_}) {
       const TrialLog log = read_trial_log(given);
@@ -155,7 +243,8 @@ TEST_F(TrialLogFile, GivesBackEveryBit) {
       EXPECT_EQ(log.footer.pause_faults, (std::vector<std::string>{"unplugged", ""}));
       EXPECT_EQ(log.footer.overruns, 4);
       EXPECT_EQ(log.footer.real_time_setup, "servo: ordinary priority");
-      const LogHeader expected = sample_header(), &header = log.header;
+      const LogHeader expected = sample_header(intubation), &header = log.header;
+      EXPECT_EQ(header.has_intubation, intubation);
       EXPECT_EQ(header.software_version, expected.software_version);
       EXPECT_EQ(header.build_hash, expected.build_hash);
       EXPECT_EQ(header.instruction_set, expected.instruction_set);
@@ -218,12 +307,18 @@ TEST_F(TrialLogFile, WithoutCloseThePartHoldsEverything) {
   }
 }
 
-TEST_F(TrialLogFile, CutAnywhereItIsRecoveredToTheLastWholeBlock) {
-  const auto written = write_log(path(), 2 * kTicksPerBlock + 10, sample_footer());
+class TrialLogOfEitherKind : public TrialLogFile, public ::testing::WithParamInterface<bool> {
+ protected:
+  std::size_t tick_bytes() const { return GetParam() ? kTickWithIntubation : kTick; }
+};
+INSTANTIATE_TEST_SUITE_P(Intubation, TrialLogOfEitherKind, ::testing::Bool());
+
+TEST_P(TrialLogOfEitherKind, CutAnywhereItIsRecoveredToTheLastWholeBlock) {
+  const auto written = write_log(path(), 2 * kTicksPerBlock + 10, sample_footer(), GetParam());
   const std::string whole = read(path());
-  const std::size_t first_ticks = whole.find("TICK");
-  const std::size_t block = kBlockHead + kTicksPerBlock * kTick + kChecksum;
-  const std::size_t third_ticks = first_ticks + 2 * block, footer = third_ticks + kBlockHead + 10 * kTick + kChecksum;
+  const std::size_t first_ticks = whole.find("TICK"), tick = tick_bytes();
+  const std::size_t block = kBlockHead + kTicksPerBlock * tick + kChecksum;
+  const std::size_t third_ticks = first_ticks + 2 * block, footer = third_ticks + kBlockHead + 10 * tick + kChecksum;
   ASSERT_EQ(whole.substr(third_ticks, 4), "TICK");
   ASSERT_EQ(whole.substr(footer, 4), "FOOT");
 
@@ -266,12 +361,16 @@ TEST_F(TrialLogFile, CutAnywhereItIsRecoveredToTheLastWholeBlock) {
   }
 }
 
-TEST_F(TrialLogFile, AnyChangedByteIsNoticed) {
+TEST_P(TrialLogOfEitherKind, AnyChangedByteIsNoticed) {
   {
     LogHeader small;
     small.scenario_id = "term";
+    small.has_intubation = GetParam();
+    small.settings[kCordsToCarina] = 0.05;
     TrialLogWriter writer(path(), small);
-    for (int i = 0; i < 2; ++i) writer.append(LogTick{});
+    LogTick tick;
+    tick.has_intubation = GetParam();
+    for (int i = 0; i < 2; ++i) writer.append(tick);
     writer.close(sample_footer());
   }
   const std::string whole = read(path());
@@ -284,10 +383,10 @@ TEST_F(TrialLogFile, AnyChangedByteIsNoticed) {
   }
 }
 
-TEST_F(TrialLogFile, SwappedRepeatedAndTrailingBlocksAreNoticed) {
-  write_log(path(), 2 * kTicksPerBlock, sample_footer());
+TEST_P(TrialLogOfEitherKind, SwappedRepeatedAndTrailingBlocksAreNoticed) {
+  write_log(path(), 2 * kTicksPerBlock, sample_footer(), GetParam());
   const std::string whole = read(path());
-  const std::size_t first = whole.find("TICK"), size = kBlockHead + kTicksPerBlock * kTick + kChecksum;
+  const std::size_t first = whole.find("TICK"), size = kBlockHead + kTicksPerBlock * tick_bytes() + kChecksum;
   const std::string head = whole.substr(0, first), a = whole.substr(first, size), b = whole.substr(first + size, size),
                     foot = whole.substr(first + 2 * size);
   ASSERT_EQ(head + a + b + foot, whole);

@@ -81,10 +81,23 @@ TEST_F(RecordsFile, AnOlderFileIsBroughtForwardWithItsRows) {
     EXPECT_EQ(rows[0].score.reasons, std::vector<std::string>{"why"});
     EXPECT_EQ(rows[0].score.time_to_trachea_visible_s, -1.0);
     EXPECT_EQ(rows[0].score.ticks, 12);
-    EXPECT_EQ(records.add(sample("2024-01-01T00:00:00Z")), 8);
+    EXPECT_FALSE(rows[0].score.intubation) << "it was laryngoscopy alone";
+    RecordRow tube = sample("2024-01-01T00:00:00Z");
+    tube.score.intubation.emplace().outcome = Outcome::mainstem;
+    tube.score.intubation->lowest_spo2_percent = 61.0;
+    EXPECT_EQ(records.add(tube), 8);
+    ASSERT_TRUE(records.newest(1)[0].score.intubation);
+    EXPECT_EQ(records.newest(1)[0].score.intubation->outcome, Outcome::mainstem);
+    EXPECT_EQ(records.newest(1)[0].score.intubation->lowest_spo2_percent, 61.0);
+    tube.finished_utc = "2024-01-02T00:00:00Z";
+    tube.score.intubation->lowest_spo2_percent.reset();
+    records.add(tube);
+    EXPECT_FALSE(records.newest(1)[0].score.intubation->lowest_spo2_percent);
   }
   Database db(file());
   EXPECT_EQ(db.ask("SELECT version FROM schema_version").toInt(), static_cast<int>(record_migrations().size()));
+  EXPECT_EQ(db.ask("SELECT outcome FROM trials WHERE id = 8").toString(), "mainstem");
+  EXPECT_TRUE(db.ask("SELECT outcome FROM trials WHERE id = 7").isNull());
   EXPECT_EQ(db.ask("SELECT COUNT(*) FROM sqlite_master WHERE type = 'index' AND name = 'trials_by_time'").toInt(), 1);
 }
 

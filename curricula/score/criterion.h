@@ -1,0 +1,23 @@
+// Lines of the rubric in the making (private to the library).
+#pragma once
+
+#include <string>
+
+#include "curricula/score/score.h"
+
+namespace vallecula::curricula {
+
+std::string fixed(double value, int decimals);
+std::string second(double time_s);       ///< "6.50 s"
+std::string limit_text(double value);    ///< as it was written in the scenario
+std::string figure(const Criterion& c);  ///< its value beside its limit: never equal in print where it is not
+
+/// A figure that must not exceed its limit. `what` is the sentence's subject, `when` says at which second.
+Criterion at_most(const char* name, const char* unit, double value, double limit, double at_s, const std::string& what,
+                  const std::string& when);
+/// A figure that must reach its limit.
+Criterion at_least(const char* name, const char* unit, double value, double limit, double at_s, const std::string& what,
+                   const std::string& when);
+Criterion fact(const char* name, bool met, double at_s, const std::string& sentence);
+
+}  // namespace vallecula::curricula

@@ -1,0 +1,146 @@
+#include "curricula/score/intubation_rubric.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "curricula/score/criterion.h"
+
+namespace vallecula::curricula {
+namespace {
+
+std::string millimetres(double m) { return fixed(1e3 * m, 1) + " mm"; }
+
+std::string at(double time_s) { return time_s < 0.0 ? std::string() : " at " + second(time_s); }
+
+Criterion outcome(const IntubationPass& pass, const IntubationScore& score) {
+  const bool met = std::count(pass.outcomes.begin(), pass.outcomes.end(), score.outcome) != 0;
+  std::string sentence = outcome_in_words(score);
+  if (!met) {
+    sentence += "; asked for: ";
+    for (const Outcome accepted : pass.outcomes)
+      sentence += (accepted == pass.outcomes.front() ? "" : ", ") + std::string(name_of(accepted));
+  }
+  const Attempt* decisive = score.decisive();
+  return fact("outcome", met, decisive && decisive->passed_cords_s ? *decisive->passed_cords_s : -1.0, sentence);
+}
+
+Criterion co2(const IntubationScore& score, int breaths_to_confirm) {
+  const std::string allowed = std::to_string(breaths_to_confirm) + " breaths allowed";
+  if (!score.co2_confirmed) {
+    return {"co2_confirmed",
+            "",
+            static_cast<double>(score.breaths_in_place),
+            static_cast<double>(breaths_to_confirm),
+            -1.0,
+            false,
+            "The tube's place was not confirmed: the detector did not turn yellow with " +
+                std::to_string(score.breaths_in_place) + " breaths through it, of " + allowed};
+  }
+  const bool met = *score.co2_breaths <= breaths_to_confirm;
+  return {"co2_confirmed",
+          "",
+          static_cast<double>(*score.co2_breaths),
+          static_cast<double>(breaths_to_confirm),
+          -1.0,
+          met,
+          "The detector turned yellow with breath " + std::to_string(*score.co2_breaths) +
+              (met ? ", within the " : ", more than the ") + allowed};
+}
+
+/// Whether a detector has anything to say: the tube lies in the airway or in the oesophagus.
+bool lies_somewhere(Outcome outcome) {
+  return outcome == Outcome::good_depth || outcome == Outcome::too_shallow || outcome == Outcome::too_deep ||
+         outcome == Outcome::mainstem || outcome == Outcome::oesophagus;
+}
+
+}  // namespace
+
+std::string outcome_in_words(const IntubationScore& score) {
+  const auto depth = [&](const char* verdict) {
+    return "The tube's tip lies " + millimetres(*score.depth_m) + " past the cords, " +
+           fixed(100.0 * *score.depth_share(), 0) + " % of the way to the carina: " + verdict;
+  };
+  switch (score.outcome) {
+    case Outcome::good_depth:
+      return depth("good depth");
+    case Outcome::too_shallow:
+      return depth("in the trachea, but to be advanced");
+    case Outcome::too_deep:
+      return depth("in the trachea, but to be drawn back");
+    case Outcome::mainstem:
+      return "The tube's tip lies in a main bronchus: only one lung gets air";
+    case Outcome::oesophagus:
+      return "The tube lies in the oesophagus";
+    case Outcome::cricoid_too_narrow:
+      return "The tube was stopped by the cricoid and never came past it";
+    case Outcome::cords_closed:
+      return "The cords were closed, and the tube is not past them";
+    case Outcome::abandoned:
+      return "The tube is not in the trachea: the intubation was given up";
+    case Outcome::out_of_time:
+      return "The trial's time was over before the tube was in the trachea";
+  }
+  return "";
+}
+
+const char* name_of(LoggedTubeLoad load) {
+  static constexpr std::array<const char*, kTubeLoads> kNames = {"vestibule", "cords",      "subglottis", "cricoid",
+                                                                 "trachea",   "bronchus",   "oesophagus", "pharynx",
+                                                                 "tongue",    "epiglottis", "blade"};
+  return kNames[static_cast<std::size_t>(load)];
+}
+
+Criterion longest_attempt_time(const Scenario& scenario, const Score& score) {
+  const std::vector<Attempt>& attempts = score.intubation->attempts;
+  const Attempt& longest = *score.intubation->longest();
+  const auto number = &longest - attempts.data() + 1;
+  std::string what = "The attempt took";
+  if (attempts.size() > 1)
+    what = "Attempt " + std::to_string(number) + " of " + std::to_string(attempts.size()) + ", the longest, took";
+  std::string when = " (" + second(longest.start_s) + " to " + second(longest.end_s);
+  if (longest.paused_s > 0.0) when += ", paused for " + second(longest.paused_s);
+  if (!score.blade_out && &longest == &attempts.back()) when += ", the blade was still in the mouth";
+  return at_most("attempt_time_s", "s", longest.time_s, scenario.pass.attempt_time_s, longest.start_s, what,
+                 when + ")");
+}
+
+void judge_intubation(const Scenario& scenario, const IntubationScore& score, std::vector<Criterion>& criteria) {
+  const IntubationPass& pass = scenario.intubation->pass;
+  criteria.push_back(outcome(pass, score));
+  if (pass.lowest_spo2_percent && score.lowest_spo2_percent)
+    criteria.push_back(at_least("lowest_spo2_percent", "%", *score.lowest_spo2_percent, *pass.lowest_spo2_percent,
+                                score.lowest_spo2_at_s, "Saturation fell to", at(score.lowest_spo2_at_s)));
+  if (pass.lowest_heart_per_min && score.lowest_heart_per_min)
+    criteria.push_back(at_least("lowest_heart_per_min", "per minute", *score.lowest_heart_per_min,
+                                *pass.lowest_heart_per_min, score.lowest_heart_at_s, "The heart fell to",
+                                at(score.lowest_heart_at_s)));
+  if (pass.tube_force_n) {
+    const Peak& peak = score.tip_load_n;
+    const std::string against = score.tip_against < kTubeLoads
+                                    ? std::string(" (") + name_of(static_cast<LoggedTubeLoad>(score.tip_against)) + ")"
+                                    : std::string();
+    criteria.push_back(at_most("tube_force_n", "N", peak.value, *pass.tube_force_n, peak.at_s,
+                               "The tube was pushed against what stood before its tip" + against + " with",
+                               at(peak.at_s)));
+  }
+  const Attempt* decisive = score.decisive();
+  if (pass.time_to_pass_s && decisive && decisive->time_to_pass_s) {
+    const char* since = decisive->view_at_s && *decisive->view_at_s <= *decisive->passed_cords_s
+                            ? "From the view to the cords passed it took"
+                            : "From the blade in the mouth to the cords passed, without a view, it took";
+    criteria.push_back(at_most("time_to_pass_s", "s", *decisive->time_to_pass_s, *pass.time_to_pass_s,
+                               *decisive->passed_cords_s, since, at(*decisive->passed_cords_s)));
+  }
+  if (pass.attempts) {
+    const auto count = static_cast<double>(score.attempts.size());
+    const auto limit = static_cast<double>(*pass.attempts);
+    criteria.push_back(
+        {"attempts", "", count, limit, score.attempts.empty() ? -1.0 : score.attempts.back().start_s, count <= limit,
+         std::to_string(score.attempts.size()) + (score.attempts.size() == 1 ? " attempt, " : " attempts, ") +
+             (count <= limit ? "within the " : "more than the ") + limit_text(limit) + " allowed"});
+  }
+  if (pass.co2_confirmed && lies_somewhere(score.outcome))
+    criteria.push_back(co2(score, scenario.intubation->breaths_to_confirm));
+}
+
+}  // namespace vallecula::curricula

@@ -1,0 +1,76 @@
+// The figures of an intubation: part of a trial's score where the trial had one.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "curricula/intubation_spec.h"
+#include "curricula/trial_log.h"
+
+namespace vallecula::curricula {
+
+/// One way of the blade into the mouth and out of it (NEAR4NEOS). Moments in trial time; times less pauses.
+struct Attempt {
+  double start_s = 0.0, end_s = 0.0;
+  double time_s = 0.0, paused_s = 0.0;
+  int breaths_before = 0;                ///< given since the attempt before, or since the trial began
+  std::optional<double> time_to_view_s;  ///< from its start to scenario.sight_percent of the glottis; never: nothing
+  std::optional<double> view_at_s;       ///< second of the trial of that
+  /// From the view (from the start where there was none before) to the last time the tip passed the cords in it.
+  std::optional<double> time_to_pass_s;
+  std::optional<double> passed_cords_s;  ///< second of the trial of that
+  /// Displayed saturation, percent: the highest since the attempt before (or the trial's begin), and the lowest from
+  /// its start to the next one's, or to the end: the display is late, so what falls after the blade is out is its
+  /// doing.
+  double highest_spo2_before_percent = 0.0, lowest_spo2_percent = 0.0;
+  double lowest_heart_per_min = 0.0;  ///< over the same time
+  bool desaturated = false;           ///< by 20 points or more (NEAR4NEOS: severe desaturation)
+  bool bradycardia = false;           ///< heart below 100 per minute
+};
+
+/// Largest value of one tick, and when.
+struct Peak {
+  double value = 0.0;
+  double at_s = -1.0;  ///< second of the trial; -1: it was never above 0
+};
+
+struct IntubationScore {
+  Outcome outcome = Outcome::abandoned;
+  std::vector<Attempt> attempts;
+  double cords_to_carina_m = 0.0;         ///< this infant's
+  std::optional<double> depth_m;          ///< of the tip past the cords at the end, where it lies in larynx or trachea
+  std::optional<double> depth_neutral_m;  ///< the same with the head neutral, where its extension is known
+  double deepest_m = 0.0;                 ///< past the cords, ever
+  std::optional<double> lowest_spo2_percent, lowest_heart_per_min;  ///< from the first attempt on
+  double lowest_spo2_at_s = -1.0, lowest_heart_at_s = -1.0;
+  int breaths_given = 0;           ///< in the whole trial, by mask and tube
+  bool co2_confirmed = false;      ///< the detector turned yellow while the tube lay where it lies at the end
+  std::optional<int> co2_breaths;  ///< breaths through it until then
+  int breaths_in_place = 0;        ///< breaths through it altogether
+  int oesophagus_entries = 0;      ///< times the tube's tip went in
+  int oesophagus_breaths = 0;      ///< given while it lay there
+  double oesophagus_s = 0.0;       ///< from the first of them in each stay until withdrawn, together
+  bool recognised_late = false;    ///< more than breaths_to_confirm in one stay
+  Peak tip_load_n;                 ///< along the tube, of what stood before its tip
+  std::uint8_t tip_against = kNothingAgainstTip;  ///< what that was, a LoggedTubeLoad
+  std::array<Peak, kTubeLoads> loads_n{};         ///< by what the tube touched, sums of magnitudes
+  Peak hand_force_n;                              ///< model force on the hand that holds the tube
+  Peak displayed_hand_force_n;
+  double buckled_m = 0.0;  ///< at most
+  double secretions_start_ml = 0.0, secretions_end_ml = 0.0;
+
+  /// The last attempt in which the cords were passed, else the last one; null: there was none.
+  const Attempt* decisive() const;
+  const Attempt* longest() const;  ///< null: there was none
+  /// Depth as a share of the way from the cords to the carina.
+  std::optional<double> depth_share() const;
+};
+
+/// The outcome for a person, with the depth: "The tube's tip lies 24.1 mm past the cords, ...". Without a full stop.
+std::string outcome_in_words(const IntubationScore& score);
+/// "cricoid", "tongue" ...: what a tube's load is on.
+const char* name_of(LoggedTubeLoad load);
+
+}  // namespace vallecula::curricula

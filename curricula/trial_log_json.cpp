@@ -1,0 +1,154 @@
+// The trial log's header and footer as JSON.
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <cmath>
+
+#include "curricula/trial_log_format.h"
+
+namespace vallecula::curricula::log_format {
+namespace {
+
+double finite_or_throw(double value, const std::string& name) {
+  if (!std::isfinite(value)) throw TrialLogError("'" + name + "' is not a finite number and cannot be stored");
+  return value;
+}
+
+QString text(const std::string& s) { return QString::fromStdString(s); }
+
+QJsonObject parse_object(const std::string& json) {
+  QJsonParseError error{};
+  const QJsonDocument document = QJsonDocument::fromJson(QByteArray::fromStdString(json), &error);
+  if (!document.isObject()) throw TrialLogError("its JSON cannot be read (" + error.errorString().toStdString() + ")");
+  return document.object();
+}
+
+QJsonValue field(const QJsonObject& object, const char* name, QJsonValue::Type type) {
+  const QJsonValue value = object.value(QLatin1String(name));
+  if (value.type() != type) throw TrialLogError(std::string("field '") + name + "' is missing or of the wrong type");
+  return value;
+}
+std::string get_text(const QJsonObject& o, const char* name) {
+  return field(o, name, QJsonValue::String).toString().toStdString();
+}
+double get_number(const QJsonObject& o, const char* name) { return field(o, name, QJsonValue::Double).toDouble(); }
+bool get_bool(const QJsonObject& o, const char* name) { return field(o, name, QJsonValue::Bool).toBool(); }
+std::int64_t get_integer(const QJsonObject& o, const char* name) {
+  return field(o, name, QJsonValue::Double).toVariant().toLongLong();
+}
+
+std::string compact(const QJsonObject& object) {
+  return QJsonDocument(object).toJson(QJsonDocument::Compact).toStdString();
+}
+
+/// Without this length no depth of a tube could be judged.
+void check_depth_is_known(const LogHeader& header) {
+  const auto found = header.settings.find(kCordsToCarina);
+  if (found == header.settings.end() || !(found->second > 0.0))
+    throw TrialLogError(std::string("its setting ") + kCordsToCarina + " is missing or not positive");
+}
+
+}  // namespace
+
+std::string header_to_json(const LogHeader& header) {
+  QJsonObject o;
+  o["schema"] = header.has_intubation ? 3 : header.tool_sha256.empty() ? 1 : 2;
+  o["software_version"] = text(header.software_version);
+  o["build_hash"] = text(header.build_hash);
+  o["instruction_set"] = text(header.instruction_set);
+  o["package_name"] = text(header.package_name);
+  o["package_path"] = text(header.package_path);
+  o["package_sha256"] = text(header.package_sha256);
+  o["curriculum_path"] = text(header.curriculum_path);
+  o["scenario_id"] = text(header.scenario_id);
+  o["scenario_yaml"] = text(header.scenario_yaml);
+  o["scenario_sha256"] = text(header.scenario_sha256);
+  if (!header.tool_sha256.empty()) o["tool_sha256"] = text(header.tool_sha256);
+  o["device_kind"] = text(header.device_kind);
+  if (!(header.servo_period_s > 0.0)) throw TrialLogError("'servo_period_s' must be positive");
+  o["servo_period_s"] = finite_or_throw(header.servo_period_s, "servo_period_s");
+  o["device_limit_n"] = finite_or_throw(header.device_limit_n, "device_limit_n");
+  o["realtime"] = header.realtime;
+  QJsonObject settings, landmarks;
+  for (const auto& [name, value] : header.settings) settings[text(name)] = finite_or_throw(value, name);
+  for (const auto& [name, point] : header.landmarks_m) {
+    QJsonArray coordinates;
+    for (double c : point) coordinates.append(finite_or_throw(c, name));
+    landmarks[text(name)] = coordinates;
+  }
+  if (header.has_intubation) check_depth_is_known(header);
+  o["settings"] = settings;
+  o["landmarks_m"] = landmarks;
+  return compact(o);
+}
+
+LogHeader header_from_json(const std::string& json) {
+  const QJsonObject o = parse_object(json);
+  LogHeader header;
+  header.schema = static_cast<int>(get_integer(o, "schema"));
+  if (header.schema < 1 || header.schema > 3) {
+    throw TrialLogError("its schema is " + std::to_string(header.schema) +
+                        ", this version reads 1 to 3; use the newer Vallecula");
+  }
+  header.has_intubation = header.schema == 3;
+  header.software_version = get_text(o, "software_version");
+  header.build_hash = get_text(o, "build_hash");
+  header.instruction_set = get_text(o, "instruction_set");
+  header.package_name = get_text(o, "package_name");
+  header.package_path = get_text(o, "package_path");
+  header.package_sha256 = get_text(o, "package_sha256");
+  header.curriculum_path = get_text(o, "curriculum_path");
+  header.scenario_id = get_text(o, "scenario_id");
+  header.scenario_yaml = get_text(o, "scenario_yaml");
+  header.scenario_sha256 = get_text(o, "scenario_sha256");
+  if (header.schema == 2 || o.contains("tool_sha256")) header.tool_sha256 = get_text(o, "tool_sha256");
+  header.device_kind = get_text(o, "device_kind");
+  header.servo_period_s = get_number(o, "servo_period_s");
+  if (!(header.servo_period_s > 0.0)) throw TrialLogError("its servo_period_s is not positive");
+  header.device_limit_n = get_number(o, "device_limit_n");
+  header.realtime = get_bool(o, "realtime");
+  const QJsonObject settings = field(o, "settings", QJsonValue::Object).toObject();
+  for (auto it = settings.begin(); it != settings.end(); ++it)
+    header.settings[it.key().toStdString()] = it.value().toDouble();
+  if (header.has_intubation) check_depth_is_known(header);
+  const QJsonObject landmarks = field(o, "landmarks_m", QJsonValue::Object).toObject();
+  for (auto it = landmarks.begin(); it != landmarks.end(); ++it) {
+    const QJsonArray c = it.value().toArray();
+    if (c.size() != 3) throw TrialLogError("landmark '" + it.key().toStdString() + "' does not have three coordinates");
+    header.landmarks_m[it.key().toStdString()] = {c[0].toDouble(), c[1].toDouble(), c[2].toDouble()};
+  }
+  return header;
+}
+
+std::string footer_to_json(const LogFooter& footer, std::int64_t ticks) {
+  QJsonObject o;
+  o["complete"] = footer.complete;
+  o["ended"] = text(footer.ended);
+  o["loop_rate_hz"] = finite_or_throw(footer.loop_rate_hz, "loop_rate_hz");
+  o["deadline_misses"] = static_cast<qint64>(footer.deadline_misses);
+  o["overruns"] = static_cast<qint64>(footer.overruns);
+  o["real_time_setup"] = text(footer.real_time_setup);
+  QJsonArray faults;
+  for (const std::string& fault : footer.pause_faults) faults.append(text(fault));
+  o["pause_faults"] = faults;
+  o["ticks"] = static_cast<qint64>(ticks);
+  return compact(o);
+}
+
+LogFooter footer_from_json(const std::string& json, std::int64_t& ticks) {
+  const QJsonObject o = parse_object(json);
+  LogFooter footer;
+  footer.complete = get_bool(o, "complete");
+  footer.ended = get_text(o, "ended");
+  footer.loop_rate_hz = get_number(o, "loop_rate_hz");
+  footer.deadline_misses = get_integer(o, "deadline_misses");
+  footer.overruns = get_integer(o, "overruns");
+  // Older logs lack these two.
+  if (o.contains("real_time_setup")) footer.real_time_setup = get_text(o, "real_time_setup");
+  for (const QJsonValue& fault : o.value("pause_faults").toArray())
+    footer.pause_faults.push_back(fault.toString().toStdString());
+  ticks = get_integer(o, "ticks");
+  return footer;
+}
+
+}  // namespace vallecula::curricula::log_format
