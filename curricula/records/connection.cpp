@@ -165,6 +165,7 @@ void Connection::open() {
     run("PRAGMA journal_mode = WAL", {}, kWhat);
     run("PRAGMA synchronous = FULL", {}, kWhat);  // a commit is on the disk when it returns
     run("PRAGMA foreign_keys = ON", {}, kWhat);
+    run("PRAGMA secure_delete = ON", {}, kWhat);  // a deleted name is not left in the file
   }
 }
 
