@@ -121,7 +121,6 @@ Connection::Connection(const RecordsLocation& location) : location_(location) {
     }
     db = QSqlDatabase();
     repeat([this] { open(); });
-    was_open_ = true;
   } catch (...) {
     QSqlDatabase::removeDatabase(name_);
     throw;
@@ -157,6 +156,7 @@ void Connection::open() {
       fail(kWhat, QSqlError(error.driverText(), error.databaseText(), QSqlError::ConnectionError, "28000"));
     fail(kWhat, error);
   }
+  was_open_ = true;
   if (location_.server()) {
     run("SET synchronous_commit = on", {}, kWhat);  // a server set to be fast loses the last trials in a power cut
     run("SET lock_timeout = '5s'", {}, kWhat);
@@ -210,7 +210,7 @@ void Connection::write(const std::function<void()>& work) {
       run("COMMIT");
     } catch (...) {
       in_write_ = false;
-      QSqlQuery(database()).exec("ROLLBACK");
+      if (database().isOpen()) QSqlQuery(database()).exec("ROLLBACK");
       throw;
     }
   });

@@ -59,10 +59,12 @@ RecordsLocation RecordsLocation::parse(const std::string& setting) {
     const std::string name = key.toStdString();
     if (name == "host") {
       location.host = value.toStdString();
+    } else if (name == "port" && value.toUShort() > 0) {
+      location.port = value.toUShort();
     } else if (kKnown.find(" " + name + " ") != std::string::npos && !value.contains(';')) {
       location.options[name] = value.toStdString();
     } else {
-      throw RecordsError("records: the server's address has the option '" + name + "', which is not known; allowed: host" +
+      throw RecordsError("records: the server's address has the option '" + name + "', which is not known or has no such value; allowed: host port" +
                          kKnown);
     }
   }

@@ -54,7 +54,7 @@ Writer start_writer(const RecordsLocation& location) {
 }
 
 /// What it said to the end, after it was killed: whole lines.
-void listen(Writer& writer, std::map<std::string, long long>& recorded, int& errors) {
+void listen(Writer& writer, std::map<std::string, long long>& recorded, int& errors, bool may_not_open) {
   std::string text;
   char buffer[4096];
   for (ssize_t got = 0; (got = ::read(writer.said, buffer, sizeof buffer)) > 0;)
@@ -63,6 +63,8 @@ void listen(Writer& writer, std::map<std::string, long long>& recorded, int& err
   for (std::size_t at = 0, end = 0; (end = text.find('\n', at)) != std::string::npos; at = end + 1) {
     const std::string line = text.substr(at, end - at);
     if (line[0] == '!') {
+      // A station that starts while the server has no power says so and records nothing.
+      if (may_not_open && line.find("cannot be opened") != std::string::npos) continue;
       ++errors;
       ADD_FAILURE() << line;
     } else {
@@ -73,6 +75,7 @@ void listen(Writer& writer, std::map<std::string, long long>& recorded, int& err
 
 TEST_P(AnyRecords, WritersThatAreKilledAtAnyMomentLoseNothing) {
   const bool slow = std::getenv("VALLECULA_SLOW") != nullptr;
+  const bool loses_power = on_server() && slow;
   const double seconds = slow ? 60.0 : 2.0;
   const auto until = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
   std::mt19937 random(20260503);
@@ -86,16 +89,15 @@ TEST_P(AnyRecords, WritersThatAreKilledAtAnyMomentLoseNothing) {
     Writer& victim = writers[static_cast<std::size_t>(which(random))];
     ::kill(victim.process, SIGKILL);
     ::waitpid(victim.process, nullptr, 0);
-    listen(victim, recorded, errors);
+    listen(victim, recorded, errors, loses_power);
     ++kills;
-    // A server that loses its power on top of it, once in the long form's ten seconds.
-    if (on_server() && slow && kills % 100 == 50) PostgresServer::instance().crash_and_restart();
+    if (loses_power && kills % 100 == 50)  // every ten seconds or so PostgresServer::instance().crash_and_restart();
     victim = start_writer(location());
   }
   for (Writer& writer : writers) {
     ::kill(writer.process, SIGKILL);
     ::waitpid(writer.process, nullptr, 0);
-    listen(writer, recorded, errors);
+    listen(writer, recorded, errors, loses_power);
   }
   EXPECT_EQ(errors, 0);
   EXPECT_GT(kills, 10);
