@@ -3,9 +3,29 @@
 #include <iomanip>
 #include <string>
 
+#include "gui/report/intubation_report.h"
 #include "gui/report/report.h"
 
 namespace vallecula::gui {
+
+namespace {
+
+void print_intubation(std::ostream& out, const curricula::Score& score, const curricula::Scenario& scenario) {
+  for (const Row& row : intubation_rows(score, scenario)) {
+    out << "  " << std::left << std::setw(44) << row.name << row.value;
+    if (!row.limit.empty()) out << " (" << row.verdict << ": " << row.limit << ")";
+    out << "\n";
+  }
+  int number_of = 0;
+  for (const curricula::Attempt& a : score.intubation->attempts) {
+    out << "  attempt " << ++number_of << ": " << number(a.start_s, 1) << " to " << number(a.end_s, 1) << " s, "
+        << a.breaths_before << " breaths before, saturation from " << number(a.highest_spo2_before_percent, 0)
+        << " % to " << number(a.lowest_spo2_percent, 0) << " %" << (a.desaturated ? " (severe desaturation)" : "")
+        << ", heart to " << number(a.lowest_heart_per_min, 0) << (a.bradycardia ? " (bradycardia)" : "") << "\n";
+  }
+}
+
+}  // namespace
 
 void print_score(std::ostream& out, const curricula::Score& score, const curricula::Scenario& scenario) {
   const auto line = [&out](const std::string& name, double value, int digits, const std::string& unit) {
@@ -26,6 +46,7 @@ void print_score(std::ostream& out, const curricula::Score& score, const curricu
   time_or("attempt time", score.attempt_begun, score.attempt_time_s, "no attempt");
   line("time over the training target", score.time_over_target_s, 2, "s");
   line("time over the device limit", score.time_over_force_limit_s, 2, "s");
+  if (score.intubation) print_intubation(out, score, scenario);
   if (!score.pauses.empty()) line("paused", score.paused_s, 2, "s, " + pauses_in_words(score));
   if (score.loop_rate_hz > 0.0) line("servo loop", score.loop_rate_hz, 1, "Hz");
   line("deadline misses", static_cast<double>(score.deadline_misses), 0,

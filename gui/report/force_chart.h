@@ -3,10 +3,15 @@
 
 #include <QImage>
 #include <filesystem>
+#include <utility>
+#include <vector>
 
 #include "curricula/score/score.h"
 
 namespace vallecula::gui {
+
+/// From when to when in the trial the blade was in the mouth, attempt by attempt, pauses included.
+std::vector<std::pair<double, double>> attempt_spans(const curricula::Score& score);
 
 /// Tongue and gum force as the tissue has them, the force the device was told, and what they are judged by: device
 /// limit, the scenario's target, peak, first sight; below it the fraction of the glottis in sight. Drawn with QPainter

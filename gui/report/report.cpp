@@ -1,11 +1,13 @@
 #include "gui/report/report.h"
 
+#include <QBuffer>
 #include <QByteArray>
-#include <QString>
 #include <algorithm>
-#include <cstdio>
 #include <vector>
 
+#include "gui/report/figure_row.h"
+#include "gui/report/intubation_report.h"
+#include "gui/report/monitor_chart.h"
 #include "gui/session/files.h"
 #include "gui/session/results_folder.h"
 
@@ -14,34 +16,6 @@ namespace vallecula::gui {
 namespace fs = std::filesystem;
 
 namespace {
-
-std::string escaped(const std::string& text) { return QString::fromStdString(text).toHtmlEscaped().toStdString(); }
-
-std::string number(double value, int digits) {
-  char text[64];
-  std::snprintf(text, sizeof text, "%.*f", digits, value);
-  return text;
-}
-
-/// A figure beside what it was judged by.
-struct Row {
-  std::string name, value, limit, verdict;  ///< verdict: "met", "missed", "" where nothing was demanded
-};
-
-/// `criterion`: the rubric's name of this figure, which says whether it was met; none: nothing is demanded of it.
-Row row(const curricula::Score& score, const std::string& name, const std::string& value, const std::string& criterion,
-        const std::string& demand) {
-  for (const curricula::Criterion& line : score.criteria) {
-    if (line.name != criterion) continue;
-    return {name, value, demand + " " + number(line.limit, line.unit == "%" ? 0 : 2) + " " + line.unit,
-            line.met ? "met" : "missed"};
-  }
-  return {name, value, "", ""};
-}
-
-std::string force(double peak_n, double at_s) {
-  return number(peak_n, 2) + " N" + (peak_n > 0.0 ? ", at " + number(at_s, 1) + " s" : "");
-}
 
 std::vector<Row> figures(const curricula::Score& score, const curricula::TrialLog& log,
                          const curricula::Scenario& scenario) {
@@ -54,8 +28,10 @@ std::vector<Row> figures(const curricula::Score& score, const curricula::TrialLo
           "glottis_visible_max_percent", "at least"),
       {"Time to glottis in sight (" + number(scenario.sight_percent, 0) + " %)",
        seen ? number(score.time_to_trachea_visible_s, 1) + " s" : "never", "", ""},
-      score.attempt_begun ? row(score, "Attempt time, blade in to blade out", number(score.attempt_time_s, 1) + " s",
-                                "attempt_time_s", "at most")
+      score.attempt_begun ? row(score,
+                                score.mouth_entries > 1 && score.intubation ? "Longest attempt, blade in to blade out"
+                                                                            : "Attempt time, blade in to blade out",
+                                number(score.attempt_time_s, 1) + " s", "attempt_time_s", "at most")
                           : Row{"Attempt time, blade in to blade out", "no attempt", "-", ""},
       row(score, "Peak force on the tongue", force(score.peak_tongue_force_n, score.time_of_peak_tongue_force_s),
           "peak_tongue_force_n", "at most"),
@@ -74,9 +50,26 @@ std::vector<Row> figures(const curricula::Score& score, const curricula::TrialLo
 std::vector<Row> rows_of(const curricula::Score& score, const curricula::TrialLog& log,
                          const curricula::Scenario& scenario) {
   std::vector<Row> rows = figures(score, log, scenario);
+  if (score.intubation) {
+    const std::vector<Row> tube = intubation_rows(score, scenario);
+    rows.insert(rows.begin(), tube.begin(), tube.end());
+  }
   if (!score.pauses.empty())
     rows.push_back({"Paused, which counts for nothing", number(score.paused_s, 1) + " s", pauses_in_words(score), ""});
   return rows;
+}
+
+std::string picture(const std::string& png, const std::string& what) {
+  const std::string base64 = QByteArray::fromRawData(png.data(), static_cast<int>(png.size())).toBase64().toStdString();
+  return "<img alt=\"" + what + "\" src=\"data:image/png;base64," + base64 + "\">\n";
+}
+
+std::string png_of(const QImage& image) {
+  QByteArray bytes;
+  QBuffer buffer(&bytes);
+  buffer.open(QIODevice::WriteOnly);
+  if (!image.save(&buffer, "PNG")) throw std::runtime_error("report.html: the monitor's chart could not be encoded");
+  return bytes.toStdString();
 }
 
 std::string table(const std::vector<Row>& rows) {
@@ -115,6 +108,7 @@ std::string pauses_in_words(const curricula::Score& score) {
 }
 
 std::string summary_sentence(const curricula::Score& score, const curricula::Scenario& scenario) {
+  if (score.intubation) return intubation_sentence(score, scenario);
   const bool seen = score.time_to_trachea_visible_s >= 0.0;
   return std::string(score.passed ? "Passed" : "Not passed") + " (" + scenario.title + "): " +
          (seen ? "the glottis came into sight after " + number(score.time_to_trachea_visible_s, 1) + " s (" +
@@ -128,10 +122,6 @@ std::string summary_sentence(const curricula::Score& score, const curricula::Sce
 
 void write_report(const fs::path& folder, const curricula::TrialLog& log, const curricula::Scenario& scenario,
                   const curricula::Score& score) {
-  const std::string chart = read_file(folder / "force.png");
-  const std::string chart_base64 =
-      QByteArray::fromRawData(chart.data(), static_cast<int>(chart.size())).toBase64().toStdString();
-
   std::string html =
       "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>Vallecula: " + escaped(scenario.title) +
       "</title>\n<meta name=\"viewport\" content=\"width=device-width\">\n<style>" + kStyle +
@@ -145,10 +135,15 @@ void write_report(const fs::path& folder, const curricula::TrialLog& log, const 
     html += "</ul>\n";
   }
   html += "<h2>Figures</h2>\n" + table(rows_of(score, log, scenario));
-  html +=
-      "<h2>Force over time</h2>\n<img alt=\"Force on tongue and gum over time, with limit, target, peak and first "
-      "sight marked\" src=\"data:image/png;base64," +
-      chart_base64 + "\">\n";
+  if (score.intubation) {
+    html += attempts_html(score);
+    html += "<h2>The monitor</h2>\n" + picture(png_of(draw_monitor_chart(log, scenario, score)),
+                                               "Saturation, heart rate and glottis in sight over time, with attempts, "
+                                               "breaths and the tube's passing marked");
+  }
+  html += "<h2>Force over time</h2>\n" +
+          picture(read_file(folder / "force.png"),
+                  "Force on tongue and gum over time, with limit, target, peak and first sight marked");
   html +=
       "<p class=\"foot\">The shaded span is the attempt, blade into the mouth to blade out; grey is a pause, in which the "
       "device could not be used. Tongue and gum: force of "

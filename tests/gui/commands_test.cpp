@@ -11,6 +11,7 @@
 #include "pipeline/dicom/write_series.h"
 #include "pipeline/package/label_map.h"
 #include "pipeline/package/patient_package.h"
+#include "gui/session/user_paths.h"
 #include "tests/gui/block_patient.h"
 #include "tests/gui/program.h"
 
@@ -174,6 +175,17 @@ TEST(CommandLine, WhatIsMissingIsNamed) {
                           "scripted:press", "--headless", "--out", (box / "out").string()}),
                  1, nothing);
   EXPECT_FALSE(fs::exists(box / "out"));
+}
+
+TEST(CurriculumCommand, FirstStepsIsMeantWhenNoneIsNamedWhateverElseIsShipped) {
+  ::unsetenv("VALLECULA_CURRICULA");
+  EXPECT_EQ(default_curriculum().filename(), "first-steps.yaml");
+  const Sandbox box;
+  ::setenv("VALLECULA_CURRICULA", box.folder().c_str(), 1);
+  write_text(box / "b.yaml", "");
+  write_text(box / "a.yaml", "");
+  EXPECT_EQ(default_curriculum().filename(), "a.yaml");
+  ::unsetenv("VALLECULA_CURRICULA");
 }
 
 TEST(CurriculumCommand, AcceptsTheShippedOneAndNamesTheLineOfAnError) {

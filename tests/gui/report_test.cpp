@@ -10,6 +10,7 @@
 #include "gui/commands/headless_application.h"
 #include "gui/commands/score_table.h"
 #include "gui/report/force_chart.h"
+#include "gui/report/monitor_chart.h"
 #include "tests/gui/block_patient.h"
 #include "tests/gui/program.h"
 
@@ -114,6 +115,130 @@ TEST(Report, PausesAreToldWhereverAPersonReads) {
   EXPECT_NE(table.str().find("7.50 s, " + words), std::string::npos) << table.str();
   score.pauses.resize(1);
   EXPECT_EQ(pauses_in_words(score), "1 time (communication lost)");
+}
+
+/// A minute: blade in from 5 to 20 s and from 35 to 50 s, saturation 95 % and from 20 to 30 s 60 %, the tip in the
+/// oesophagus from 12 to 18 s and past the cords from 42 s on, breaths every second from 22 to 34 s and from 51 s on.
+curricula::TrialLog intubation_log() {
+  curricula::TrialLog log = spike_log(3.0, 500);
+  log.header.has_intubation = true;
+  log.header.settings[curricula::kCordsToCarina] = 0.048;
+  log.header.landmarks_m = {{"upper_gum_midline", {0, 0, 0}},
+                            {"lower_gum_midline", {0, 0.0032, -0.0208}},
+                            {"vallecula", {0, 0.0285, -0.0415}}};
+  log.ticks.resize(60000);
+  for (std::size_t n = 0; n < log.ticks.size(); ++n) {
+    curricula::LogTick& t = log.ticks[n];
+    t.tick = t.step_used = static_cast<std::int64_t>(n);
+    t.time_s = 0.001 * static_cast<double>(n);
+    const auto in = [n](std::size_t from_s, std::size_t to_s) { return n >= 1000 * from_s && n < 1000 * to_s; };
+    t.proxy_pose.position_m = {0.0, in(5, 20) || in(35, 50) ? 0.02 : -0.1, -0.02};
+    t.has_sight = n % 20 == 0;
+    t.glottis_visible = in(8, 20) || in(38, 50) ? 0.7 : 0.0;
+    t.has_intubation = true;
+    curricula::LogIntubation& i = t.intubation;
+    i.place = in(12, 18)   ? curricula::LoggedPlace::oesophagus
+              : in(42, 61) ? curricula::LoggedPlace::trachea
+                           : curricula::LoggedPlace::outside;
+    i.past_cords_m = in(42, 61) ? 0.024 : 0.0;
+    i.spo2 = in(20, 30) ? 0.60 : 0.95;
+    i.sao2 = in(12, 22) ? 0.55 : 0.96;
+    i.heart_per_min = in(18, 26) ? 90.0 : 150.0;
+    i.breaths_given = static_cast<std::int32_t>(n < 22000 ? 0 : std::min<std::size_t>(12, (n - 21000) / 1000));
+    if (n >= 51000) i.breaths_given += static_cast<std::int32_t>((n - 50000) / 1000);
+    i.detector_yellow = in(53, 61);
+    if (n == 42500)
+      i.tip_load_n = 1.25, i.tip_against = curricula::kTubeCricoid, i.loads_n[curricula::kTubeCricoid] = 2.5;
+  }
+  return log;
+}
+
+curricula::Scenario intubation_scenario() {
+  curricula::Scenario scenario = plain_scenario();
+  scenario.pass.peak_tongue_force_n = 6.8;
+  scenario.max_attempt_s = 120;
+  curricula::IntubationSpec& spec = scenario.intubation.emplace();
+  spec.pass.lowest_spo2_percent = 70;
+  spec.pass.attempts = 2;
+  spec.pass.co2_confirmed = true;
+  return scenario;
+}
+
+TEST(Report, TellsOfAnIntubationWhereverAPersonReads) {
+  const HeadlessApplication application;
+  const Sandbox box;
+  const curricula::TrialLog log = intubation_log();
+  const curricula::Scenario scenario = intubation_scenario();
+  const curricula::Score score = curricula::score_trial(log, scenario);
+  const std::string sentence = summary_sentence(score, scenario);
+  EXPECT_NE(sentence.find("The tube's tip lies 24.0 mm past the cords, 50 % of the way to the carina: good depth. "
+                          "2 attempts, the longest of 15.0 s, saturation down to 60 %, heart to 90 per minute"),
+            std::string::npos)
+      << sentence;
+  write_force_chart(box / "force.png", log, scenario, score);
+  write_report(box.folder(), log, scenario, score);
+  const std::string page = text_of(box / "report.html");
+  for (const char* part : {"<td class=\"figure\">good-depth</td><td>good-depth</td><td class=\"met\">",
+                           "24.0 mm past the cords, 50 % of 48.0 mm to the carina",
+                           "60 %, at 20.0 s</td><td>at least 70 %</td><td "
+                           "class=\"missed\">",
+                           "2</td><td>at most 2</td><td class=\"met\">", "yellow with breath 3",
+                           "1.25 N, at 42.5 s (cricoid)", "cricoid 2.5 N", "95 %, 60 %: severe desaturation",
+                           "90 per minute: bradycardia", "1 time, 0 breaths given there", "<h2>The monitor</h2>"}) {
+    EXPECT_NE(page.find(part), std::string::npos) << part;
+  }
+  std::size_t pictures = 0;
+  for (std::size_t at = page.find("data:image/png"); at != std::string::npos; at = page.find("data:image/png", at + 1))
+    ++pictures;
+  EXPECT_EQ(pictures, 2u);
+  std::ostringstream table;
+  print_score(table, score, scenario);
+  for (const char* part : {"(missed: at least 70 %)",
+                           "attempt 1: 5.0 to 20.0 s, 0 breaths before, saturation from 95 % "
+                           "to 60 % (severe desaturation), heart to 90 (bradycardia)",
+                           "attempt 2: 35.0 to 50.0 s, 12 "
+                           "breaths before",
+                           "yellow with breath 3 (met: yellow, with breath 6)"}) {
+    EXPECT_NE(table.str().find(part), std::string::npos) << part << " in\n" << table.str();
+  }
+  EXPECT_EQ(text_of(box / "report.html").find("http"), std::string::npos) << "self-contained";
+}
+
+/// Whether the picture's column at `time_s` is filled with this colour: lines that blend with their ground are not.
+bool has_colour(const QImage& image, double time_s, double end_s, const QColor& colour) {
+  const double em = 20.0;  // of a picture of 1600 x 900
+  const int x = static_cast<int>(std::lround(7.0 * em + (image.width() - 8.5 * em) * time_s / end_s));
+  int rows = 0;
+  for (int y = 0; y < image.height(); ++y) rows += image.pixelColor(x, y) == colour;
+  return rows > 100;
+}
+
+TEST(MonitorChart, ShadesAttemptsAndOesophagusAndPutsTheSaturationWhereItWas) {
+  const HeadlessApplication application;
+  const curricula::TrialLog log = intubation_log();
+  const curricula::Scenario scenario = intubation_scenario();
+  const curricula::Score score = curricula::score_trial(log, scenario);
+  const QImage image = draw_monitor_chart(log, scenario, score, 1600, 900);
+  const QColor attempt(0xF6, 0xF4, 0xEC), oesophagus(0xF6, 0xD5, 0xC3);
+  for (const double at_s : {7.3, 10.2, 19.1, 36.3, 49.2}) EXPECT_TRUE(has_colour(image, at_s, 60.0, attempt)) << at_s;
+  for (const double at_s : {3.3, 21.1, 33.2, 51.2}) EXPECT_FALSE(has_colour(image, at_s, 60.0, attempt)) << at_s;
+  for (const double at_s : {12.6, 17.4}) EXPECT_TRUE(has_colour(image, at_s, 60.0, oesophagus)) << at_s;
+  for (const double at_s : {11.3, 18.6, 45.3}) EXPECT_FALSE(has_colour(image, at_s, 60.0, oesophagus)) << at_s;
+  // The displayed saturation's blue: 35 points of the panel's 110 lower while it was at 60 %.
+  const auto blue_row = [&](double at_s) {
+    const int x = static_cast<int>(std::lround(140.0 + (1600 - 170.0) * at_s / 60.0));
+    for (int y = 92; y < 430; ++y) {
+      const QColor c = image.pixelColor(x, y);
+      if (c.red() < 25 && std::abs(c.green() - 0x72) < 25 && std::abs(c.blue() - 0xB2) < 25) return y;
+    }
+    return -1;
+  };
+  ASSERT_GT(blue_row(10.4), 0);
+  const double panel = 0.45 * (900 - 4.6 * 20 - 4.2 * 20 - 2 * 1.6 * 20);
+  EXPECT_NEAR(blue_row(25.4) - blue_row(10.4), panel * 35.0 / 110.0, 3.0);
+  EXPECT_FALSE(draw_monitor_chart(log, scenario, score, 640, 400).isNull());
+  curricula::Score laryngoscopy;
+  EXPECT_THROW(draw_monitor_chart(log, scenario, laryngoscopy), std::logic_error);
 }
 
 TEST(ForceChart, DrawsAnEmptyAndATinyTrial) {

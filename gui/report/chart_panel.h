@@ -1,0 +1,79 @@
+// What the charts of a report have in common: a panel with axes, lines and marks, and the colours.
+#pragma once
+
+#include <QColor>
+#include <QFont>
+#include <QPainter>
+#include <QRectF>
+#include <QString>
+#include <vector>
+
+namespace vallecula::gui {
+
+/// Okabe and Ito (2008).
+namespace chart {
+const QColor kBlue(0x00, 0x72, 0xB2);
+const QColor kVermillion(0xD5, 0x5E, 0x00);
+const QColor kGreen(0x00, 0x9E, 0x73);   // bluish
+const QColor kPurple(0xCC, 0x79, 0xA7);  // reddish
+const QColor kSky(0x56, 0xB4, 0xE9);
+const QColor kOrange(0xE6, 0x9F, 0x00);
+const QColor kGrey(0x55, 0x55, 0x55);
+const QColor kInk(0x22, 0x22, 0x22);
+const QColor kAttempt(0xF6, 0xF4, 0xEC);
+
+QString number(double value, int digits);
+}  // namespace chart
+
+struct Series {
+  std::vector<double> time_s, value;
+
+  void add(double at_s, double v) {
+    time_s.push_back(at_s);
+    value.push_back(v);
+  }
+};
+
+/// One panel: data to pixels, axes, lines. All lengths in units of `em`, the height of the chart's letters.
+class Panel {
+ public:
+  Panel(QPainter& painter, const QRectF& frame, double end_s, double top, double em)
+      : painter_(painter), frame_(frame), end_s_(end_s), top_(top), em_(em) {}
+
+  double x(double time_s) const { return frame_.left() + frame_.width() * time_s / end_s_; }
+  double y(double value) const;
+  const QRectF& frame() const { return frame_; }
+
+  void axes(const QString& title, int value_ticks, bool times);
+  /// Thousands of ticks on hundreds of pixels: every column shows its smallest and largest value, so no peak is lost.
+  void line(const Series& series, const QPen& pen);
+  /// A span on the panel's ground; to be called before the lines.
+  void span(double from_s, double to_s, const QColor& colour);
+  void level(double value, const QColor& colour, Qt::PenStyle style, const QString& text, bool text_above);
+  /// A vertical line with its text at the top.
+  void moment(double time_s, const QColor& colour, const QString& text);
+  /// Covers what was drawn there: nothing of it is the hand's doing.
+  void pause(double from_s, double to_s, const QString& text);
+  void peak(double time_s, double value, const QColor& colour, const QString& text);
+
+ private:
+  /// Text on a light ground, so that lines below it do not strike it through.
+  void label(const QRectF& box, bool right_aligned, const QColor& colour, const QString& text);
+
+  QPainter& painter_;
+  QRectF frame_;
+  double end_s_, top_, em_;
+};
+
+struct LegendEntry {
+  QString text;
+  QPen pen;
+};
+void draw_legend(QPainter& painter, const QRectF& row, double em, const std::vector<LegendEntry>& entries);
+
+/// The letters' height for a picture of this size.
+double chart_em(int width, int height);
+/// Sets the chart's font and writes its title over the panels from `left` to `right`.
+void begin_chart(QPainter& painter, double em, double left, double right, const QString& title);
+
+}  // namespace vallecula::gui

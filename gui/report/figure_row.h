@@ -1,0 +1,22 @@
+// Figures beside what they were judged by, for the report.
+#pragma once
+
+#include <string>
+
+#include "curricula/score/score.h"
+
+namespace vallecula::gui {
+
+struct Row {
+  std::string name, value, limit, verdict;  ///< verdict: "met", "missed", "" where nothing was demanded
+};
+
+/// `criterion`: the rubric's name of this figure, which says whether it was met; none: nothing is demanded of it.
+Row row(const curricula::Score& score, const std::string& name, const std::string& value, const std::string& criterion,
+        const std::string& demand);
+
+std::string escaped(const std::string& text);  ///< for HTML
+std::string number(double value, int digits);
+std::string force(double peak_n, double at_s);  ///< "1.50 N, at 3.2 s"
+
+}  // namespace vallecula::gui

@@ -1,0 +1,132 @@
+#include "gui/report/intubation_report.h"
+
+namespace vallecula::gui {
+
+namespace {
+
+std::string seconds_or(const std::optional<double>& time_s, const char* otherwise) {
+  return time_s ? number(*time_s, 1) + " s" : otherwise;
+}
+
+std::string millimetres(double m) { return number(1e3 * m, 1) + " mm"; }
+
+std::string at(double time_s) { return ", at " + number(time_s, 1) + " s"; }
+
+std::string count(std::size_t n, const std::string& what) {
+  return std::to_string(n) + " " + what + (n == 1 ? "" : "s");
+}
+
+std::string depth(const curricula::IntubationScore& i) {
+  if (!i.depth_m) return "not in larynx or trachea";
+  std::string text = millimetres(*i.depth_m) + " past the cords, " + number(100.0 * *i.depth_share(), 0) + " % of " +
+                     millimetres(i.cords_to_carina_m) + " to the carina";
+  if (i.depth_neutral_m) text += "; about " + millimetres(*i.depth_neutral_m) + " with the head neutral (assumed)";
+  return text;
+}
+
+std::string detector(const curricula::IntubationScore& i) {
+  if (i.co2_confirmed) return "yellow with breath " + std::to_string(*i.co2_breaths);
+  return "not yellow, " + count(static_cast<std::size_t>(i.breaths_in_place), "breath") + " through the tube";
+}
+
+/// "cricoid 2.5 N, cords 1.7 N": what was touched at all, in the order of the way in.
+std::string loads(const curricula::IntubationScore& i) {
+  std::string text;
+  for (int part = 0; part < curricula::kTubeLoads; ++part) {
+    const curricula::Peak& peak = i.loads_n[static_cast<std::size_t>(part)];
+    if (peak.value <= 0.0) continue;
+    text += (text.empty() ? "" : ", ") + std::string(name_of(static_cast<curricula::LoggedTubeLoad>(part))) + " " +
+            number(peak.value, 1) + " N";
+  }
+  return text.empty() ? "nothing touched" : text;
+}
+
+Row outcome(const curricula::Score& score, const curricula::Scenario& scenario) {
+  Row line = row(score, "Outcome", name_of(score.intubation->outcome), "outcome", "");
+  line.limit.clear();
+  if (!scenario.intubation) return line;
+  for (const curricula::Outcome accepted : scenario.intubation->pass.outcomes)
+    line.limit += (line.limit.empty() ? "" : " or ") + std::string(name_of(accepted));
+  return line;
+}
+
+}  // namespace
+
+std::string intubation_sentence(const curricula::Score& score, const curricula::Scenario& scenario) {
+  const curricula::IntubationScore& i = *score.intubation;
+  std::string text =
+      std::string(score.passed ? "Passed" : "Not passed") + " (" + scenario.title + "): " + outcome_in_words(i) + ". ";
+  if (i.attempts.empty()) return text + "The blade never entered the mouth.";
+  text += count(i.attempts.size(), "attempt") + (i.attempts.size() == 1 ? " of " : ", the longest of ") +
+          number(score.attempt_time_s, 1) + " s";
+  if (i.lowest_spo2_percent && i.lowest_heart_per_min)
+    text += ", saturation down to " + number(*i.lowest_spo2_percent, 0) + " %, heart to " +
+            number(*i.lowest_heart_per_min, 0) + " per minute";
+  return text + ", with at most " + number(score.peak_tongue_force_n, 1) + " N on the tongue and " +
+         number(i.tip_load_n.value, 1) + " N along the tube.";
+}
+
+std::vector<Row> intubation_rows(const curricula::Score& score, const curricula::Scenario& scenario) {
+  const curricula::IntubationScore& i = *score.intubation;
+  const curricula::Attempt* decisive = i.decisive();
+  const auto lowest = [](const std::optional<double>& value, const char* unit, double at_s) {
+    return value ? number(*value, 0) + unit + at(at_s) : std::string("no attempt");
+  };
+  std::string against;
+  if (i.tip_against < curricula::kTubeLoads)
+    against = std::string(" (") + name_of(static_cast<curricula::LoggedTubeLoad>(i.tip_against)) + ")";
+  std::vector<Row> rows = {
+      outcome(score, scenario),
+      {"Tip's depth", depth(i), "", ""},
+      row(score, "Attempts", std::to_string(i.attempts.size()), "attempts", "at most"),
+      {"Time to view, blade in to glottis in sight",
+       seconds_or(decisive ? decisive->time_to_view_s : std::nullopt, "never"), "", ""},
+      row(score, "Time to pass, view to cords passed",
+          seconds_or(decisive ? decisive->time_to_pass_s : std::nullopt, "never"), "time_to_pass_s", "at most"),
+      row(score, "Lowest saturation, displayed", lowest(i.lowest_spo2_percent, " %", i.lowest_spo2_at_s),
+          "lowest_spo2_percent", "at least"),
+      row(score, "Lowest heart rate", lowest(i.lowest_heart_per_min, " per minute", i.lowest_heart_at_s),
+          "lowest_heart_per_min", "at least"),
+      row(score, "CO2 detector", detector(i), "co2_confirmed", "yellow, with breath"),
+      row(score, "Peak force along the tube", force(i.tip_load_n.value, i.tip_load_n.at_s) + against, "tube_force_n",
+          "at most"),
+      {"Tube's peak load by part", loads(i), "", ""},
+      {"Breaths given, mask and tube", std::to_string(i.breaths_given), "", ""},
+  };
+  if (i.oesophagus_entries > 0)
+    rows.push_back({"Tip in the oesophagus",
+                    count(static_cast<std::size_t>(i.oesophagus_entries), "time") + ", " +
+                        count(static_cast<std::size_t>(i.oesophagus_breaths), "breath") + " given there" +
+                        (i.oesophagus_breaths > 0 ? ", " + number(i.oesophagus_s, 1) + " s until withdrawn" : "") +
+                        (i.recognised_late ? ": recognised late" : ""),
+                    "", ""});
+  if (i.secretions_start_ml > 0.0)
+    rows.push_back({"Secretions",
+                    number(i.secretions_start_ml, 1) + " ml, at the end " + number(i.secretions_end_ml, 1) + " ml", "",
+                    ""});
+  return rows;
+}
+
+std::string attempts_html(const curricula::Score& score) {
+  const std::vector<curricula::Attempt>& attempts = score.intubation->attempts;
+  if (attempts.empty()) return "";
+  std::string html =
+      "<h2>Attempts</h2>\n<table>\n<tr><th></th><th>From, to (s)</th><th>Took</th><th>Breaths before</th><th>To "
+      "view</th><th>To pass</th><th>Saturation, before and lowest</th><th>Lowest heart</th></tr>\n";
+  for (std::size_t n = 0; n < attempts.size(); ++n) {
+    const curricula::Attempt& a = attempts[n];
+    html += "<tr><td>" + std::to_string(n + 1) + "</td><td>" + number(a.start_s, 1) + ", " + number(a.end_s, 1) +
+            "</td><td class=\"figure\">" + number(a.time_s, 1) + " s</td><td>" + std::to_string(a.breaths_before) +
+            "</td><td>" + seconds_or(a.time_to_view_s, "never") + "</td><td>" + seconds_or(a.time_to_pass_s, "never") +
+            "</td><td>" + number(a.highest_spo2_before_percent, 0) + " %, " + number(a.lowest_spo2_percent, 0) + " %" +
+            (a.desaturated ? ": severe desaturation" : "") + "</td><td>" + number(a.lowest_heart_per_min, 0) +
+            " per minute" + (a.bradycardia ? ": bradycardia" : "") + "</td></tr>\n";
+  }
+  return html +
+         "</table>\n<p class=\"foot\">An attempt is one way of the blade into the mouth and out. Its lowest values "
+         "count "
+         "until the next one begins, for the display is late. Severe desaturation: 20 points or more. Bradycardia: "
+         "below 100 per minute (both NEAR4NEOS).</p>\n";
+}
+
+}  // namespace vallecula::gui

@@ -1,0 +1,132 @@
+#include "gui/report/monitor_chart.h"
+
+#include <QGuiApplication>
+#include <QPainter>
+#include <algorithm>
+#include <stdexcept>
+
+#include "gui/report/chart_panel.h"
+#include "gui/report/force_chart.h"
+
+namespace vallecula::gui {
+
+namespace {
+
+const QColor kSpo2 = chart::kBlue;
+const QColor kSao2 = chart::kGrey;
+const QColor kHeart = chart::kGreen;
+const QColor kSight = chart::kSky;
+const QColor kPassed = chart::kPurple;
+const QColor kYellow = chart::kOrange;
+const QColor kOesophagus(0xF6, 0xD5, 0xC3);  // vermillion, light
+
+constexpr double kBradycardia = 100.0;  ///< per minute (NEAR4NEOS)
+
+struct Recorded {
+  Series spo2, sao2, heart, sight;
+  std::vector<double> breaths_s;
+  std::vector<double> yellow_s;                         ///< the detector turned yellow
+  std::vector<std::pair<double, double>> oesophagus_s;  ///< from, to
+  double end_s = 1.0, fastest_per_min = 200.0;
+};
+
+Recorded read(const curricula::TrialLog& log) {
+  Recorded r;
+  int breaths = 0;
+  bool yellow = false, there = false;
+  for (const curricula::LogTick& tick : log.ticks) {
+    const curricula::LogIntubation& i = tick.intubation;
+    r.end_s = std::max(r.end_s, tick.time_s);
+    r.spo2.add(tick.time_s, 100.0 * i.spo2);
+    r.sao2.add(tick.time_s, 100.0 * i.sao2);
+    r.heart.add(tick.time_s, i.heart_per_min);
+    r.fastest_per_min = std::max(r.fastest_per_min, i.heart_per_min);
+    if (tick.has_sight) r.sight.add(tick.time_s, 100.0 * tick.glottis_visible);
+    if (i.breaths_given > breaths) r.breaths_s.push_back(tick.time_s);
+    if (i.detector_yellow && !yellow) r.yellow_s.push_back(tick.time_s);
+    const bool now_there =
+        i.place == curricula::LoggedPlace::oesophagus && i.in_hand != curricula::LoggedInHand::catheter;
+    if (now_there && !there) r.oesophagus_s.emplace_back(tick.time_s, tick.time_s);
+    if (now_there) r.oesophagus_s.back().second = tick.time_s;
+    breaths = i.breaths_given;
+    yellow = i.detector_yellow;
+    there = now_there;
+  }
+  return r;
+}
+
+}  // namespace
+
+QImage draw_monitor_chart(const curricula::TrialLog& log, const curricula::Scenario& scenario,
+                          const curricula::Score& score, int width, int height) {
+  if (qobject_cast<QGuiApplication*>(QCoreApplication::instance()) == nullptr)
+    throw std::logic_error("a chart needs a QGuiApplication for its fonts");
+  if (!score.intubation || !log.header.has_intubation)
+    throw std::logic_error("a monitor's chart needs a trial with an intubation");
+  const curricula::IntubationScore& intubation = *score.intubation;
+  const Recorded recorded = read(log);
+
+  QImage image(width, height, QImage::Format_RGB32);
+  image.fill(Qt::white);
+  QPainter painter(&image);
+  const double em = chart_em(width, height);
+  const double left = 7.0 * em, right = width - 1.5 * em, gap = 1.6 * em;
+  begin_chart(painter, em, left, right, QStringLiteral("The monitor: ") + QString::fromStdString(scenario.title));
+  draw_legend(painter, QRectF(left, 2.6 * em, right - left, 1.4 * em), em,
+              {{QStringLiteral("saturation as displayed"), QPen(kSpo2, em * 0.18)},
+               {QStringLiteral("as it really was"), QPen(kSao2, em * 0.1, Qt::DotLine)},
+               {QStringLiteral("heart"), QPen(kHeart, em * 0.18)},
+               {QStringLiteral("a breath given"), QPen(chart::kInk, em * 0.12)},
+               {QStringLiteral("tip in the oesophagus"), QPen(kOesophagus, em * 0.9, Qt::SolidLine, Qt::FlatCap)}});
+
+  const double room = height - 4.6 * em - 4.2 * em - 2.0 * gap;
+  const QRectF top(left, 4.6 * em, right - left, 0.45 * room);
+  const QRectF middle(left, top.bottom() + gap, right - left, 0.33 * room);
+  const QRectF bottom(left, middle.bottom() + gap, right - left, 0.22 * room);
+  Panel saturation(painter, top, recorded.end_s, 110.0, em);  // room above 100 for the marks
+  Panel heart(painter, middle, recorded.end_s, recorded.fastest_per_min * 1.05, em);
+  Panel view(painter, bottom, recorded.end_s, 100.0, em);
+  for (Panel* panel : {&saturation, &heart, &view}) {
+    for (const auto& [from_s, to_s] : attempt_spans(score)) panel->span(from_s, to_s, chart::kAttempt);
+    for (const auto& [from_s, to_s] : recorded.oesophagus_s) panel->span(from_s, to_s, kOesophagus);
+  }
+  saturation.axes(QStringLiteral("SpO2 (%)"), 6, false);
+  heart.axes(QStringLiteral("heart (per minute)"), 5, false);
+  view.axes(QStringLiteral("glottis seen (%)"), 2, true);
+
+  saturation.line(recorded.sao2, QPen(kSao2, em * 0.1, Qt::DotLine));
+  saturation.line(recorded.spo2, QPen(kSpo2, em * 0.18));
+  heart.line(recorded.heart, QPen(kHeart, em * 0.18));
+  view.line(recorded.sight, QPen(kSight.darker(130), em * 0.16));
+  painter.setPen(QPen(chart::kInk, em * 0.12));
+  for (const double at_s : recorded.breaths_s)
+    painter.drawLine(QPointF(saturation.x(at_s), top.bottom() - 0.9 * em), QPointF(saturation.x(at_s), top.bottom()));
+  for (const curricula::Pause& pause : score.pauses) {
+    saturation.pause(pause.at_s, pause.at_s + pause.for_s, QStringLiteral("paused"));
+    heart.pause(pause.at_s, pause.at_s + pause.for_s, QString());
+    view.pause(pause.at_s, pause.at_s + pause.for_s, QString());
+  }
+
+  const curricula::IntubationPass& pass = scenario.intubation ? scenario.intubation->pass : curricula::IntubationPass{};
+  if (pass.lowest_spo2_percent)
+    saturation.level(*pass.lowest_spo2_percent, chart::kVermillion, Qt::DashLine,
+                     QStringLiteral("not below %1 %").arg(chart::number(*pass.lowest_spo2_percent, 0)), false);
+  heart.level(kBradycardia, chart::kVermillion, Qt::DashLine, QStringLiteral("bradycardia below 100"), false);
+  view.level(scenario.sight_percent, kSight, Qt::DashLine,
+             QStringLiteral("counts as in sight from %1 %").arg(chart::number(scenario.sight_percent, 0)), true);
+  for (const curricula::Attempt& attempt : intubation.attempts) {
+    if (attempt.view_at_s) view.moment(*attempt.view_at_s, kSight, QStringLiteral("view"));
+    if (attempt.passed_cords_s)
+      saturation.moment(*attempt.passed_cords_s, kPassed, QStringLiteral("tube past the cords"));
+  }
+  for (const double at_s : recorded.yellow_s) heart.moment(at_s, kYellow, QStringLiteral("CO2: detector yellow"));
+  if (intubation.lowest_spo2_percent)
+    saturation.peak(intubation.lowest_spo2_at_s, *intubation.lowest_spo2_percent, kSpo2,
+                    QStringLiteral("lowest %1 %").arg(chart::number(*intubation.lowest_spo2_percent, 0)));
+  if (intubation.lowest_heart_per_min)
+    heart.peak(intubation.lowest_heart_at_s, *intubation.lowest_heart_per_min, kHeart,
+               QStringLiteral("lowest %1 per minute").arg(chart::number(*intubation.lowest_heart_per_min, 0)));
+  return image;
+}
+
+}  // namespace vallecula::gui
