@@ -105,6 +105,13 @@ std::string Records::begin(const OpenTrial& trial) {
   return uid;
 }
 
+void Records::moved(const std::string& uid, const std::filesystem::path& log) {
+  connection_->write([&] {
+    connection_->run("UPDATE open_trials SET log_path = ? WHERE uid = ?",
+                     {bound(std::filesystem::absolute(log).string()), bound(uid)});
+  });
+}
+
 void Records::abandon(const std::string& uid) {
   connection_->write([&] { connection_->run("DELETE FROM open_trials WHERE uid = ?", {bound(uid)}); });
 }

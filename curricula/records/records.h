@@ -50,6 +50,7 @@ class Records {
   /// Registers a trial whose log has been created; returns its uid. From here on the trial is found again
   /// (recover_trials) whatever becomes of the program.
   std::string begin(const OpenTrial& trial);
+  void moved(const std::string& uid, const std::filesystem::path& log);  ///< its log, closed, is there now
   /// The trial left nothing behind.
   void abandon(const std::string& uid);
   /// Trials of this station that were begun and have no row yet: under way in some program, or cut off.

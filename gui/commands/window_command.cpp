@@ -1,4 +1,6 @@
 // The trainer's window: without a subcommand, and for `vallecula trial` without --headless.
+#include <spdlog/spdlog.h>
+
 #include <functional>
 #include <stdexcept>
 #include <string>
@@ -7,6 +9,7 @@
 #include "gui/pages/main_window.h"
 #include "gui/pages/window_application.h"
 #include "gui/session/device_choice.h"
+#include "gui/session/trial_record.h"
 #include "gui/session/user_paths.h"
 
 namespace vallecula::gui {
@@ -15,6 +18,7 @@ namespace {
 
 int run_window(const std::function<void(MainWindow&)>& opened) {
   const curricula::Curriculum curriculum = curricula::load_curriculum(default_curriculum());
+  for (const std::string& told : tidy_records()) spdlog::warn("{}", told);
   WindowApplication application;
   MainWindow window;
   window.show_start(curriculum);

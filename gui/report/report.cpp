@@ -9,7 +9,7 @@
 #include "gui/report/intubation_report.h"
 #include "gui/report/monitor_chart.h"
 #include "gui/session/files.h"
-#include "gui/session/results_folder.h"
+#include "curricula/records/trial_files.h"
 
 namespace vallecula::gui {
 
@@ -152,7 +152,7 @@ void write_report(const fs::path& folder, const curricula::TrialLog& log, const 
       "single tick of 1 ms, unfiltered. Time over the device limit counts until a device that was lost has taken hold "
       "again.</p>\n";
   if (!scenario.debriefing.empty()) html += "<h2>Debriefing</h2>\n<p>" + escaped(scenario.debriefing) + "</p>\n";
-  const std::vector<fs::path> shots = screenshots_in(folder);
+  const std::vector<fs::path> shots = curricula::screenshots_in(folder);
   if (!shots.empty()) {
     html += "<h2>Pictures</h2>\n<div class=\"shots\">\n";
     for (const fs::path& shot : shots) {
