@@ -64,7 +64,8 @@ CutLog close_cut_log(const fs::path& path) {
     return fs::exists(path, error) ? CutLog::whole : CutLog::nothing;
   }
   if (!cut.lock()) return CutLog::being_written;
-  struct stat opened {}, there {};
+  struct stat opened {
+  }, there{};
   const bool same = ::fstat(cut.descriptor, &opened) == 0 && ::stat(cut.part.c_str(), &there) == 0 &&
                     opened.st_ino == there.st_ino && opened.st_dev == there.st_dev;
   if (!same) return CutLog::being_written;  // its writer has just given it its own name
@@ -75,7 +76,8 @@ CutLog close_cut_log(const fs::path& path) {
   }
   if (!reading.problem.empty()) {
     const auto ticks = static_cast<std::int64_t>(reading.log.ticks.size());
-    if (::ftruncate(cut.descriptor, static_cast<off_t>(reading.bytes)) != 0) cut.fail("cannot be cut", "check the disk");
+    if (::ftruncate(cut.descriptor, static_cast<off_t>(reading.bytes)) != 0)
+      cut.fail("cannot be cut", "check the disk");
     cut.write_all(log_format::block("FOOT", reading.blocks, log_format::footer_to_json(reading.log.footer, ticks)));
   }
   cut.finish();

@@ -21,7 +21,7 @@ struct OpenPart {
   OpenPart& operator=(const OpenPart&) = delete;
 
   [[noreturn]] void fail(const std::string& what, const std::string& mend) const;  ///< with errno's words
-  bool lock() const;                                                                ///< false: another holds it
+  bool lock() const;                                                               ///< false: another holds it
   void write_all(const std::string& bytes);
   void sync();
   /// Syncs, gives the file its own name and lets go of it. Renamed under the lock: nobody takes it for a cut one.

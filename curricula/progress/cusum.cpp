@@ -7,12 +7,15 @@ namespace vallecula::curricula {
 
 CusumLimits cusum_limits(const CusumRule& rule) {
   const double p0 = rule.acceptable_failure_rate, p1 = rule.unacceptable_failure_rate;
-  const bool in_range = p0 > 0.0 && p1 > p0 && p1 < 1.0 && rule.alpha > 0.0 && rule.beta > 0.0 && rule.alpha + rule.beta < 1.0;
+  const bool in_range =
+      p0 > 0.0 && p1 > p0 && p1 < 1.0 && rule.alpha > 0.0 && rule.beta > 0.0 && rule.alpha + rule.beta < 1.0;
   if (!in_range)
-    throw std::invalid_argument("CUSUM: 0 < acceptable < unacceptable failure rate < 1, errors above 0 and together below 1");
+    throw std::invalid_argument(
+        "CUSUM: 0 < acceptable < unacceptable failure rate < 1, errors above 0 and together below 1");
   const double p = std::log(p1 / p0), q = std::log((1.0 - p0) / (1.0 - p1));
   const double s = q / (p + q);
-  return {s, 1.0 - s, std::log((1.0 - rule.alpha) / rule.beta) / (p + q), std::log((1.0 - rule.beta) / rule.alpha) / (p + q)};
+  return {s, 1.0 - s, std::log((1.0 - rule.alpha) / rule.beta) / (p + q),
+          std::log((1.0 - rule.beta) / rule.alpha) / (p + q)};
 }
 
 CusumCurve cusum(const std::vector<bool>& success, const CusumRule& rule) {

@@ -26,12 +26,23 @@ class Passing : public RecordsError {
 /// https://www.sqlite.org/rescode.html
 Trouble trouble_in_sqlite(const QSqlError& error) {
   switch (error.nativeErrorCode().toInt() & 0xff) {
-    case 5: case 6: return Trouble::locked;
-    case 13: return Trouble::full;
-    case 10: return Trouble::input_output;
-    case 11: case 26: return Trouble::damaged;
-    case 3: case 8: case 14: case 23: return Trouble::forbidden;
-    default: return Trouble::other;
+    case 5:
+    case 6:
+      return Trouble::locked;
+    case 13:
+      return Trouble::full;
+    case 10:
+      return Trouble::input_output;
+    case 11:
+    case 26:
+      return Trouble::damaged;
+    case 3:
+    case 8:
+    case 14:
+    case 23:
+      return Trouble::forbidden;
+    default:
+      return Trouble::other;
   }
 }
 
@@ -56,18 +67,24 @@ const char* mend(Trouble trouble, Dialect dialect) {
     case Trouble::locked:
       return server ? "another program holds a lock on it; try again when it is done"
                     : "another program is writing to it and does not let go; close that program, then try again";
-    case Trouble::conflict: return "other stations were writing at the same time; try again";
-    case Trouble::lost: return "check that the server runs and that its address in VALLECULA_RECORDS or the settings is right";
-    case Trouble::full: return "its disk is full: free some space, then try again; what was recorded before is kept";
+    case Trouble::conflict:
+      return "other stations were writing at the same time; try again";
+    case Trouble::lost:
+      return "check that the server runs and that its address in VALLECULA_RECORDS or the settings is right";
+    case Trouble::full:
+      return "its disk is full: free some space, then try again; what was recorded before is kept";
     case Trouble::input_output:
-      return "its disk does not take it: check for a full disk, a size limit or a fault; what was recorded before is kept";
+      return "its disk does not take it: check for a full disk, a size limit or a fault; what was recorded before is "
+             "kept";
     case Trouble::damaged:
-      return server ? "the database is damaged: see the server's log and restore a copy"
-                    : "it is damaged or not Vallecula's: put a copy in its place, or move it away and a new one is begun";
+      return server
+                 ? "the database is damaged: see the server's log and restore a copy"
+                 : "it is damaged or not Vallecula's: put a copy in its place, or move it away and a new one is begun";
     case Trouble::forbidden:
       return server ? "check user, password, the database's name and its permissions"
                     : "check that the file and its folder may be written to";
-    case Trouble::other: break;
+    case Trouble::other:
+      break;
   }
   return server ? "check that the database is Vallecula's, and the server's log"
                 : "check that the file is Vallecula's, that its folder may be written to, and the disk";
@@ -84,7 +101,9 @@ QString quoted(const std::string& value) {
 
 QVariant bound(const std::string& s) { return s.empty() ? QVariant(QString("")) : QVariant(text(s)); }
 QVariant bound(const std::optional<double>& number) { return number ? QVariant(*number) : QVariant(QVariant::Double); }
-QVariant bound_id(long long id) { return id == 0 ? QVariant(QVariant::LongLong) : QVariant(static_cast<qlonglong>(id)); }
+QVariant bound_id(long long id) {
+  return id == 0 ? QVariant(QVariant::LongLong) : QVariant(static_cast<qlonglong>(id));
+}
 
 Connection::Connection(const RecordsLocation& location) : location_(location) {
   static std::atomic<unsigned> count{0};
@@ -132,12 +151,11 @@ Connection::~Connection() { QSqlDatabase::removeDatabase(name_); }
 QSqlDatabase Connection::database() const { return QSqlDatabase::database(name_, false); }
 
 void Connection::fail(const char* what, const QSqlError& error) const {
-  const Trouble trouble =
-      dialect() == Dialect::postgres ? trouble_in_postgres(error) : trouble_in_sqlite(error);
+  const Trouble trouble = dialect() == Dialect::postgres ? trouble_in_postgres(error) : trouble_in_sqlite(error);
   QString reason = error.text().simplified();
   if (!location_.password.empty()) reason.replace(text(location_.password), "***");
-  const std::string message = "records " + location_.shown() + ": " + what + " (" + reason.toStdString() + "); " +
-                              mend(trouble, dialect());
+  const std::string message =
+      "records " + location_.shown() + ": " + what + " (" + reason.toStdString() + "); " + mend(trouble, dialect());
   if (trouble == Trouble::locked || trouble == Trouble::conflict || trouble == Trouble::lost)
     throw Passing(message, trouble);
   throw RecordsError(message);

@@ -34,8 +34,8 @@ class Connection {
 
   /// All of `work` or nothing; durable when it returns. No other writer comes in between in SQLite; in PostgreSQL rows
   /// read with for_update() and tables locked with lock_table() are held. Where the connection was lost or another
-  /// writer got in the way, it is done again, for up to the location's patience_s: it must come to the same when its first run was
-  /// committed and the answer was lost.
+  /// writer got in the way, it is done again, for up to the location's patience_s: it must come to the same when its
+  /// first run was committed and the answer was lost.
   void write(const std::function<void()>& work);
   /// Reads once more when the connection was lost; within write(), as part of it.
   void read(const std::function<void()>& work);

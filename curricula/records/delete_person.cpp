@@ -25,7 +25,8 @@ void must_not_be_the_last_instructor(Connection& connection, long long person_id
   if (count("id = ? AND role = 'instructor'", {bound_id(person_id)}) == 1 &&
       count("id <> ? AND role = 'instructor'", {bound_id(person_id)}) == 0 &&
       count("id <> ?", {bound_id(person_id)}) > 0)
-    throw NotAllowed("the last instructor cannot be deleted while there are other people; create another instructor first");
+    throw NotAllowed(
+        "the last instructor cannot be deleted while there are other people; create another instructor first");
 }
 
 struct Pending {
@@ -38,9 +39,9 @@ std::vector<Pending> pending_files(Connection& connection) {
   std::vector<Pending> pending;
   connection.read([&] {
     pending.clear();
-    QSqlQuery query =
-        connection.run("SELECT id, log_path, log_sha256 FROM files_to_delete WHERE station = ? OR station = '' ORDER BY id",
-                       {bound(connection.location().station)}, Connection::kCannotBeRead);
+    QSqlQuery query = connection.run(
+        "SELECT id, log_path, log_sha256 FROM files_to_delete WHERE station = ? OR station = '' ORDER BY id",
+        {bound(connection.location().station)}, Connection::kCannotBeRead);
     while (query.next())
       pending.push_back({query.value(0).toLongLong(), query.value(1).toString().toStdString(),
                          query.value(2).toString().toStdString()});
@@ -102,17 +103,22 @@ Deletion delete_person(Records& records, const SignedIn& who, long long person_i
     must_not_be_the_last_instructor(connection, person_id);
     const QVariantList person{bound_id(person_id)};
     // First in a list of its own, in the same transaction: a program cut off below has lost no file from sight.
-    connection.run("INSERT INTO files_to_delete (station, log_path, log_sha256) "
-                   "SELECT station, trial_path, log_sha256 FROM trials WHERE trainee_id = ?", person);
-    connection.run("INSERT INTO files_to_delete (station, log_path, log_sha256) "
-                   "SELECT station, log_path, '' FROM open_trials WHERE trainee_id = ?", person);
+    connection.run(
+        "INSERT INTO files_to_delete (station, log_path, log_sha256) "
+        "SELECT station, trial_path, log_sha256 FROM trials WHERE trainee_id = ?",
+        person);
+    connection.run(
+        "INSERT INTO files_to_delete (station, log_path, log_sha256) "
+        "SELECT station, log_path, '' FROM open_trials WHERE trainee_id = ?",
+        person);
     deletion.notes =
         connection.run("DELETE FROM notes WHERE trial_id IN (SELECT id FROM trials WHERE trainee_id = ?)", person)
             .numRowsAffected();
-    deletion.notes += connection
-                          .run("DELETE FROM notes WHERE author_id IN (SELECT id FROM people WHERE id = ? AND role = 'trainee')",
-                               person)
-                          .numRowsAffected();
+    deletion.notes +=
+        connection
+            .run("DELETE FROM notes WHERE author_id IN (SELECT id FROM people WHERE id = ? AND role = 'trainee')",
+                 person)
+            .numRowsAffected();
     // What an instructor wrote on somebody's trial is that trainee's to keep.
     connection.run("UPDATE notes SET author_id = NULL WHERE author_id = ?", person);
     deletion.trials = connection.run("DELETE FROM trials WHERE trainee_id = ?", person).numRowsAffected();

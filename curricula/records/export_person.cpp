@@ -1,3 +1,6 @@
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -5,8 +8,6 @@
 #include <QSqlRecord>
 #include <cerrno>
 #include <cstring>
-#include <fcntl.h>
-#include <unistd.h>
 #include <system_error>
 
 #include "curricula/records/audit.h"
@@ -52,7 +53,8 @@ class Aside {
       throw RecordsError(target.string() + ": exists already; choose a new folder for the export");
     fs::remove_all(path_, error);
     if (!fs::create_directories(path_, error))
-      throw RecordsError(path_.string() + ": cannot be made (" + error.message() + "); choose a folder you may write to");
+      throw RecordsError(path_.string() + ": cannot be made (" + error.message() +
+                         "); choose a folder you may write to");
   }
   ~Aside() {
     std::error_code ignored;
@@ -65,7 +67,9 @@ class Aside {
   void keep() {
     std::error_code error;
     fs::rename(path_, target_, error);
-    if (error) throw RecordsError(target_.string() + ": cannot be put in place (" + error.message() + "); choose another folder");
+    if (error)
+      throw RecordsError(target_.string() + ": cannot be put in place (" + error.message() +
+                         "); choose another folder");
     kept_ = true;
   }
 
@@ -91,7 +95,8 @@ void write_synced(const fs::path& file, const QByteArray& bytes) {
 /// Copies what a trial left; says in its row what there was.
 void add_files(QJsonObject& trial, const std::string& station, const fs::path& folder) {
   const fs::path log = trial["trial_path"].toString().toStdString();
-  const std::string at = trial["station"].toString().toStdString(), sha256 = trial["log_sha256"].toString().toStdString();
+  const std::string at = trial["station"].toString().toStdString(),
+                    sha256 = trial["log_sha256"].toString().toStdString();
   std::error_code error;
   QJsonArray copied;
   if (!at.empty() && at != station) {
@@ -130,10 +135,11 @@ void export_person(Records& records, const SignedIn& who, long long person_id, c
         {"person", people[0]},
         {"trials", rows(connection, "SELECT * FROM trials WHERE trainee_id = ? ORDER BY id", person)},
         {"trials_under_way", rows(connection, "SELECT * FROM open_trials WHERE trainee_id = ?", person)},
-        {"notes", rows(connection,
-                       "SELECT * FROM notes WHERE author_id = ? OR trial_id IN (SELECT id FROM trials WHERE trainee_id = ?) "
-                       "ORDER BY id",
-                       twice)},
+        {"notes",
+         rows(connection,
+              "SELECT * FROM notes WHERE author_id = ? OR trial_id IN (SELECT id FROM trials WHERE trainee_id = ?) "
+              "ORDER BY id",
+              twice)},
         {"audit", rows(connection, "SELECT * FROM audit WHERE actor_id = ? OR subject_id = ? ORDER BY id", twice)}};
     add_to_audit(connection, who.id(), "data exported", person_id);
   });

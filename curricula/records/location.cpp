@@ -5,8 +5,8 @@
 
 #include <QUrl>
 #include <QUrlQuery>
-#include <cctype>
 #include <algorithm>
+#include <cctype>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -64,8 +64,8 @@ RecordsLocation RecordsLocation::parse(const std::string& setting) {
     } else if (kKnown.find(" " + name + " ") != std::string::npos && !value.contains(';')) {
       location.options[name] = value.toStdString();
     } else {
-      throw RecordsError("records: the server's address has the option '" + name + "', which is not known or has no such value; allowed: host port" +
-                         kKnown);
+      throw RecordsError("records: the server's address has the option '" + name +
+                         "', which is not known or has no such value; allowed: host port" + kKnown);
     }
   }
   return location;
@@ -82,7 +82,8 @@ std::string station_id(const fs::path& folder) {
   if (fs::exists(file, error)) {
     const std::string id = first_word(file);
     if (!is_id(id))
-      throw RecordsError(file.string() + ": holds no station's id (32 hexadecimal digits); remove it, a new one is made");
+      throw RecordsError(file.string() +
+                         ": holds no station's id (32 hexadecimal digits); remove it, a new one is made");
     return id;
   }
   fs::create_directories(folder, error);
@@ -99,7 +100,8 @@ std::string station_id(const fs::path& folder) {
   const bool placed = written && (::link(aside.c_str(), file.c_str()) == 0 || errno == EEXIST);
   ::unlink(aside.c_str());
   if (!placed)
-    throw RecordsError(file.string() + ": cannot be written (" + cause + "); check the folder's permission and the disk");
+    throw RecordsError(file.string() + ": cannot be written (" + cause +
+                       "); check the folder's permission and the disk");
   return first_word(file);
 }
 

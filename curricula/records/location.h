@@ -16,9 +16,9 @@ class RecordsError : public std::runtime_error {
 
 struct RecordsLocation {
   RecordsLocation(const std::filesystem::path& sqlite_file) : file(sqlite_file) {}  // NOLINT: a file is a location
-  /// "postgresql://[USER[:PASSWORD]@][HOST][:PORT]/DATABASE[?OPTION=VALUE&...]" (postgres:// too; %-encoded where needed;
-  /// options: host for a socket's folder and its port, sslmode, sslrootcert, sslcert, sslkey, connect_timeout), else the path of a
-  /// SQLite file. Throws RecordsError; no message has the password.
+  /// "postgresql://[USER[:PASSWORD]@][HOST][:PORT]/DATABASE[?OPTION=VALUE&...]" (postgres:// too; %-encoded where
+  /// needed; options: host for a socket's folder and its port, sslmode, sslrootcert, sslcert, sslkey, connect_timeout),
+  /// else the path of a SQLite file. Throws RecordsError; no message has the password.
   static RecordsLocation parse(const std::string& setting);
 
   bool server() const { return file.empty(); }

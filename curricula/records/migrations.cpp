@@ -89,7 +89,7 @@ const std::vector<std::vector<Statement>>& record_migrations() {
        "CREATE TABLE audit ("
        "id INTEGER PRIMARY KEY AUTOINCREMENT, "
        "at_utc TEXT NOT NULL, "
-       "actor_id INTEGER, "    // no reference: it outlives the person
+       "actor_id INTEGER, "  // no reference: it outlives the person
        "action TEXT NOT NULL, "
        "subject_id INTEGER)",
        {"CREATE TRIGGER audit_is_not_edited BEFORE UPDATE ON audit "
@@ -120,7 +120,8 @@ void migrate(Connection& connection) {
   connection.write([&] {
     if (connection.dialect() == Dialect::postgres)
       connection.run(QString("SELECT pg_advisory_xact_lock(%1)").arg(kMigrationLock), {}, kNotMigrated);
-    connection.run(in_dialect("CREATE TABLE IF NOT EXISTS schema_version (version INTEGER NOT NULL)", connection.dialect()));
+    connection.run(
+        in_dialect("CREATE TABLE IF NOT EXISTS schema_version (version INTEGER NOT NULL)", connection.dialect()));
     if (single_number(connection, "SELECT COUNT(*) FROM schema_version") == 0)
       connection.run("INSERT INTO schema_version (version) VALUES (0)");
     const long long found = single_number(connection, "SELECT version FROM schema_version");

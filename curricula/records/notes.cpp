@@ -26,8 +26,9 @@ std::vector<Note> note_rows(Connection& connection, const QString& where, const 
   std::vector<Note> notes;
   connection.read([&] {
     notes.clear();
-    QSqlQuery query = connection.run("SELECT id, trial_id, author_id, at_s, text, written_utc FROM notes WHERE " + where,
-                                     values, Connection::kCannotBeRead);
+    QSqlQuery query =
+        connection.run("SELECT id, trial_id, author_id, at_s, text, written_utc FROM notes WHERE " + where, values,
+                       Connection::kCannotBeRead);
     while (query.next()) {
       notes.push_back({query.value(0).toLongLong(), query.value(1).toLongLong(), query.value(2).toLongLong(),
                        query.value(3).toDouble(), query.value(4).toString().toStdString(),
@@ -41,9 +42,9 @@ long long Notes::add(const Who& who, long long trial_id, double at_s, const std:
   if (!(at_s >= 0.0 && at_s <= kLongestTrialS))
     throw RecordsError("a note stands at a second of the trial, 0 or later; choose another");
   QTextCodec::ConverterState state;
-  const QString kept =
-      QTextCodec::codecForName("UTF-8")->toUnicode(text.data(), static_cast<int>(text.size()), &state);
-  if (text.empty() || text.size() > kLongestNote || state.invalidChars + state.remainingChars > 0 || kept.contains(QChar(0)))
+  const QString kept = QTextCodec::codecForName("UTF-8")->toUnicode(text.data(), static_cast<int>(text.size()), &state);
+  if (text.empty() || text.size() > kLongestNote || state.invalidChars + state.remainingChars > 0 ||
+      kept.contains(QChar(0)))
     throw RecordsError("a note has 1 to 10000 bytes of UTF-8 text; shorten or correct it");
   long long id = 0;
   Connection& connection = records_.connection();

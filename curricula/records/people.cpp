@@ -1,7 +1,6 @@
 #include "curricula/records/people.h"
 
 #include <QTextCodec>
-
 #include <cmath>
 
 #include "curricula/records/audit.h"
@@ -42,7 +41,8 @@ bool People::has_instructor() const {
   bool any = false;
   Connection& connection = records_.connection();
   connection.read([&] {
-    any = connection.run("SELECT id FROM people WHERE role = 'instructor' LIMIT 1", {}, Connection::kCannotBeRead).next();
+    any =
+        connection.run("SELECT id FROM people WHERE role = 'instructor' LIMIT 1", {}, Connection::kCannotBeRead).next();
   });
   return any;
 }
@@ -142,7 +142,10 @@ SignedIn People::sign_in(long long id, const std::string& pin) {
                               {bound_id(id), bound(hash)})
                          .numRowsAffected() == 0)
       throw PinRefused("the PIN was changed just now; give the new one", 0.0);
-    add_to_audit(connection, right ? id : 0, right ? "signed in" : next_wait_s > 0.0 ? "wrong PIN, must wait" : "wrong PIN",
+    add_to_audit(connection, right ? id : 0,
+                 right               ? "signed in"
+                 : next_wait_s > 0.0 ? "wrong PIN, must wait"
+                                     : "wrong PIN",
                  id);
   });
   if (!right)
@@ -178,7 +181,8 @@ void People::rename(const SignedIn& who, long long id, const std::string& name) 
   connection.write([&] {
     require_own_or_instructor(connection, who, id);
     connection.lock_table("people");
-    if (connection.run("SELECT id FROM people WHERE name = ? AND id <> ?", {kept, bound_id(id)}, Connection::kCannotBeRead)
+    if (connection
+            .run("SELECT id FROM people WHERE name = ? AND id <> ?", {kept, bound_id(id)}, Connection::kCannotBeRead)
             .next())
       throw RecordsError("this name is taken; choose another, or a pseudonym");
     if (connection.run("UPDATE people SET name = ? WHERE id = ?", {kept, bound_id(id)}).numRowsAffected() == 0)
@@ -193,11 +197,13 @@ std::vector<AuditEntry> People::audit(const SignedIn& instructor, int count) con
   connection.read([&] {
     entries.clear();
     require_instructor(connection, instructor);
-    QSqlQuery query = connection.run("SELECT id, at_utc, actor_id, action, subject_id FROM audit ORDER BY id DESC LIMIT ?",
-                                     {count > 0 ? count : 0}, Connection::kCannotBeRead);
+    QSqlQuery query =
+        connection.run("SELECT id, at_utc, actor_id, action, subject_id FROM audit ORDER BY id DESC LIMIT ?",
+                       {count > 0 ? count : 0}, Connection::kCannotBeRead);
     while (query.next()) {
-      entries.push_back({query.value(0).toLongLong(), query.value(1).toString().toStdString(), query.value(2).toLongLong(),
-                         query.value(3).toString().toStdString(), query.value(4).toLongLong()});
+      entries.push_back({query.value(0).toLongLong(), query.value(1).toString().toStdString(),
+                         query.value(2).toLongLong(), query.value(3).toString().toStdString(),
+                         query.value(4).toLongLong()});
     }
   });
   return entries;

@@ -5,7 +5,8 @@
 namespace vallecula::curricula {
 
 bool is_instructor(Connection& connection, const SignedIn& who) {
-  QSqlQuery query = connection.run("SELECT role FROM people WHERE id = ?", {bound_id(who.id())}, Connection::kCannotBeRead);
+  QSqlQuery query =
+      connection.run("SELECT role FROM people WHERE id = ?", {bound_id(who.id())}, Connection::kCannotBeRead);
   if (!query.next()) throw NotAllowed("whoever was signed in has been deleted; sign in again");
   return query.value(0).toString() == "instructor";
 }

@@ -11,9 +11,9 @@ namespace vallecula::curricula {
 
 /// Everything kept of a person, in a new folder: records.json (the person without the PIN, every column of their
 /// trials, notes on them or by them, the audit trail's lines about them) and trials/ID/ with the files of each trial
-/// that are on this station and still that trial's; what is not there is said in records.json. By the person themself or
-/// an instructor. Written aside and renamed; throws RecordsError (NotAllowed; the folder exists; the disk is full, then
-/// nothing is left).
+/// that are on this station and still that trial's; what is not there is said in records.json. By the person themself
+/// or an instructor. Written aside and renamed; throws RecordsError (NotAllowed; the folder exists; the disk is full,
+/// then nothing is left).
 void export_person(Records& records, const SignedIn& who, long long person_id, const std::filesystem::path& folder);
 
 struct Deletion {
@@ -22,11 +22,13 @@ struct Deletion {
 };
 /// Deletes a person with trials, notes and the trials' files, rows first, all or none. By the person themself or an
 /// instructor; not the last instructor while there are other people. The audit trail keeps that the number was deleted,
-/// and by which number. Files on other stations are deleted when those start (delete_pending_files). Throws RecordsError.
+/// and by which number. Files on other stations are deleted when those start (delete_pending_files). Throws
+/// RecordsError.
 Deletion delete_person(Records& records, const SignedIn& who, long long person_id);
 
 /// Deletes what is still to be deleted on this station: files of people deleted at another, or by a program that was
-/// cut off. A log that a later trial in the same folder has replaced is not touched. To be called when a program starts.
+/// cut off. A log that a later trial in the same folder has replaced is not touched. To be called when a program
+/// starts.
 Deletion delete_pending_files(Records& records);
 
 }  // namespace vallecula::curricula

@@ -6,7 +6,7 @@
 namespace vallecula::curricula {
 
 constexpr std::size_t kShortestPin = 4, kLongestPin = 64;  ///< bytes of UTF-8
-constexpr int kFreeWrongPins = 3;                           ///< the first that makes one wait
+constexpr int kFreeWrongPins = 3;                          ///< the first that makes one wait
 constexpr long long kFirstWaitMs = 5'000, kLongestWaitMs = 15 * 60'000;
 
 /// Argon2id with a salt of its own, as libsodium's crypto_pwhash_str writes it (interactive limits: 64 MiB). Throws

@@ -75,7 +75,8 @@ std::vector<RecordRow> Progress::curve(const Who& who, const CurveKey& key) cons
     QVariantList values;
     const QString whose = of_trainee(key.trainee_id, values);
     values << bound(key.curriculum_id) << bound(key.scenario_id) << bound(key.device_kind);
-    rows = trial_rows(connection, whose + " AND curriculum_id = ? AND scenario_id = ? AND device_kind = ? ORDER BY id", values);
+    rows = trial_rows(connection, whose + " AND curriculum_id = ? AND scenario_id = ? AND device_kind = ? ORDER BY id",
+                      values);
   });
   return rows;
 }

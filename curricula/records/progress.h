@@ -17,13 +17,13 @@ struct CurveKey {
 
 struct CurveSummary {
   CurveKey key;
-  std::string trainee_name;  ///< in a cohort; else empty
-  int trials = 0;            ///< whole ones
-  int interrupted = 0;       ///< cut off: in no figure below
-  int passed = 0;            ///< within two attempts (procedure_succeeded)
-  int passed_in_a_row = 0;   ///< up to the last trial
-  int to_three_in_a_row = -1;  ///< trials up to and with the third success in a row; -1: not reached
-  CusumCurve cusum;            ///< one entry a whole trial
+  std::string trainee_name;         ///< in a cohort; else empty
+  int trials = 0;                   ///< whole ones
+  int interrupted = 0;              ///< cut off: in no figure below
+  int passed = 0;                   ///< within two attempts (procedure_succeeded)
+  int passed_in_a_row = 0;          ///< up to the last trial
+  int to_three_in_a_row = -1;       ///< trials up to and with the third success in a row; -1: not reached
+  CusumCurve cusum;                 ///< one entry a whole trial
   std::string first_utc, last_utc;  ///< by the time they finished
 };
 

@@ -47,7 +47,8 @@ long long insert_trial(Connection& connection, const RecordRow& row, const std::
       {"reasons", reasons_to_json(s.reasons)},
       {"peak_tongue_force_n", s.peak_tongue_force_n},
       {"time_of_peak_tongue_force_s", s.time_of_peak_tongue_force_s},
-      {"time_to_trachea_visible_s", bound(s.time_to_trachea_visible_s < 0.0 ? std::nullopt : std::optional(s.time_to_trachea_visible_s))},
+      {"time_to_trachea_visible_s",
+       bound(s.time_to_trachea_visible_s < 0.0 ? std::nullopt : std::optional(s.time_to_trachea_visible_s))},
       {"glottis_visible_max_percent", s.glottis_visible_max_percent},
       {"peak_gum_force_n", s.peak_gum_force_n},
       {"time_of_peak_gum_force_s", s.time_of_peak_gum_force_s},
@@ -75,8 +76,9 @@ long long insert_trial(Connection& connection, const RecordRow& row, const std::
     marks << "?";
     values << value;
   }
-  QSqlQuery query = connection.run(
-      "INSERT INTO trials (" + names.join(", ") + ") VALUES (" + marks.join(", ") + ") RETURNING id", values, kNotRecorded);
+  QSqlQuery query =
+      connection.run("INSERT INTO trials (" + names.join(", ") + ") VALUES (" + marks.join(", ") + ") RETURNING id",
+                     values, kNotRecorded);
   query.next();
   return query.value(0).toLongLong();
 }
@@ -95,7 +97,8 @@ std::string Records::begin(const OpenTrial& trial) {
   connection_->write([&] {
     // The same uid twice: the first try was committed and its answer lost.
     connection_->run(
-        "INSERT INTO open_trials (uid, started_utc, curriculum_id, scenario_id, device_kind, log_path, station, trainee_id) "
+        "INSERT INTO open_trials (uid, started_utc, curriculum_id, scenario_id, device_kind, log_path, station, "
+        "trainee_id) "
         "VALUES (?, ?, ?, ?, ?, ?, ?, ?) ON CONFLICT (uid) DO NOTHING",
         {bound(uid), bound(trial.started_utc), bound(trial.curriculum_id), bound(trial.scenario_id),
          bound(trial.device_kind), bound(std::filesystem::absolute(trial.log_path).string()),
@@ -124,8 +127,8 @@ std::vector<OpenTrial> Records::open_trials() const {
                                        {bound(connection_->location().station)}, Connection::kCannotBeRead);
     while (query.next()) {
       const auto word = [&](const char* column) { return query.value(column).toString().toStdString(); };
-      trials.push_back({word("uid"), word("started_utc"), word("curriculum_id"), word("scenario_id"), word("device_kind"),
-                        word("log_path"), query.value("trainee_id").toLongLong()});
+      trials.push_back({word("uid"), word("started_utc"), word("curriculum_id"), word("scenario_id"),
+                        word("device_kind"), word("log_path"), query.value("trainee_id").toLongLong()});
     }
   });
   return trials;
@@ -144,8 +147,9 @@ long long Records::add(const RecordRow& row) {
     }
     if (!row.uid.empty() &&
         connection_->run("DELETE FROM open_trials WHERE uid = ?", {bound(uid)}).numRowsAffected() == 0) {
-      throw RecordsError("records " + connection_->location().shown() +
-                         ": the trial is not among those begun: its trainee was deleted meanwhile, so nothing of it is kept");
+      throw RecordsError(
+          "records " + connection_->location().shown() +
+          ": the trial is not among those begun: its trainee was deleted meanwhile, so nothing of it is kept");
     }
     id = insert_trial(*connection_, row, uid);
   });
@@ -153,7 +157,8 @@ long long Records::add(const RecordRow& row) {
 }
 
 std::vector<RecordRow> Records::newest(int count) const {
-  return trial_rows(*connection_, "trainee_id IS NULL ORDER BY finished_utc DESC, id DESC LIMIT ?", {count > 0 ? count : 0});
+  return trial_rows(*connection_, "trainee_id IS NULL ORDER BY finished_utc DESC, id DESC LIMIT ?",
+                    {count > 0 ? count : 0});
 }
 
 std::vector<RecordRow> trial_rows(Connection& connection, const QString& where, const QVariantList& values) {

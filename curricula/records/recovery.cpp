@@ -57,10 +57,15 @@ std::vector<RecoveredTrial> recover_trials(Records& records) {
   for (const OpenTrial& trial : records.open_trials()) {
     try {
       switch (close_cut_log(trial.log_path)) {
-        case CutLog::being_written: break;
-        case CutLog::nothing: records.abandon(trial.uid); break;
+        case CutLog::being_written:
+          break;
+        case CutLog::nothing:
+          records.abandon(trial.uid);
+          break;
         case CutLog::whole:
-        case CutLog::kept: found.push_back(recover(records, trial)); break;
+        case CutLog::kept:
+          found.push_back(recover(records, trial));
+          break;
       }
     } catch (const RecordsError&) {
       throw;

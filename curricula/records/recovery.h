@@ -17,11 +17,11 @@ struct RecoveredTrial {
   std::string problem;      ///< why it could not be recovered, with the mend; empty: it was
 };
 
-/// To be called when a program starts. Of each trial that was begun on this station and whose writer is gone: the log is
-/// made whole up to its last whole block (close_cut_log), scored, and gets its record, as interrupted unless it had its
-/// end; one without a single tick is forgotten. Trials under way in other programs are left alone. May be cut off and
-/// done again, and done by two programs at once. A log that is damaged or not readable is reported each time, and kept.
-/// Throws RecordsError when the records cannot be used.
+/// To be called when a program starts. Of each trial that was begun on this station and whose writer is gone: the log
+/// is made whole up to its last whole block (close_cut_log), scored, and gets its record, as interrupted unless it had
+/// its end; one without a single tick is forgotten. Trials under way in other programs are left alone. May be cut off
+/// and done again, and done by two programs at once. A log that is damaged or not readable is reported each time, and
+/// kept. Throws RecordsError when the records cannot be used.
 std::vector<RecoveredTrial> recover_trials(Records& records);
 
 /// Of the file, lower-case hexadecimal; empty when it cannot be read.

@@ -24,8 +24,8 @@ curricula::RecordsLocation records_location() {
   const char* variable = std::getenv("VALLECULA_RECORDS");
   std::string setting = variable != nullptr ? variable : "";
   if (setting.empty()) setting = user_settings()->value("records/location").toString().toStdString();
-  curricula::RecordsLocation location = setting.empty() ? curricula::RecordsLocation(records_database())
-                                                        : curricula::RecordsLocation::parse(setting);
+  curricula::RecordsLocation location =
+      setting.empty() ? curricula::RecordsLocation(records_database()) : curricula::RecordsLocation::parse(setting);
   location.station = curricula::station_id(user_data_folder());
   return location;
 }

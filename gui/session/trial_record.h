@@ -9,8 +9,8 @@
 
 namespace vallecula::gui {
 
-/// Where the records are: $VALLECULA_RECORDS, else `records/location` in settings.ini, else records.sqlite in the user's
-/// data folder. Throws std::runtime_error.
+/// Where the records are: $VALLECULA_RECORDS, else `records/location` in settings.ini, else records.sqlite in the
+/// user's data folder. Throws std::runtime_error.
 curricula::RecordsLocation records_location();
 
 /// What a program does with the records when it starts: opens them (a database that cannot be used is named before

@@ -18,8 +18,16 @@ namespace fs = std::filesystem;
 class KilledTrial : public ::testing::Test {
  protected:
   std::vector<std::string> trial(const std::string& out, bool realtime) const {
-    std::vector<std::string> arguments = {"trial", "--patient", patient_.string(), "--scenario", curriculum_.string() + ":plain",
-                                          "--device", "scripted:" + press_.string(), "--headless", "--out", (box_ / out).string()};
+    std::vector<std::string> arguments = {"trial",
+                                          "--patient",
+                                          patient_.string(),
+                                          "--scenario",
+                                          curriculum_.string() + ":plain",
+                                          "--device",
+                                          "scripted:" + press_.string(),
+                                          "--headless",
+                                          "--out",
+                                          (box_ / out).string()};
     if (!realtime) arguments.push_back("--asap");
     return arguments;
   }

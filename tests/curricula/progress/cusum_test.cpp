@@ -69,9 +69,10 @@ TEST(Cusum, ErrsAsOftenAsItSays) {
 }
 
 TEST(Cusum, ARuleThatIsNoneIsRefused) {
-  for (const CusumRule& rule : {CusumRule{0.0, 0.4, 0.1, 0.1}, CusumRule{0.4, 0.2, 0.1, 0.1}, CusumRule{0.2, 0.2, 0.1, 0.1},
-                                CusumRule{0.2, 1.0, 0.1, 0.1}, CusumRule{0.2, 0.4, 0.0, 0.1}, CusumRule{0.2, 0.4, 0.6, 0.4},
-                                CusumRule{std::nan(""), 0.4, 0.1, 0.1}})
+  for (const CusumRule& rule :
+       {CusumRule{0.0, 0.4, 0.1, 0.1}, CusumRule{0.4, 0.2, 0.1, 0.1}, CusumRule{0.2, 0.2, 0.1, 0.1},
+        CusumRule{0.2, 1.0, 0.1, 0.1}, CusumRule{0.2, 0.4, 0.0, 0.1}, CusumRule{0.2, 0.4, 0.6, 0.4},
+        CusumRule{std::nan(""), 0.4, 0.1, 0.1}})
     EXPECT_THROW(cusum_limits(rule), std::invalid_argument);
   EXPECT_THROW(procedures_to_consecutive({true}, 0), std::invalid_argument);
 }

@@ -81,9 +81,9 @@ TEST_P(AnyRecords, NamesAndPinsOutOfRangeAreRefusedAndNotRepeated) {
   Records records(location());
   People people(records);
   people.register_trainee("Kiwi", "1234");
-  for (const std::string& name : {std::string(), std::string("   "), std::string("two\nlines"), std::string(101, 'x'),
-                                  std::string("broken \xff\xfe"), std::string("nul\0l", 5), std::string("Kiwi"),
-                                  std::string(" Kiwi ")}) {
+  for (const std::string& name :
+       {std::string(), std::string("   "), std::string("two\nlines"), std::string(101, 'x'),
+        std::string("broken \xff\xfe"), std::string("nul\0l", 5), std::string("Kiwi"), std::string(" Kiwi ")}) {
     const std::string error = error_of<RecordsError>([&] { people.register_trainee(name, "1234"); });
     EXPECT_NE(error, "") << name;
     EXPECT_EQ(error.find("Kiwi"), std::string::npos) << error;

@@ -27,7 +27,6 @@ std::string bytes_of(const fs::path& file) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-
 struct Desk {
   Desk(const RecordsLocation& location, const fs::path& at) : records(location), people(records), folder(at) {
     boss = people.create_first_instructor("Boss", "4321");
@@ -110,7 +109,8 @@ TEST_P(AnyRecords, ATraineeIsDeletedWholeAndNobodyElseIsTouched) {
   notes.add(desk.kiwi, own, 1.0, "by the trainee");
   notes.add(desk.boss, own, 2.0, "by the instructor");
   notes.add(desk.boss, emus, 2.0, "emu's");
-  const OpenTrial under_way{"", "2024-05-03T09:59:00Z", "c", "s", "mouse", folder_ / "fourth" / "trial.vtrial", desk.kiwi_id};
+  const OpenTrial under_way{"",          "2024-05-03T09:59:00Z", "c", "s", "mouse", folder_ / "fourth" / "trial.vtrial",
+                            desk.kiwi_id};
   const std::string uid = desk.records.begin(under_way);
   put(folder_ / "fourth" / "trial.vtrial", "cut off");
 

@@ -97,7 +97,8 @@ int free_port() {
 
 std::string PostgresServer::why_not() {
   if (programs().empty()) return "PostgreSQL is not installed (packaging/setup installs it: postgresql)";
-  if (::geteuid() == 0 && its_user() == nullptr) return "the server refuses root and there is no user postgres or nobody";
+  if (::geteuid() == 0 && its_user() == nullptr)
+    return "the server refuses root and there is no user postgres or nobody";
   return "";
 }
 
@@ -113,7 +114,8 @@ PostgresServer::PostgresServer() : owner_(::getpid()), port_(free_port()) {
   std::ofstream(folder_ / "password") << kPlainPassword << "\n";
   if (const passwd* user = its_user()) {
     for (const fs::path& path : {folder_, folder_ / "password"})
-      if (::chown(path.c_str(), user->pw_uid, user->pw_gid) != 0) throw std::runtime_error("cannot give the folder away");
+      if (::chown(path.c_str(), user->pw_uid, user->pw_gid) != 0)
+        throw std::runtime_error("cannot give the folder away");
   }
   run_program({programs() / "initdb", "-D", folder_ / "data", "-U", "tester", "--pwfile", folder_ / "password", "-A",
                "trust", "--auth-host=scram-sha-256", "-E", "UTF8", "--locale=C", "--no-sync"},
@@ -171,8 +173,8 @@ std::string PostgresServer::ask(const std::string& setting, const std::string& s
   const fs::path words = folder_ / ("ask-" + std::to_string(::getpid()));
   std::error_code ignored;
   fs::remove(words, ignored);
-  const pid_t child = start_program({programs() / "psql", "-X", "-q", "-A", "-t", "-v", "ON_ERROR_STOP=1", "-h", folder_, "-p",
-                                     std::to_string(port_), "-U", "tester", "-d", database, "-c", sql},
+  const pid_t child = start_program({programs() / "psql", "-X", "-q", "-A", "-t", "-v", "ON_ERROR_STOP=1", "-h",
+                                     folder_, "-p", std::to_string(port_), "-U", "tester", "-d", database, "-c", sql},
                                     words, folder_);
   ::waitpid(child, nullptr, 0);
   return text_of(words);

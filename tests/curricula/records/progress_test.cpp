@@ -140,7 +140,8 @@ TEST_P(AnyRecords, ACohortIsTheInstructors) {
 
 TEST_P(AnyRecords, ANoteStandsAtASecondOfATrial) {
   Class c(location());
-  const long long trial = c.add(c.kiwi_id, "2024-05-01T10:00:00Z", true), nobodys = c.add(0, "2024-05-01T10:00:00Z", true);
+  const long long trial = c.add(c.kiwi_id, "2024-05-01T10:00:00Z", true),
+                  nobodys = c.add(0, "2024-05-01T10:00:00Z", true);
   Notes notes(c.records);
   const long long late = notes.add(c.boss, trial, 12.5, "Größer heben; don't \\ lever");
   const long long early = notes.add(c.kiwi, trial, 3.25, "late sweep\nsecond line");
@@ -155,7 +156,8 @@ TEST_P(AnyRecords, ANoteStandsAtASecondOfATrial) {
   EXPECT_NE(error_of<NotAllowed>([&] { notes.add(c.emu, trial, 1.0, "mine?"); }), "");
   EXPECT_NE(error_of<NotAllowed>([&] { notes.of_trial(c.emu, trial); }), "");
   EXPECT_NE(error_of<NotAllowed>([&] { notes.of_trial(std::nullopt, trial); }), "");
-  EXPECT_NE(error_of<NotAllowed>([&] { notes.remove(c.kiwi, late); }), "") << "an instructor's note is the instructor's";
+  EXPECT_NE(error_of<NotAllowed>([&] { notes.remove(c.kiwi, late); }), "")
+      << "an instructor's note is the instructor's";
   notes.remove(c.kiwi, early);
   notes.remove(c.boss, late);
   EXPECT_TRUE(notes.of_trial(c.boss, trial).empty());
@@ -164,7 +166,8 @@ TEST_P(AnyRecords, ANoteStandsAtASecondOfATrial) {
   EXPECT_EQ(notes.of_trial(std::nullopt, nobodys).size(), 0u);
   notes.remove(std::nullopt, notes.add(std::nullopt, nobodys, 0.0, "to myself"));
 
-  for (const std::string& text : {std::string(), std::string(10'001, 'x'), std::string("\xc3(") , std::string("a\0b", 3)})
+  for (const std::string& text :
+       {std::string(), std::string(10'001, 'x'), std::string("\xc3("), std::string("a\0b", 3)})
     EXPECT_NE(error_of<RecordsError>([&] { notes.add(c.boss, trial, 1.0, text); }).find("UTF-8"), std::string::npos);
   for (const double at : {-0.001, 1e9, std::numeric_limits<double>::quiet_NaN()})
     EXPECT_NE(error_of<RecordsError>([&] { notes.add(c.boss, trial, at, "x"); }).find("second"), std::string::npos);

@@ -53,16 +53,20 @@ TEST_F(RecordsFile, UsesAWriteAheadLogAndTellsItsSchema) {
 }
 
 fs::path released(std::size_t schema) {
-  return fs::path(VALLECULA_SOURCE_DIR) / "tests/curricula/records/released" / ("schema-" + std::to_string(schema) + ".sql");
+  return fs::path(VALLECULA_SOURCE_DIR) / "tests/curricula/records/released" /
+         ("schema-" + std::to_string(schema) + ".sql");
 }
 
 /// The database's structure, as text: every table's columns, every index and trigger.
 std::string structure(Database& db) {
-  return db.ask("SELECT group_concat(line, char(10)) FROM (SELECT m.type || ' ' || m.name || ' ' || "
-                "coalesce(group_concat(c.name || ' ' || c.type || ' ' || c.\"notnull\" || ' ' || coalesce(c.dflt_value, '-') || "
-                "' ' || c.pk, ', '), '') || CASE m.type WHEN 'table' THEN '' ELSE coalesce(m.sql, '') END AS line "
-                "FROM sqlite_master m LEFT JOIN pragma_table_info(m.name) c ON m.type = 'table' "
-                "WHERE m.name NOT LIKE 'sqlite_%' GROUP BY m.name ORDER BY m.name)")
+  return db
+      .ask(
+          "SELECT group_concat(line, char(10)) FROM (SELECT m.type || ' ' || m.name || ' ' || "
+          "coalesce(group_concat(c.name || ' ' || c.type || ' ' || c.\"notnull\" || ' ' || coalesce(c.dflt_value, '-') "
+          "|| "
+          "' ' || c.pk, ', '), '') || CASE m.type WHEN 'table' THEN '' ELSE coalesce(m.sql, '') END AS line "
+          "FROM sqlite_master m LEFT JOIN pragma_table_info(m.name) c ON m.type = 'table' "
+          "WHERE m.name NOT LIKE 'sqlite_%' GROUP BY m.name ORDER BY m.name)")
       .toString()
       .toStdString();
 }
@@ -79,7 +83,8 @@ TEST_F(RecordsFile, EveryReleasedSchemaIsBroughtForwardWithItsRows) {
   ASSERT_NE(as_new.find("table people id INTEGER"), std::string::npos) << as_new;
   for (std::size_t schema = 1; schema <= newest; ++schema) {
     SCOPED_TRACE("schema " + std::to_string(schema));
-    ASSERT_TRUE(fs::exists(released(schema))) << "every schema has its dump here (curricula/README.md says how it is made)";
+    ASSERT_TRUE(fs::exists(released(schema)))
+        << "every schema has its dump here (curricula/README.md says how it is made)";
     const fs::path old = folder_ / ("schema-" + std::to_string(schema) + ".sqlite");
     {
       Database db(old);

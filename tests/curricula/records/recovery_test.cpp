@@ -20,7 +20,8 @@ namespace fs = std::filesystem;
 
 /// A header with which any log can be scored: the shipped course's first scenario.
 LogHeader header() {
-  const Curriculum course = load_curriculum(fs::path(VALLECULA_SOURCE_DIR) / "curricula" / "courses" / "first-steps.yaml");
+  const Curriculum course =
+      load_curriculum(fs::path(VALLECULA_SOURCE_DIR) / "curricula" / "courses" / "first-steps.yaml");
   LogHeader header;
   header.scenario_id = course.scenarios[0].id;
   header.scenario_yaml = course.scenarios[0].yaml;
@@ -167,7 +168,8 @@ TEST_P(AnyRecords, ALogThatIsBeingWrittenIsNobodyElses) {
   TrialLogWriter writer(log, header());
   for (int n = 0; n < 300; ++n) writer.append(tick(n));
   const std::string before = bytes_of(log.string() + ".part");
-  EXPECT_NE(error_of<TrialLogError>([&] { TrialLogWriter second(log, header()); }).find("another trial"), std::string::npos);
+  EXPECT_NE(error_of<TrialLogError>([&] { TrialLogWriter second(log, header()); }).find("another trial"),
+            std::string::npos);
   EXPECT_EQ(bytes_of(log.string() + ".part"), before);
   EXPECT_EQ(close_cut_log(log), CutLog::being_written);
 }
@@ -175,9 +177,9 @@ TEST_P(AnyRecords, ALogThatIsBeingWrittenIsNobodyElses) {
 TEST(TrialFiles, AreThoseOfTheLogAndNoOthers) {
   const fs::path folder = fs::path(::testing::TempDir()) / ("vallecula-trial-files-" + std::to_string(::getpid()));
   fs::create_directories(folder);
-  for (const char* name : {"trial.vtrial", "score.json", "report.html", "force.png", "fault.csv", "tool.ply", "operator-1.png",
-                           "sagittal-2.png", "holiday.png", "before-reset-1.vtrial", "before-reset-1.tool.ply",
-                           "before-reset-1.fault.csv", "notes.txt"})
+  for (const char* name : {"trial.vtrial", "score.json", "report.html", "force.png", "fault.csv", "tool.ply",
+                           "operator-1.png", "sagittal-2.png", "holiday.png", "before-reset-1.vtrial",
+                           "before-reset-1.tool.ply", "before-reset-1.fault.csv", "notes.txt"})
     std::ofstream(folder / name) << name;
   EXPECT_EQ(files_of_trial(folder / "trial.vtrial").size(), 8u);
   EXPECT_EQ(files_of_trial(folder / "trial.vtrial").back(), folder / "trial.vtrial");

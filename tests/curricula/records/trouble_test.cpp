@@ -49,7 +49,8 @@ std::string in_a_process(const std::function<std::string()>& work) {
   ::close(ends[1]);
   std::string said;
   char buffer[1024];
-  for (ssize_t got = 0; (got = ::read(ends[0], buffer, sizeof buffer)) > 0;) said.append(buffer, static_cast<std::size_t>(got));
+  for (ssize_t got = 0; (got = ::read(ends[0], buffer, sizeof buffer)) > 0;)
+    said.append(buffer, static_cast<std::size_t>(got));
   ::close(ends[0]);
   ::waitpid(child, nullptr, 0);
   return said;
@@ -162,7 +163,8 @@ TEST_F(RecordsTrouble, AFileThatMayNotBeWrittenIsNamed) {
   { Records records(location()); }
   const std::string said = in_a_process([this]() -> std::string {
     fs::permissions(location().file, fs::perms::owner_read | fs::perms::others_read);
-    fs::permissions(folder_, fs::perms::owner_read | fs::perms::owner_exec | fs::perms::others_read | fs::perms::others_exec);
+    fs::permissions(folder_,
+                    fs::perms::owner_read | fs::perms::owner_exec | fs::perms::others_read | fs::perms::others_exec);
     if (::getuid() == 0 && ::setuid(65534) != 0) return "not permitted";
     return error_of<RecordsError>([&] { Records records(location()); });
   });
@@ -185,9 +187,10 @@ TEST_F(RecordsTrouble, TheSettingIsReadOrRefusedAndNoMessageHasThePassword) {
   EXPECT_EQ(RecordsLocation::parse("postgres:///lab?host=/run/postgresql").host, "/run/postgresql");
   EXPECT_FALSE(RecordsLocation::parse("/data/records.sqlite").server());
   EXPECT_EQ(RecordsLocation::parse("/data/records.sqlite").shown(), "/data/records.sqlite");
-  for (const char* bad : {"", "postgresql://anna:secret@host", "postgresql://anna:secret@host/", "mysql://anna:secret@host/db",
-                          "postgresql://anna:secret@host:99999/db", "postgresql://anna:secret@ho st/db",
-                          "postgresql://anna:secret@host/db?passfile=/x", "postgresql://anna:secret@host/db?sslmode=a;b"}) {
+  for (const char* bad :
+       {"", "postgresql://anna:secret@host", "postgresql://anna:secret@host/", "mysql://anna:secret@host/db",
+        "postgresql://anna:secret@host:99999/db", "postgresql://anna:secret@ho st/db",
+        "postgresql://anna:secret@host/db?passfile=/x", "postgresql://anna:secret@host/db?sslmode=a;b"}) {
     const std::string error = error_of<RecordsError>([&] { RecordsLocation::parse(bad); });
     EXPECT_NE(error, "") << bad;
     EXPECT_EQ(error.find("secret"), std::string::npos) << error;
@@ -256,12 +259,15 @@ TEST_F(PostgresServerTrouble, EachOlderSchemaIsBroughtForwardWithItsRows) {
     std::string sql = "CREATE TABLE schema_version (version BIGINT NOT NULL); INSERT INTO schema_version VALUES (" +
                       std::to_string(schema) + ");";
     for (std::size_t step = 0; step < schema; ++step)
-      for (const Statement& statement : steps[step]) sql += in_dialect(statement, Dialect::postgres).toStdString() + ";";
-    sql += "INSERT INTO trials (finished_utc, curriculum_id, scenario_id, device_kind, trial_path, complete, passed, reasons, "
-           "peak_tongue_force_n, time_of_peak_tongue_force_s, glottis_visible_max_percent, peak_gum_force_n, "
-           "time_of_peak_gum_force_s, attempt_time_s, attempt_start_s, time_over_force_limit_s, time_over_target_s, "
-           "loop_rate_hz, deadline_misses, ticks) VALUES ('2023-01-01T00:00:00Z', 'c', 's', 'mouse', 'p', 1, 0, "
-           "'[\"why\"]', 1.5, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 5000000000);";
+      for (const Statement& statement : steps[step])
+        sql += in_dialect(statement, Dialect::postgres).toStdString() + ";";
+    sql +=
+        "INSERT INTO trials (finished_utc, curriculum_id, scenario_id, device_kind, trial_path, complete, passed, "
+        "reasons, "
+        "peak_tongue_force_n, time_of_peak_tongue_force_s, glottis_visible_max_percent, peak_gum_force_n, "
+        "time_of_peak_gum_force_s, attempt_time_s, attempt_start_s, time_over_force_limit_s, time_over_target_s, "
+        "loop_rate_hz, deadline_misses, ticks) VALUES ('2023-01-01T00:00:00Z', 'c', 's', 'mouse', 'p', 1, 0, "
+        "'[\"why\"]', 1.5, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 5000000000);";
     EXPECT_EQ(server().ask(setting, sql), "");
     Records records(RecordsLocation::parse(setting));
     const auto rows = records.newest(5);
@@ -277,7 +283,8 @@ TEST_F(PostgresServerTrouble, EachOlderSchemaIsBroughtForwardWithItsRows) {
 TEST_F(PostgresServerTrouble, AConnectionThatIsCutIsMadeAnewAndNothingIsThereTwice) {
   Records records(location());
   for (int i = 0; i < 5; ++i) {
-    server().ask(setting_, "SELECT pg_terminate_backend(pid) FROM pg_stat_activity WHERE application_name = 'vallecula'");
+    server().ask(setting_,
+                 "SELECT pg_terminate_backend(pid) FROM pg_stat_activity WHERE application_name = 'vallecula'");
     records.add(sample("2024-05-03T10:00:00Z"));
   }
   EXPECT_EQ(records.newest(100).size(), 5u);

@@ -92,7 +92,7 @@ TEST_P(AnyRecords, WritersThatAreKilledAtAnyMomentLoseNothing) {
     listen(victim, recorded, errors, loses_power);
     ++kills;
     if (loses_power && kills % 100 == 50)  // every ten seconds or so PostgresServer::instance().crash_and_restart();
-    victim = start_writer(location());
+      victim = start_writer(location());
   }
   for (Writer& writer : writers) {
     ::kill(writer.process, SIGKILL);
@@ -107,7 +107,11 @@ TEST_P(AnyRecords, WritersThatAreKilledAtAnyMomentLoseNothing) {
   std::map<std::string, long long> found;
   for (const RecordRow& row : records.newest(1'000'000)) {
     EXPECT_TRUE(found.emplace(row.uid, row.id).second) << "twice: " << row.uid;
-    expect_same(row, [&] { RecordRow same = sample("2024-05-03T10:00:00Z"); same.score.ticks = row.score.ticks; return same; }());
+    expect_same(row, [&] {
+      RecordRow same = sample("2024-05-03T10:00:00Z");
+      same.score.ticks = row.score.ticks;
+      return same;
+    }());
   }
   for (const auto& [uid, id] : recorded) {
     const auto row = found.find(uid);
