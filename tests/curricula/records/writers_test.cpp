@@ -87,16 +87,17 @@ TEST_P(AnyRecords, WritersThatAreKilledAtAnyMomentLoseNothing) {
   while (std::chrono::steady_clock::now() < until) {
     std::this_thread::sleep_for(std::chrono::milliseconds(pause_ms(random)));
     Writer& victim = writers[static_cast<std::size_t>(which(random))];
-    ::kill(victim.process, SIGKILL);
-    ::waitpid(victim.process, nullptr, 0);
+    ASSERT_EQ(::kill(victim.process, SIGKILL), 0);
+    ASSERT_EQ(::waitpid(victim.process, nullptr, 0), victim.process);
     listen(victim, recorded, errors, loses_power);
     ++kills;
-    if (loses_power && kills % 100 == 50)  // every ten seconds or so PostgresServer::instance().crash_and_restart();
-      victim = start_writer(location());
+    // Every ten seconds or so the server loses its power on top of it.
+    if (loses_power && kills % 100 == 50) PostgresServer::instance().crash_and_restart();
+    victim = start_writer(location());
   }
   for (Writer& writer : writers) {
-    ::kill(writer.process, SIGKILL);
-    ::waitpid(writer.process, nullptr, 0);
+    ASSERT_EQ(::kill(writer.process, SIGKILL), 0);
+    ASSERT_EQ(::waitpid(writer.process, nullptr, 0), writer.process);
     listen(writer, recorded, errors, loses_power);
   }
   EXPECT_EQ(errors, 0);
