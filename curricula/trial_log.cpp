@@ -5,10 +5,10 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstring>
 #include <fstream>
 
 #include "curricula/trial_log_format.h"
+#include "curricula/trial_log_part.h"
 
 namespace vallecula::curricula {
 namespace {
@@ -17,19 +17,9 @@ namespace fs = std::filesystem;
 using namespace log_format;
 
 constexpr const char* kFileName = "trial.vtrial";
-
-std::string system_reason() { return std::strerror(errno); }
+constexpr std::uint32_t kBlocksPerSync = 4;  ///< a power cut takes the last second at most
 
 fs::path part_of(const fs::path& path) { return fs::path(path.string() + ".part"); }
-
-/// Makes a rename in `folder` outlast a power cut. Some file systems do not let folders be synced: nothing to mend
-/// then.
-void sync_folder(const fs::path& folder) {
-  const int descriptor = ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (descriptor < 0) return;
-  ::fsync(descriptor);
-  ::close(descriptor);
-}
 
 /// One block as it stands in a file; ok is false with the reason in `problem`.
 struct Block {
@@ -87,40 +77,23 @@ fs::path find_file(const fs::path& path) {
 
 }  // namespace
 
-struct TrialLogWriter::Impl {
-  fs::path path, part;
-  int descriptor = -1;
+struct TrialLogWriter::Impl : OpenPart {
+  using OpenPart::OpenPart;
   std::uint32_t blocks = 0;
   std::int64_t ticks = 0;
   bool intubation = false;  ///< of the trial, by its header
   std::string pending;      ///< encoded ticks of the block being filled
-
-  [[noreturn]] void fail(const std::string& what, const std::string& mend) const {
-    throw TrialLogError("trial log " + part.string() + ": " + what + " (" + system_reason() + "); " + mend);
-  }
-
-  void write_all(const std::string& bytes) {
-    std::size_t done = 0;
-    while (done < bytes.size()) {
-      const ssize_t wrote = ::write(descriptor, bytes.data() + done, bytes.size() - done);
-      if (wrote < 0 && errno == EINTR) continue;
-      if (wrote < 0) fail("cannot be written", "free some space on the disk; what was written before is kept");
-      done += static_cast<std::size_t>(wrote);
-    }
-  }
 
   void flush_ticks() {
     if (pending.empty()) return;
     const std::string bytes = block("TICK", blocks, pending);
     pending.clear();
     write_all(bytes);
-    ++blocks;
+    if (++blocks % kBlocksPerSync == 0) sync();
   }
 };
 
-TrialLogWriter::TrialLogWriter(const fs::path& path, const LogHeader& header) : impl_(std::make_unique<Impl>()) {
-  impl_->path = path;
-  impl_->part = part_of(path);
+TrialLogWriter::TrialLogWriter(const fs::path& path, const LogHeader& header) : impl_(std::make_unique<Impl>(path)) {
   std::string json;
   try {
     json = header_to_json(header);
@@ -129,14 +102,13 @@ TrialLogWriter::TrialLogWriter(const fs::path& path, const LogHeader& header) : 
   }
   impl_->intubation = header.has_intubation;
   impl_->pending.reserve(kTicksPerBlock * tick_bytes(header.has_intubation));
-  impl_->descriptor = ::open(impl_->part.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
+  impl_->descriptor = ::open(impl_->part.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0644);
   if (impl_->descriptor < 0) impl_->fail("cannot be created", "check that its folder exists and may be written to");
-  try {
-    impl_->write_all(file_head() + block("HEAD", impl_->blocks++, json));
-  } catch (...) {
-    ::close(impl_->descriptor);
-    throw;
-  }
+  if (!impl_->lock()) impl_->fail("is being written by another trial", "choose another folder");
+  if (::ftruncate(impl_->descriptor, 0) != 0 && errno != EINVAL) impl_->fail("cannot be written", "check the disk");
+  impl_->write_all(file_head() + block("HEAD", impl_->blocks++, json));
+  impl_->sync();
+  sync_folder(path.parent_path());
 }
 
 TrialLogWriter::~TrialLogWriter() {
@@ -146,7 +118,6 @@ TrialLogWriter::~TrialLogWriter() {
   } catch (const TrialLogError&) {
     // The disk is full or gone: the blocks before are kept, and a destructor has nobody to tell.
   }
-  ::close(impl_->descriptor);
 }
 
 void TrialLogWriter::append(const LogTick& tick) {
@@ -172,20 +143,11 @@ void TrialLogWriter::close(const LogFooter& footer) {
   }
   log.flush_ticks();
   log.write_all(block("FOOT", log.blocks++, json));
-  if (::fsync(log.descriptor) != 0) log.fail("cannot be synced to the disk", "check the disk");
-  const int descriptor = log.descriptor;
-  log.descriptor = -1;
-  if (::close(descriptor) != 0) log.fail("cannot be closed", "check the disk");
-  if (::rename(log.part.c_str(), log.path.c_str()) != 0) {
-    log.fail("cannot be renamed to " + log.path.string(), "the file is whole; rename it by hand");
-  }
-  sync_folder(log.path.parent_path());
+  log.finish();
 }
 
-TrialLog read_trial_log(const fs::path& given) {
-  const fs::path path = find_file(given);
+Reading read_blocks(const fs::path& path) {
   const std::string name = "trial log " + path.string() + ": ";
-  const bool may_be_cut = path.extension() == ".part";
   std::ifstream in(path, std::ios::binary);
   if (!in) throw TrialLogError(name + "cannot be opened; check the name and the permission");
 
@@ -201,10 +163,11 @@ TrialLog read_trial_log(const fs::path& given) {
                         std::to_string(kVersion) + "; use the Vallecula that wrote it");
   }
 
-  TrialLog log;
-  log.footer.ended = "interrupted";
-  std::uint32_t number = 0;
-  std::string problem;
+  Reading reading;
+  TrialLog& log = reading.log;
+  std::uint32_t& number = reading.blocks;
+  std::string& problem = reading.problem;
+  reading.bytes = head.size();
   bool footer_seen = false;
   try {
     while (problem.empty() && !footer_seen) {
@@ -233,25 +196,33 @@ TrialLog read_trial_log(const fs::path& given) {
       } else {
         problem = "a block's kind or length is unknown";
       }
-      if (problem.empty()) ++number;
+      if (problem.empty()) {
+        ++number;
+        reading.bytes += kBlockHeadBytes + block.payload.size() + kChecksumBytes;
+      }
     }
   } catch (const TrialLogError& error) {
     throw TrialLogError(name + error.what());
   }
-  if (problem.empty()) return log;
-
-  const std::string where =
-      ", after block " + std::to_string(number) + " (" + std::to_string(log.ticks.size()) + " ticks)";
   if (number == 0) {
     throw TrialLogError(name + "is damaged in its header (" + problem + "): nothing can be recovered; use a copy");
   }
-  if (!may_be_cut) {
-    throw TrialLogError(name + "is damaged: " + problem + where +
-                        "; use a copy, or rename it to end in .part to recover the ticks before the damage");
+  if (!problem.empty()) {
+    log.footer = LogFooter{};
+    log.footer.ended = "interrupted";
   }
-  log.footer = LogFooter{};
-  log.footer.ended = "interrupted";
-  return log;
+  return reading;
+}
+
+TrialLog read_trial_log(const fs::path& given) {
+  const fs::path path = find_file(given);
+  Reading reading = read_blocks(path);
+  if (!reading.problem.empty() && path.extension() != ".part") {
+    throw TrialLogError("trial log " + path.string() + ": is damaged: " + reading.problem + ", after block " +
+                        std::to_string(reading.blocks) + " (" + std::to_string(reading.log.ticks.size()) +
+                        " ticks); use a copy, or rename it to end in .part to recover the ticks before the damage");
+  }
+  return std::move(reading.log);
 }
 
 }  // namespace vallecula::curricula

@@ -162,7 +162,8 @@ class TrialLogError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Appends ticks in checksummed blocks to PATH.part; close() writes the footer, syncs and renames to PATH.
+/// Appends ticks in checksummed blocks to PATH.part, which it holds locked and syncs every second or so; close() writes
+/// the footer, syncs and renames to PATH. A PATH.part that another trial is writing is an error.
 class TrialLogWriter {
  public:
   TrialLogWriter(const std::filesystem::path& path, const LogHeader& header);
@@ -179,5 +180,17 @@ class TrialLogWriter {
 
 /// Reads a log (a .vtrial file, a .part left by a crash, or the folder that holds trial.vtrial). Throws TrialLogError.
 TrialLog read_trial_log(const std::filesystem::path& path);
+
+enum class CutLog {
+  nothing,        ///< there is neither PATH nor a tick in PATH.part, which is removed
+  being_written,  ///< its writer lives
+  whole,          ///< PATH is there, closed by its writer
+  kept            ///< PATH.part has become PATH
+};
+/// Makes the log of a writer that was cut off (killed, power cut) a whole one: PATH.part is cut after its last whole
+/// block and gets a footer that says so (complete is false, ended "interrupted"), then the name PATH. What is recorded
+/// before stays as it is, to the byte. May be cut off itself and done again. Throws TrialLogError: the header is damaged
+/// (PATH.part stays), the disk is full.
+CutLog close_cut_log(const std::filesystem::path& path);
 
 }  // namespace vallecula::curricula

@@ -34,4 +34,14 @@ std::vector<CusumPoint> cusum(const CusumRule& rule, const std::vector<bool>& su
   return points;
 }
 
+int trials_to_consecutive(const std::vector<bool>& successes, int n) {
+  if (n < 1) throw std::invalid_argument("successes in a row: 1 or more");
+  int in_a_row = 0;
+  for (std::size_t i = 0; i < successes.size(); ++i) {
+    in_a_row = successes[i] ? in_a_row + 1 : 0;
+    if (in_a_row == n) return static_cast<int>(i) + 1;
+  }
+  return -1;
+}
+
 }  // namespace vallecula::curricula

@@ -37,4 +37,7 @@ CusumLines cusum_lines(const CusumRule& rule);
 /// for ever for first failures, and a relapse after competence is seen as soon as a first lapse would be.
 std::vector<CusumPoint> cusum(const CusumRule& rule, const std::vector<bool>& successes);
 
+/// Trials up to and with the n-th success in a row; -1: not reached. Throws std::invalid_argument for n < 1.
+int trials_to_consecutive(const std::vector<bool>& successes, int n);
+
 }  // namespace vallecula::curricula

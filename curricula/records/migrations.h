@@ -1,42 +1,31 @@
 // The records' schema, step by step (private to the library).
 #pragma once
 
+#include <QString>
 #include <vector>
+
+#include "curricula/records/connection.h"
 
 namespace vallecula::curricula {
 
+/// One statement in SQLite's words. Types and keys are put into PostgreSQL's by in_dialect(); what is said quite
+/// otherwise there has its own text.
+struct Statement {
+  Statement(const char* in_sqlite, const char* in_postgres = nullptr)  // NOLINT: a text is a statement
+      : sqlite(in_sqlite), postgres(in_postgres) {}
+  const char* sqlite;
+  const char* postgres;  ///< null: translated
+};
+
 /// Step i brings schema version i to i + 1: SQL statements run in one transaction. A step that has been in use is never
 /// edited; a change is a new step at the end.
-inline const std::vector<std::vector<const char*>>& record_migrations() {
-  static const std::vector<std::vector<const char*>> steps = {
-      {"CREATE TABLE trials ("
-       "id INTEGER PRIMARY KEY AUTOINCREMENT, "
-       "finished_utc TEXT NOT NULL, "
-       "curriculum_id TEXT NOT NULL, "
-       "scenario_id TEXT NOT NULL, "
-       "device_kind TEXT NOT NULL, "
-       "trial_path TEXT NOT NULL, "
-       "complete INTEGER NOT NULL, "
-       "passed INTEGER NOT NULL, "
-       "reasons TEXT NOT NULL, "  // JSON array
-       "peak_tongue_force_n REAL NOT NULL, "
-       "time_of_peak_tongue_force_s REAL NOT NULL, "
-       "time_to_trachea_visible_s REAL, "  // NULL: never in sight
-       "glottis_visible_max_percent REAL NOT NULL, "
-       "peak_gum_force_n REAL NOT NULL, "
-       "time_of_peak_gum_force_s REAL NOT NULL, "
-       "attempt_time_s REAL NOT NULL, "
-       "attempt_start_s REAL NOT NULL, "
-       "time_over_force_limit_s REAL NOT NULL, "
-       "time_over_target_s REAL NOT NULL, "
-       "loop_rate_hz REAL NOT NULL, "
-       "deadline_misses INTEGER NOT NULL, "
-       "ticks INTEGER NOT NULL)"},
-      {"CREATE INDEX trials_by_time ON trials (finished_utc)"},
-      {"ALTER TABLE trials ADD COLUMN outcome TEXT",  // NULL: a trial without an intubation
-       "ALTER TABLE trials ADD COLUMN lowest_spo2_percent REAL"},
-  };
-  return steps;
-}
+const std::vector<std::vector<Statement>>& record_migrations();
+
+QString in_dialect(const Statement& statement, Dialect dialect);
+
+/// Brings the database to the newest schema. Everything in one transaction that shuts other writers out: two programs
+/// that start together do not both migrate, and a failure leaves the database as it was. Throws RecordsError, also for
+/// a schema of the future.
+void migrate(Connection& connection);
 
 }  // namespace vallecula::curricula

@@ -3,72 +3,18 @@
 #include <QDateTime>
 #include <QJsonArray>
 #include <QJsonDocument>
-#include <QSqlDatabase>
-#include <QSqlError>
-#include <QSqlQuery>
 #include <QVariant>
-#include <atomic>
+#include <filesystem>
 
+#include "curricula/records/connection.h"
 #include "curricula/records/migrations.h"
+#include "curricula/records/random_id.h"
+#include "curricula/records/trial_rows.h"
 
 namespace vallecula::curricula {
 namespace {
 
 QString text(const std::string& s) { return QString::fromStdString(s); }
-
-[[noreturn]] void fail(const QSqlDatabase& db, const std::string& what, const QSqlError& error,
-                       const std::string& mend) {
-  throw RecordsError("records " + db.databaseName().toStdString() + ": " + what + " (" +
-                     error.text().trimmed().toStdString() + "); " + mend);
-}
-
-constexpr const char* kCheckFile =
-    "check that the file is Vallecula's, that its folder may be written to, and the disk";
-
-void run(QSqlQuery& query, const QSqlDatabase& db, const char* what) {
-  if (!query.exec()) fail(db, what, query.lastError(), kCheckFile);
-}
-
-void run(const QSqlDatabase& db, const QString& sql, const char* what) {
-  QSqlQuery query(db);
-  if (!query.exec(sql)) fail(db, what, query.lastError(), kCheckFile);
-}
-
-int single_number(const QSqlDatabase& db, const QString& sql, const char* what) {
-  QSqlQuery query(db);
-  if (!query.exec(sql) || !query.next()) fail(db, what, query.lastError(), kCheckFile);
-  return query.value(0).toInt();
-}
-
-/// Brings the file to the newest schema. Everything in one transaction that shuts other writers out: two programs that
-/// start together do not both migrate, and a failure leaves the file as it was.
-void migrate(const QSqlDatabase& db) {
-  const auto& steps = record_migrations();
-  const int newest = static_cast<int>(steps.size());
-  run(db, "BEGIN IMMEDIATE", "cannot be locked for writing");
-  try {
-    run(db, "CREATE TABLE IF NOT EXISTS schema_version (version INTEGER NOT NULL)", "cannot be written");
-    const bool fresh = single_number(db, "SELECT COUNT(*) FROM schema_version", "cannot be read") == 0;
-    if (fresh) run(db, "INSERT INTO schema_version (version) VALUES (0)", "cannot be written");
-    const int found = single_number(db, "SELECT version FROM schema_version", "cannot be read");
-    if (found < 0 || found > newest) {
-      throw RecordsError("records " + db.databaseName().toStdString() + ": has schema " + std::to_string(found) +
-                         ", this version knows up to " + std::to_string(newest) +
-                         "; use the newer Vallecula that wrote it, or another file");
-    }
-    for (int version = found; version < newest; ++version) {
-      for (const char* sql : steps[static_cast<std::size_t>(version)])
-        run(db, sql, "cannot be brought to the newest schema");
-    }
-    if (found != newest) {
-      run(db, "UPDATE schema_version SET version = " + QString::number(newest), "cannot be written");
-    }
-    run(db, "COMMIT", "cannot be written");
-  } catch (...) {
-    QSqlQuery(db).exec("ROLLBACK");
-    throw;
-  }
-}
 
 QString reasons_to_json(const std::vector<std::string>& reasons) {
   QJsonArray list;
@@ -76,124 +22,199 @@ QString reasons_to_json(const std::vector<std::string>& reasons) {
   return QString::fromUtf8(QJsonDocument(list).toJson(QJsonDocument::Compact));
 }
 
-}  // namespace
-
-Records::Records(const std::filesystem::path& database) {
-  static std::atomic<unsigned> count{0};
-  connection_ = "vallecula-records-" + std::to_string(count++);
-  if (!QSqlDatabase::isDriverAvailable("QSQLITE")) {
-    throw RecordsError("records: Qt's SQLite driver is missing; install the package libqt5sql5-sqlite");
-  }
-  if (!database.parent_path().empty()) {
-    std::error_code error;
-    std::filesystem::create_directories(database.parent_path(), error);
-    if (error) {
-      throw RecordsError("records " + database.string() + ": its folder cannot be made (" + error.message() +
-                         "); check the permission");
-    }
-  }
-  try {
-    QSqlDatabase db = QSqlDatabase::addDatabase("QSQLITE", text(connection_));
-    db.setDatabaseName(text(database.string()));
-    db.setConnectOptions("QSQLITE_BUSY_TIMEOUT=5000");
-    if (!db.open()) fail(db, "cannot be opened", db.lastError(), kCheckFile);
-    run(db, "PRAGMA journal_mode = WAL", "cannot be opened");
-    migrate(db);
-  } catch (...) {
-    QSqlDatabase::removeDatabase(text(connection_));
-    throw;
-  }
+void must_be_a_time(const char* name, const std::string& value) {
+  if (!QDateTime::fromString(text(value), Qt::ISODate).isValid())
+    throw RecordsError(std::string("records: ") + name + " '" + value + "' is not an ISO 8601 time");
 }
 
-Records::~Records() { QSqlDatabase::removeDatabase(text(connection_)); }
+constexpr const char* kNotRecorded = "the trial could not be recorded";
+
+long long insert_trial(Connection& connection, const RecordRow& row, const std::string& uid) {
+  const Score& s = row.score;
+  std::vector<std::pair<const char*, QVariant>> columns = {
+      {"uid", bound(uid)},
+      {"trainee_id", bound_id(row.trainee_id)},
+      {"started_utc", bound(row.started_utc)},
+      {"finished_utc", bound(row.finished_utc)},
+      {"curriculum_id", bound(row.curriculum_id)},
+      {"scenario_id", bound(row.scenario_id)},
+      {"device_kind", bound(row.device_kind)},
+      {"trial_path", bound(row.trial_path)},
+      {"station", bound(connection.location().station)},
+      {"log_sha256", bound(row.log_sha256)},
+      {"complete", static_cast<int>(s.complete)},  // PostgreSQL takes no truth value for a number
+      {"passed", static_cast<int>(s.passed)},
+      {"reasons", reasons_to_json(s.reasons)},
+      {"peak_tongue_force_n", s.peak_tongue_force_n},
+      {"time_of_peak_tongue_force_s", s.time_of_peak_tongue_force_s},
+      {"time_to_trachea_visible_s",
+       bound(s.time_to_trachea_visible_s < 0.0 ? std::nullopt : std::optional(s.time_to_trachea_visible_s))},
+      {"glottis_visible_max_percent", s.glottis_visible_max_percent},
+      {"peak_gum_force_n", s.peak_gum_force_n},
+      {"time_of_peak_gum_force_s", s.time_of_peak_gum_force_s},
+      {"attempt_time_s", s.attempt_time_s},
+      {"attempt_start_s", s.attempt_start_s},
+      {"time_over_force_limit_s", s.time_over_force_limit_s},
+      {"time_over_target_s", s.time_over_target_s},
+      {"loop_rate_hz", s.loop_rate_hz},
+      {"deadline_misses", static_cast<qlonglong>(s.deadline_misses)},
+      {"ticks", static_cast<qlonglong>(s.ticks)},
+  };
+  if (s.intubation) {  // NULL: a trial without one
+    const IntubationScore& tube = *s.intubation;
+    const Attempt* decisive = tube.decisive();
+    columns.emplace_back("outcome", QString(name_of(tube.outcome)));
+    columns.emplace_back("lowest_spo2_percent", bound(tube.lowest_spo2_percent));
+    columns.emplace_back("lowest_heart_per_min", bound(tube.lowest_heart_per_min));
+    columns.emplace_back("attempts", static_cast<int>(tube.attempts.size()));
+    columns.emplace_back("time_to_pass_s", bound(decisive != nullptr ? decisive->time_to_pass_s : std::nullopt));
+  }
+  QStringList names, marks;
+  QVariantList values;
+  for (const auto& [name, value] : columns) {
+    names << name;
+    marks << "?";
+    values << value;
+  }
+  QSqlQuery query =
+      connection.run("INSERT INTO trials (" + names.join(", ") + ") VALUES (" + marks.join(", ") + ") RETURNING id",
+                     values, kNotRecorded);
+  query.next();
+  return query.value(0).toLongLong();
+}
+
+}  // namespace
+
+Records::Records(const RecordsLocation& location) : connection_(std::make_unique<Connection>(location)) {
+  migrate(*connection_);
+}
+
+Records::~Records() = default;
+
+std::string Records::begin(const OpenTrial& trial) {
+  must_be_a_time("started_utc", trial.started_utc);
+  const std::string uid = random_id();
+  connection_->write([&] {
+    // The same uid twice: the first try was committed and its answer lost.
+    connection_->run(
+        "INSERT INTO open_trials (uid, started_utc, curriculum_id, scenario_id, device_kind, log_path, station, "
+        "trainee_id) "
+        "VALUES (?, ?, ?, ?, ?, ?, ?, ?) ON CONFLICT (uid) DO NOTHING",
+        {bound(uid), bound(trial.started_utc), bound(trial.curriculum_id), bound(trial.scenario_id),
+         bound(trial.device_kind), bound(std::filesystem::absolute(trial.log_path).string()),
+         bound(connection_->location().station), bound_id(trial.trainee_id)},
+        "the trial could not be registered");
+  });
+  return uid;
+}
+
+void Records::moved(const std::string& uid, const std::filesystem::path& log) {
+  connection_->write([&] {
+    connection_->run("UPDATE open_trials SET log_path = ? WHERE uid = ?",
+                     {bound(std::filesystem::absolute(log).string()), bound(uid)});
+  });
+}
+
+void Records::abandon(const std::string& uid) {
+  connection_->write([&] { connection_->run("DELETE FROM open_trials WHERE uid = ?", {bound(uid)}); });
+}
+
+std::vector<OpenTrial> Records::open_trials() const {
+  std::vector<OpenTrial> trials;
+  connection_->read([&] {
+    trials.clear();
+    QSqlQuery query = connection_->run("SELECT * FROM open_trials WHERE station = ? ORDER BY started_utc, uid",
+                                       {bound(connection_->location().station)}, Connection::kCannotBeRead);
+    while (query.next()) {
+      const auto word = [&](const char* column) { return query.value(column).toString().toStdString(); };
+      trials.push_back({word("uid"), word("started_utc"), word("curriculum_id"), word("scenario_id"),
+                        word("device_kind"), word("log_path"), query.value("trainee_id").toLongLong()});
+    }
+  });
+  return trials;
+}
 
 long long Records::add(const RecordRow& row) {
-  const QSqlDatabase db = QSqlDatabase::database(text(connection_));
-  if (!QDateTime::fromString(text(row.finished_utc), Qt::ISODate).isValid()) {
-    throw RecordsError("records: finished_utc '" + row.finished_utc + "' is not an ISO 8601 time");
-  }
-  const Score& s = row.score;
-  QSqlQuery query(db);
-  query.prepare(
-      "INSERT INTO trials (finished_utc, curriculum_id, scenario_id, device_kind, trial_path, complete, passed, "
-      "reasons, "
-      "peak_tongue_force_n, time_of_peak_tongue_force_s, time_to_trachea_visible_s, glottis_visible_max_percent, "
-      "peak_gum_force_n, time_of_peak_gum_force_s, attempt_time_s, attempt_start_s, time_over_force_limit_s, "
-      "time_over_target_s, loop_rate_hz, deadline_misses, ticks, outcome, lowest_spo2_percent) "
-      "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
-  for (const std::string* field :
-       {&row.finished_utc, &row.curriculum_id, &row.scenario_id, &row.device_kind, &row.trial_path}) {
-    query.addBindValue(field->empty() ? QString("") : text(*field));  // a null QString would be stored as NULL
-  }
-  query.addBindValue(s.complete);
-  query.addBindValue(s.passed);
-  query.addBindValue(reasons_to_json(s.reasons));
-  query.addBindValue(s.peak_tongue_force_n);
-  query.addBindValue(s.time_of_peak_tongue_force_s);
-  query.addBindValue(s.time_to_trachea_visible_s < 0.0 ? QVariant(QVariant::Double)
-                                                       : QVariant(s.time_to_trachea_visible_s));
-  query.addBindValue(s.glottis_visible_max_percent);
-  query.addBindValue(s.peak_gum_force_n);
-  query.addBindValue(s.time_of_peak_gum_force_s);
-  query.addBindValue(s.attempt_time_s);
-  query.addBindValue(s.attempt_start_s);
-  query.addBindValue(s.time_over_force_limit_s);
-  query.addBindValue(s.time_over_target_s);
-  query.addBindValue(s.loop_rate_hz);
-  query.addBindValue(static_cast<qlonglong>(s.deadline_misses));
-  query.addBindValue(static_cast<qlonglong>(s.ticks));
-  query.addBindValue(s.intubation ? QVariant(name_of(s.intubation->outcome)) : QVariant(QVariant::String));
-  query.addBindValue(s.intubation && s.intubation->lowest_spo2_percent ? QVariant(*s.intubation->lowest_spo2_percent)
-                                                                       : QVariant(QVariant::Double));
-  run(query, db, "the trial could not be recorded");
-  return query.lastInsertId().toLongLong();
+  must_be_a_time("finished_utc", row.finished_utc);
+  if (!row.started_utc.empty()) must_be_a_time("started_utc", row.started_utc);
+  const std::string uid = row.uid.empty() ? random_id() : row.uid;
+  long long id = 0;
+  connection_->write([&] {
+    QSqlQuery known = connection_->run("SELECT id FROM trials WHERE uid = ?", {bound(uid)}, Connection::kCannotBeRead);
+    if (known.next()) {
+      id = known.value(0).toLongLong();
+      return;
+    }
+    if (!row.uid.empty() &&
+        connection_->run("DELETE FROM open_trials WHERE uid = ?", {bound(uid)}).numRowsAffected() == 0) {
+      throw RecordsError(
+          "records " + connection_->location().shown() +
+          ": the trial is not among those begun: its trainee was deleted meanwhile, so nothing of it is kept");
+    }
+    id = insert_trial(*connection_, row, uid);
+  });
+  return id;
 }
 
 std::vector<RecordRow> Records::newest(int count) const {
-  const QSqlDatabase db = QSqlDatabase::database(text(connection_));
-  QSqlQuery query(db);
-  query.prepare("SELECT * FROM trials ORDER BY finished_utc DESC, id DESC LIMIT ?");
-  query.addBindValue(count > 0 ? count : 0);
-  run(query, db, "cannot be read");
+  return trial_rows(*connection_, "trainee_id IS NULL ORDER BY finished_utc DESC, id DESC LIMIT ?",
+                    {count > 0 ? count : 0});
+}
+
+std::vector<RecordRow> trial_rows(Connection& connection, const QString& where, const QVariantList& values) {
   std::vector<RecordRow> rows;
-  while (query.next()) {
-    const auto word = [&](const char* column) { return query.value(column).toString().toStdString(); };
-    const auto number = [&](const char* column) { return query.value(column).toDouble(); };
-    const auto whole = [&](const char* column) { return query.value(column).toLongLong(); };
-    RecordRow row;
-    row.id = whole("id");
-    row.finished_utc = word("finished_utc");
-    row.curriculum_id = word("curriculum_id");
-    row.scenario_id = word("scenario_id");
-    row.device_kind = word("device_kind");
-    row.trial_path = word("trial_path");
-    Score& s = row.score;
-    s.complete = whole("complete") != 0;
-    s.passed = whole("passed") != 0;
-    for (const QJsonValue& reason : QJsonDocument::fromJson(query.value("reasons").toByteArray()).array()) {
-      s.reasons.push_back(reason.toString().toStdString());
+  connection.read([&] {
+    rows.clear();
+    QSqlQuery query = connection.run("SELECT * FROM trials WHERE " + where, values, Connection::kCannotBeRead);
+    while (query.next()) {
+      const auto word = [&](const char* column) { return query.value(column).toString().toStdString(); };
+      const auto number = [&](const char* column) { return query.value(column).toDouble(); };
+      const auto whole = [&](const char* column) { return query.value(column).toLongLong(); };
+      RecordRow row;
+      row.id = whole("id");
+      row.uid = word("uid");
+      row.trainee_id = whole("trainee_id");
+      row.started_utc = word("started_utc");
+      row.finished_utc = word("finished_utc");
+      row.curriculum_id = word("curriculum_id");
+      row.scenario_id = word("scenario_id");
+      row.device_kind = word("device_kind");
+      row.trial_path = word("trial_path");
+      row.station = word("station");
+      row.log_sha256 = word("log_sha256");
+      Score& s = row.score;
+      s.complete = whole("complete") != 0;
+      s.passed = whole("passed") != 0;
+      for (const QJsonValue& reason : QJsonDocument::fromJson(query.value("reasons").toByteArray()).array()) {
+        s.reasons.push_back(reason.toString().toStdString());
+      }
+      s.peak_tongue_force_n = number("peak_tongue_force_n");
+      s.time_of_peak_tongue_force_s = number("time_of_peak_tongue_force_s");
+      const QVariant visible = query.value("time_to_trachea_visible_s");
+      s.time_to_trachea_visible_s = visible.isNull() ? -1.0 : visible.toDouble();
+      s.glottis_visible_max_percent = number("glottis_visible_max_percent");
+      s.peak_gum_force_n = number("peak_gum_force_n");
+      s.time_of_peak_gum_force_s = number("time_of_peak_gum_force_s");
+      s.attempt_time_s = number("attempt_time_s");
+      s.attempt_start_s = number("attempt_start_s");
+      s.time_over_force_limit_s = number("time_over_force_limit_s");
+      s.time_over_target_s = number("time_over_target_s");
+      s.loop_rate_hz = number("loop_rate_hz");
+      s.deadline_misses = whole("deadline_misses");
+      s.ticks = whole("ticks");
+      if (const auto outcome = outcome_named(word("outcome"))) {
+        const auto known = [&](const char* column) {
+          return query.value(column).isNull() ? std::nullopt : std::optional(number(column));
+        };
+        s.intubation.emplace().outcome = *outcome;
+        s.intubation->lowest_spo2_percent = known("lowest_spo2_percent");
+        s.intubation->lowest_heart_per_min = known("lowest_heart_per_min");
+        row.attempts = static_cast<int>(whole("attempts"));
+        row.time_to_pass_s = known("time_to_pass_s");
+      }
+      rows.push_back(row);
     }
-    s.peak_tongue_force_n = number("peak_tongue_force_n");
-    s.time_of_peak_tongue_force_s = number("time_of_peak_tongue_force_s");
-    const QVariant visible = query.value("time_to_trachea_visible_s");
-    s.time_to_trachea_visible_s = visible.isNull() ? -1.0 : visible.toDouble();
-    s.glottis_visible_max_percent = number("glottis_visible_max_percent");
-    s.peak_gum_force_n = number("peak_gum_force_n");
-    s.time_of_peak_gum_force_s = number("time_of_peak_gum_force_s");
-    s.attempt_time_s = number("attempt_time_s");
-    s.attempt_start_s = number("attempt_start_s");
-    s.time_over_force_limit_s = number("time_over_force_limit_s");
-    s.time_over_target_s = number("time_over_target_s");
-    s.loop_rate_hz = number("loop_rate_hz");
-    s.deadline_misses = whole("deadline_misses");
-    s.ticks = whole("ticks");
-    if (const auto outcome = outcome_named(word("outcome"))) {
-      s.intubation.emplace().outcome = *outcome;
-      const QVariant lowest = query.value("lowest_spo2_percent");
-      if (!lowest.isNull()) s.intubation->lowest_spo2_percent = lowest.toDouble();
-    }
-    rows.push_back(row);
-  }
+  });
   return rows;
 }
 

@@ -102,6 +102,7 @@ int run_headless(const TrialSetup& setup, bool json) {
   if (script != nullptr && script->faults_too_late() > 0)
     spdlog::warn("{} of the script's faults would begin after its last row, where the trial ends: give it a later row",
                  script->faults_too_late());
+  for (const std::string& notice : session.notices()) spdlog::warn("{}", notice);
   for (const std::string& misfit : misfits(session.package(), session.scenario())) spdlog::warn("{}", misfit);
   spdlog::info("scene built; {} with {} begins", session.scenario().id, setup.device);
   session.start();

@@ -12,6 +12,7 @@
 #include "gui/pages/main_window.h"
 #include "gui/pages/window_application.h"
 #include "gui/session/device_choice.h"
+#include "gui/session/trial_record.h"
 #include "gui/session/user_paths.h"
 
 namespace vallecula::gui {
@@ -35,6 +36,7 @@ std::vector<curricula::Curriculum> curricula_to_choose_from() {
 }
 
 int run_window(const std::function<void(MainWindow&)>& opened) {
+  for (const std::string& told : tidy_records()) spdlog::warn("{}", told);
   auto curricula = curricula_to_choose_from();
   WindowApplication application;
   MainWindow window;

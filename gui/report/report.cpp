@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <vector>
 
+#include "curricula/records/trial_files.h"
 #include "gui/report/figure_row.h"
 #include "gui/report/intubation_report.h"
 #include "gui/report/markdown.h"
 #include "gui/report/monitor_chart.h"
 #include "gui/session/files.h"
-#include "gui/session/results_folder.h"
 
 namespace vallecula::gui {
 
@@ -154,7 +154,7 @@ void write_report(const fs::path& folder, const curricula::TrialLog& log, const 
       "again.</p>\n";
   if (const std::string debriefing = html_of(scenario.debriefing).toStdString(); !debriefing.empty())
     html += "<h2>Debriefing</h2>\n" + debriefing + "\n";
-  const std::vector<fs::path> shots = screenshots_in(folder);
+  const std::vector<fs::path> shots = curricula::screenshots_in(folder);
   if (!shots.empty()) {
     html += "<h2>Pictures</h2>\n<div class=\"shots\">\n";
     for (const fs::path& shot : shots) {

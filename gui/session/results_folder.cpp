@@ -2,37 +2,18 @@
 
 #include <unistd.h>
 
-#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <stdexcept>
 #include <string>
 #include <system_error>
+#include <vector>
+
+#include "curricula/records/trial_files.h"
 
 namespace vallecula::gui {
 
 namespace fs = std::filesystem;
-
-std::vector<fs::path> screenshots_in(const fs::path& folder) {
-  std::vector<fs::path> pictures;
-  std::error_code error;
-  for (const auto& entry : fs::directory_iterator(folder, error)) {
-    const std::string name = entry.path().filename().string();
-    const bool ours = name.rfind("operator-", 0) == 0 || name.rfind("sagittal-", 0) == 0;
-    if (ours && entry.path().extension() == ".png" && entry.is_regular_file()) pictures.push_back(entry.path());
-  }
-  std::sort(pictures.begin(), pictures.end());
-  return pictures;
-}
-
-std::vector<fs::path> ResultsFolder::results() const {
-  std::vector<fs::path> files = screenshots_in(folder_);
-  for (const fs::path& file :
-       {score_json(), report(), force_plot(), fault_csv(), tool(), unfinished_log(), log()}) {
-    if (fs::exists(fs::symlink_status(file))) files.push_back(file);
-  }
-  return files;
-}
 
 ResultsFolder::ResultsFolder(const fs::path& folder) : folder_(fs::absolute(folder).lexically_normal()) {
   if (folder.empty()) throw std::runtime_error("no folder for the results was given");
@@ -52,7 +33,7 @@ ResultsFolder::ResultsFolder(const fs::path& folder) : folder_(fs::absolute(fold
                              "); choose one you may write to");
   }
   const bool holds_trial = fs::exists(log()) || fs::exists(unfinished_log());
-  const std::vector<fs::path> present = results();
+  const std::vector<fs::path> present = curricula::files_of_trial(log());
   if (!holds_trial && !present.empty()) {
     throw std::runtime_error(name + ": holds a " + present.front().filename().string() +
                              " that is no earlier trial's and would be overwritten; choose another folder");
@@ -76,7 +57,7 @@ ResultsFolder::~ResultsFolder() {
 }
 
 void ResultsFolder::remove_older_trial() const {
-  for (const fs::path& file : results()) {
+  for (const fs::path& file : curricula::files_of_trial(log())) {
     std::error_code error;
     fs::remove(file, error);
     if (error) {

@@ -32,13 +32,8 @@ class ResultsFolder {
   const std::filesystem::path& folder() const { return folder_; }
 
  private:
-  std::vector<std::filesystem::path> results() const;  ///< existing files of the names a trial writes, the log last
-
   std::filesystem::path folder_;
   std::vector<std::filesystem::path> created_;  ///< innermost first
 };
-
-/// operator-*.png and sagittal-*.png of a results folder, by name.
-std::vector<std::filesystem::path> screenshots_in(const std::filesystem::path& folder);
 
 }  // namespace vallecula::gui

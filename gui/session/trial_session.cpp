@@ -1,13 +1,11 @@
 #include "gui/session/trial_session.h"
 
-#include <QDateTime>
 #include <chrono>
 #include <exception>
 #include <stdexcept>
 #include <system_error>
 #include <thread>
 
-#include "curricula/records/records.h"
 #include "curricula/trial_log.h"
 #include "engine/haptics/runner.h"
 #include "gui/report/force_chart.h"
@@ -20,6 +18,7 @@
 #include "gui/session/results_folder.h"
 #include "gui/session/scene_from_package.h"
 #include "gui/session/trial_header.h"
+#include "gui/session/trial_record.h"
 #include "gui/session/two_hands.h"
 #include "gui/session/user_paths.h"
 
@@ -67,7 +66,7 @@ struct TrialSession::Impl {
   void run_at_full_speed();
   void discard_log();
   void keep_log_of_reset();
-  void add_record(const curricula::TrialLog& log, const curricula::Score& score, const fs::path& file);
+  void add_record(const curricula::Score& score, const fs::path& file);
   curricula::LogHeader header() const;
   curricula::LogFooter footer(bool complete, const std::string& how) const;
   TrialOutcome finish(const std::string& how);
@@ -84,6 +83,8 @@ struct TrialSession::Impl {
   std::unique_ptr<TwoHands> hands;
   std::unique_ptr<engine::Runner> runner;
   std::unique_ptr<curricula::TrialLogWriter> writer;
+  TrialRecord record_row;
+  std::vector<std::string> notices;  ///< of what was cut off before
   std::thread worker;  ///< real time: empties the ring; else: runs the scene as well
 
   std::atomic<bool> stop_asked{false};
@@ -112,7 +113,7 @@ TrialSession::Impl::Impl(const TrialSetup& given)
   }
   const HandsSetup held{setup.device, setup.second, setup.own_device, setup.own_second_device};
   hands = std::make_unique<TwoHands>(held, package, scenario, description);
-  { const curricula::Records opens(records_database()); }  // a database that cannot be used is named before the trial
+  notices = tidy_records();
   scene = engine::build_scene(description);
   make_runner();
 }
@@ -176,6 +177,7 @@ void TrialSession::Impl::start() {
   results.remove_older_trial();
   writer = std::make_unique<curricula::TrialLogWriter>(results.log(), header());
   if (!tool_ply.empty()) write_file_whole(results.tool(), tool_ply);
+  record_row.begin({"", "", curriculum.id, scenario.id, hands->kind(), results.log(), setup.trainee_id});
   recorded = 0;
   ended_by.clear();
   failure = nullptr;
@@ -248,26 +250,16 @@ void TrialSession::Impl::run_at_full_speed() {
 
 void TrialSession::Impl::discard_log() {
   writer.reset();
+  record_row.abandon();
   std::error_code ignored;
   fs::remove(results.unfinished_log(), ignored);
   if (!tool_ply.empty()) fs::remove(results.tool(), ignored);
 }
 
-void TrialSession::Impl::add_record(const curricula::TrialLog& log, const curricula::Score& score, const fs::path& file) {
-  curricula::RecordRow row;
-  row.finished_utc = QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString();
-  row.curriculum_id = curriculum.id;
-  row.scenario_id = scenario.id;
-  row.device_kind = log.header.device_kind;
+void TrialSession::Impl::add_record(const curricula::Score& score, const fs::path& file) {
   // A record must still find its trial when the folder has been put in place.
-  row.trial_path = (setup.final_out.empty() ? results.folder() : fs::absolute(setup.final_out)) / file.filename();
-  row.score = score;
-  try {
-    curricula::Records(records_database()).add(row);
-  } catch (const std::exception& error) {
-    throw std::runtime_error(std::string(error.what()) + " (the trial's results are whole, in " +
-                             results.folder().string() + ")");
-  }
+  const fs::path folder = setup.final_out.empty() ? results.folder() : fs::absolute(setup.final_out);
+  record_row.add(score, file, folder / file.filename());
 }
 
 // A reset begins anew; it does not undo what was done: the attempt stays, scored, beside the next one.
@@ -287,10 +279,11 @@ void TrialSession::Impl::keep_log_of_reset() {
     kept = results.folder() / ("before-reset-" + std::to_string(n) + ".vtrial");
   keep_fault(fs::path(kept).replace_extension(".fault.csv"));
   fs::rename(results.log(), kept);
+  record_row.moved(kept);
   // Its own, since tool.ply goes with the next trial in this folder. Moved last: a log without one takes tool.ply.
   if (!tool_ply.empty()) fs::rename(results.tool(), own_tool_file(kept));
   const curricula::TrialLog log = curricula::read_trial_log(kept);
-  add_record(log, curricula::score_trial(log, scenario), kept);
+  add_record(curricula::score_trial(log, scenario), kept);
 }
 
 TrialOutcome TrialSession::Impl::finish(const std::string& how) {
@@ -315,7 +308,7 @@ TrialOutcome TrialSession::Impl::finish(const std::string& how) {
   write_force_chart(outcome.force_plot, log, scenario, outcome.score);
   write_report(results.folder(), log, scenario, outcome.score);
 
-  add_record(log, outcome.score, outcome.log);
+  add_record(outcome.score, outcome.log);
   return outcome;
 }
 
@@ -325,6 +318,7 @@ TrialSession::~TrialSession() = default;
 const pipeline::PatientPackage& TrialSession::package() const { return impl_->package; }
 const curricula::Scenario& TrialSession::scenario() const { return impl_->scenario; }
 const engine::SceneDescription& TrialSession::scene() const { return impl_->description; }
+const std::vector<std::string>& TrialSession::notices() const { return impl_->notices; }
 device::HapticDevice& TrialSession::device() { return impl_->hands->device(); }
 device::HapticDevice* TrialSession::second_device() { return impl_->hands->second_device(); }
 HandActions& TrialSession::actions() { return impl_->hands->actions(); }

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "curricula/scenario.h"
 #include "curricula/score/score.h"
@@ -34,6 +35,7 @@ struct TrialSetup {
   /// A device of the caller's own, made anew where a script would be; empty: by the name above.
   std::function<std::unique_ptr<device::HapticDevice>()> own_device, own_second_device;
   bool realtime = true;             ///< false: as fast as it goes, servo and simulation in lockstep on one thread
+  long long trainee_id = 0;         ///< whose trial it is, by the records; 0: nobody's
   std::filesystem::path final_out;  ///< where the caller will move `out` to once all is whole; empty: it stays
 };
 
@@ -55,6 +57,8 @@ class TrialSession {
   const pipeline::PatientPackage& package() const;
   const curricula::Scenario& scenario() const;
   const engine::SceneDescription& scene() const;  ///< m, LPS: tool mesh, soft mesh, surfaces as the engine has them
+  /// What became of trials that were cut off before this one, a sentence each.
+  const std::vector<std::string>& notices() const;
   device::HapticDevice& device();  ///< a mouse device is fed through this (dynamic_cast to device::MouseDevice)
   /// Of the tube's hand; null: device() takes blade and tube in turn (takes_turns), or there is no tube.
   device::HapticDevice* second_device();

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 #include <stdexcept>
 
 namespace vallecula::curricula {
@@ -63,6 +64,42 @@ TEST(Cusum, RefusesRulesThatDecideNothing) {
                                 CusumRule{std::nan(""), 0.4}, CusumRule{0.2, 0.4, 0.1, std::nan("")}})
     EXPECT_THROW(cusum_lines(rule), std::invalid_argument);
   EXPECT_TRUE(cusum({}, {}).empty());
+}
+
+/// In print in many places for p0 = 0.1, p1 = 0.2, alpha = beta = 0.1: s = 0.145, h0 = h1 = 2.71.
+TEST(Cusum, LinesAgreeWithATableInPrint) {
+  const CusumLines lines = cusum_lines({0.1, 0.2, 0.1, 0.1});
+  EXPECT_NEAR(lines.step, 0.145, 5e-4);
+  EXPECT_NEAR(lines.lower, -2.71, 5e-3);
+}
+
+/// Wald: whoever fails at p0 is called deficient first in about alpha of all cases, at p1 competent in about beta; the
+/// overshoot makes it rarer. 0.02 is three standard errors of 2,000 runs and more.
+TEST(Cusum, ErrsAsOftenAsItSays) {
+  std::mt19937 random(7);
+  for (const double p : {0.2, 0.4}) {
+    std::bernoulli_distribution succeeds(1.0 - p);
+    int wrong = 0;
+    for (int run = 0; run < 2000; ++run) {
+      std::vector<bool> successes;
+      for (int i = 0; i < 400; ++i) successes.push_back(succeeds(random));
+      CusumVerdict first = CusumVerdict::undecided;
+      for (const CusumPoint& point : cusum({}, successes))
+        if (first == CusumVerdict::undecided) first = point.verdict;
+      ASSERT_NE(first, CusumVerdict::undecided) << "400 trials decide";
+      wrong += first == (p == 0.2 ? CusumVerdict::deficient : CusumVerdict::competent) ? 1 : 0;
+    }
+    EXPECT_LT(wrong / 2000.0, 0.1 + 0.02) << p;
+    EXPECT_GT(wrong / 2000.0, 0.04) << p;
+  }
+}
+
+TEST(Cusum, CountsToSuccessesInARow) {
+  EXPECT_EQ(trials_to_consecutive({true, false, true, true, true, false}, 3), 5);
+  EXPECT_EQ(trials_to_consecutive({true, true, false, true, true}, 3), -1);
+  EXPECT_EQ(trials_to_consecutive({true}, 1), 1);
+  EXPECT_EQ(trials_to_consecutive({}, 1), -1);
+  EXPECT_THROW(trials_to_consecutive({true}, 0), std::invalid_argument);
 }
 
 }  // namespace

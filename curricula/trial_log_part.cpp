@@ -1,0 +1,87 @@
+#include "curricula/trial_log_part.h"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+
+#include "curricula/trial_log_format.h"
+
+namespace vallecula::curricula {
+
+namespace fs = std::filesystem;
+
+void sync_folder(const fs::path& folder) {
+  const int descriptor = ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor < 0) return;
+  ::fsync(descriptor);
+  ::close(descriptor);
+}
+
+OpenPart::~OpenPart() {
+  if (descriptor >= 0) ::close(descriptor);
+}
+
+void OpenPart::fail(const std::string& what, const std::string& mend) const {
+  throw TrialLogError("trial log " + part.string() + ": " + what + " (" + std::strerror(errno) + "); " + mend);
+}
+
+bool OpenPart::lock() const { return ::flock(descriptor, LOCK_EX | LOCK_NB) == 0; }
+
+void OpenPart::write_all(const std::string& bytes) {
+  std::size_t done = 0;
+  while (done < bytes.size()) {
+    const ssize_t wrote = ::write(descriptor, bytes.data() + done, bytes.size() - done);
+    if (wrote < 0 && errno == EINTR) continue;
+    if (wrote < 0) fail("cannot be written", "free some space on the disk; what was written before is kept");
+    done += static_cast<std::size_t>(wrote);
+  }
+}
+
+void OpenPart::sync() {
+  if (::fdatasync(descriptor) != 0 && errno != EINVAL && errno != EROFS)  // devices and pipes have nothing to sync
+    fail("cannot be synced to the disk", "check the disk");
+}
+
+void OpenPart::finish() {
+  sync();
+  if (::rename(part.c_str(), path.c_str()) != 0)
+    fail("cannot be renamed to " + path.string(), "the file is whole; rename it by hand");
+  sync_folder(path.parent_path());
+  ::close(descriptor);
+  descriptor = -1;
+}
+
+CutLog close_cut_log(const fs::path& path) {
+  OpenPart cut(path);
+  cut.descriptor = ::open(cut.part.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
+  if (cut.descriptor < 0) {
+    if (errno != ENOENT && errno != ENOTDIR) cut.fail("cannot be opened", "check its permission");
+    std::error_code error;
+    return fs::exists(path, error) ? CutLog::whole : CutLog::nothing;
+  }
+  if (!cut.lock()) return CutLog::being_written;
+  struct stat opened {
+  }, there{};
+  const bool same = ::fstat(cut.descriptor, &opened) == 0 && ::stat(cut.part.c_str(), &there) == 0 &&
+                    opened.st_ino == there.st_ino && opened.st_dev == there.st_dev;
+  if (!same) return CutLog::being_written;  // its writer has just given it its own name
+  const Reading reading = read_blocks(cut.part);
+  if (reading.log.ticks.empty()) {
+    ::unlink(cut.part.c_str());
+    return CutLog::nothing;
+  }
+  if (!reading.problem.empty()) {
+    const auto ticks = static_cast<std::int64_t>(reading.log.ticks.size());
+    if (::ftruncate(cut.descriptor, static_cast<off_t>(reading.bytes)) != 0)
+      cut.fail("cannot be cut", "check the disk");
+    cut.write_all(log_format::block("FOOT", reading.blocks, log_format::footer_to_json(reading.log.footer, ticks)));
+  }
+  cut.finish();
+  return CutLog::kept;
+}
+
+}  // namespace vallecula::curricula

@@ -1,0 +1,89 @@
+#include "gui/session/trial_record.h"
+
+#include <QDateTime>
+#include <cmath>
+#include <cstdlib>
+#include <stdexcept>
+
+#include "curricula/records/personal_data.h"
+#include "curricula/records/recovery.h"
+#include "gui/session/user_paths.h"
+#include "gui/session/user_settings.h"
+
+namespace vallecula::gui {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string now_utc() { return QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString(); }
+
+}  // namespace
+
+curricula::RecordsLocation records_location() {
+  const char* variable = std::getenv("VALLECULA_RECORDS");
+  std::string setting = variable != nullptr ? variable : "";
+  if (setting.empty()) setting = user_settings()->value("records/location").toString().toStdString();
+  curricula::RecordsLocation location =
+      setting.empty() ? curricula::RecordsLocation(records_database()) : curricula::RecordsLocation::parse(setting);
+  location.station = curricula::station_id(user_data_folder());
+  return location;
+}
+
+std::vector<std::string> tidy_records() {
+  std::vector<std::string> told;
+  curricula::Records records(records_location());
+  for (const curricula::RecoveredTrial& trial : curricula::recover_trials(records)) {
+    if (!trial.problem.empty())
+      told.push_back("a trial that was cut off could not be kept: " + trial.problem);
+    else if (trial.complete)
+      told.push_back("a finished trial that was cut off from its record has it now: " + trial.log.string());
+    else
+      told.push_back("a trial that was cut off is kept as interrupted, up to second " +
+                     std::to_string(static_cast<long long>(std::floor(trial.recorded_s))) + ": " + trial.log.string());
+  }
+  for (const std::string& left : curricula::delete_pending_files(records).left)
+    told.push_back("a deleted person's files are still there: " + left);
+  return told;
+}
+
+void TrialRecord::begin(curricula::OpenTrial trial) {
+  trial.started_utc = now_utc();
+  trial.uid = curricula::Records(records_location()).begin(trial);
+  trial_ = std::move(trial);
+}
+
+void TrialRecord::moved(const fs::path& log) { curricula::Records(records_location()).moved(trial_.uid, log); }
+
+void TrialRecord::abandon() noexcept {
+  if (trial_.uid.empty()) return;
+  try {
+    curricula::Records(records_location()).abandon(trial_.uid);
+  } catch (const std::exception&) {
+    // As told at the declaration.
+  }
+  trial_.uid.clear();
+}
+
+void TrialRecord::add(const curricula::Score& score, const fs::path& log, const fs::path& final_path) {
+  curricula::RecordRow row;
+  row.uid = trial_.uid;
+  row.trainee_id = trial_.trainee_id;
+  row.started_utc = trial_.started_utc;
+  row.finished_utc = now_utc();
+  row.curriculum_id = trial_.curriculum_id;
+  row.scenario_id = trial_.scenario_id;
+  row.device_kind = trial_.device_kind;
+  row.trial_path = final_path;
+  row.log_sha256 = curricula::log_sha256(log);
+  row.score = score;
+  try {
+    curricula::Records(records_location()).add(row);
+  } catch (const std::exception& error) {
+    throw std::runtime_error(std::string(error.what()) + " (the trial's results are whole, in " +
+                             log.parent_path().string() + ")");
+  }
+  trial_.uid.clear();
+}
+
+}  // namespace vallecula::gui

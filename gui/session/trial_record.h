@@ -1,0 +1,37 @@
+// A trial's way into the records: registered before its first tick, so that it is found again whatever happens.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "curricula/records/records.h"
+
+namespace vallecula::gui {
+
+/// Where the records are: $VALLECULA_RECORDS, else `records/location` in settings.ini, else records.sqlite in the
+/// user's data folder. Throws std::runtime_error.
+curricula::RecordsLocation records_location();
+
+/// What a program does with the records when it starts: opens them (a database that cannot be used is named before
+/// anything is practised), keeps trials that were cut off, deletes files of people deleted elsewhere. One sentence each
+/// for a person. Throws std::runtime_error.
+std::vector<std::string> tidy_records();
+
+/// One trial of this program. The calls may come from different threads, one at a time.
+class TrialRecord {
+ public:
+  /// Its log has been created at trial.log_path; trial.uid and trial.started_utc are filled in here.
+  void begin(curricula::OpenTrial trial);
+  /// The log, closed, is at `log` now.
+  void moved(const std::filesystem::path& log);
+  /// The trial leaves nothing behind. Nothing is thrown: what is left open is cleared at the next start.
+  void abandon() noexcept;
+  /// Durable when it returns. `final_path`: where the log will be found. Throws std::runtime_error.
+  void add(const curricula::Score& score, const std::filesystem::path& log, const std::filesystem::path& final_path);
+
+ private:
+  curricula::OpenTrial trial_;
+};
+
+}  // namespace vallecula::gui
