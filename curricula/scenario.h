@@ -28,11 +28,11 @@ struct ManikinSpec {
   double weight_kg = 3.2;
   unsigned seed = 1;
   // Not given: what the seed draws, or the usual for the weight.
-  std::optional<double> gestation_weeks;    ///< sets the way from the cords to the carina
-  std::optional<double> mouth_opening;      ///< factor on the usual, 22 mm between the gums at term
-  std::optional<double> tongue_size;        ///< factor on its width and height
-  std::optional<double> larynx_height_mm;   ///< to the head; in a term infant, a smaller one's is as much smaller
-  std::optional<double> epiglottis_length;  ///< factor
+  std::optional<double> gestation_weeks{};    ///< sets the way from the cords to the carina
+  std::optional<double> mouth_opening{};      ///< factor on the usual, 22 mm between the gums at term
+  std::optional<double> tongue_size{};        ///< factor on its width and height
+  std::optional<double> larynx_height_mm{};   ///< to the head; in a term infant, a smaller one's is as much smaller
+  std::optional<double> epiglottis_length{};  ///< factor
 };
 
 struct Targets {                      ///< training targets, never injury limits

@@ -81,7 +81,7 @@ struct TrialLogWriter::Impl : OpenPart {
   using OpenPart::OpenPart;
   std::uint32_t blocks = 0;
   std::int64_t ticks = 0;
-  bool intubation = false;  ///< of the trial, by its header
+  bool events = false, intubation = false;  ///< of the trial, by its header
   std::string pending;      ///< encoded ticks of the block being filled
 
   void flush_ticks() {
@@ -100,6 +100,7 @@ TrialLogWriter::TrialLogWriter(const fs::path& path, const LogHeader& header) : 
   } catch (const TrialLogError& error) {
     throw TrialLogError("trial log " + path.string() + ": header: " + error.what());
   }
+  impl_->events = header.has_events;
   impl_->intubation = header.has_intubation;
   impl_->pending.reserve(kTicksPerBlock * tick_bytes(header.has_intubation));
   impl_->descriptor = ::open(impl_->part.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0644);
@@ -130,6 +131,17 @@ void TrialLogWriter::append(const LogTick& tick) {
   put_tick(impl_->pending, tick);
   ++impl_->ticks;
   if (impl_->pending.size() >= kTicksPerBlock * tick_bytes(impl_->intubation)) impl_->flush_ticks();
+}
+
+void TrialLogWriter::append(const LogEvent& event) {
+  Impl& log = *impl_;
+  if (log.descriptor < 0) throw TrialLogError("trial log " + log.path.string() + ": is closed already");
+  if (!log.events || event.tick < 0 || event.tick >= log.ticks) {
+    throw TrialLogError("trial log " + log.path.string() + ": event of tick " + std::to_string(event.tick) +
+                        (log.events ? ": that tick has not been written" : ", but its header names no events"));
+  }
+  log.flush_ticks();
+  log.write_all(block("EVNT", log.blocks++, event_to_json(event)));
 }
 
 void TrialLogWriter::close(const LogFooter& footer) {
@@ -181,6 +193,14 @@ Reading read_blocks(const fs::path& path) {
       } else if (block.kind == "TICK" && block.payload.size() % tick_bytes(log.header.has_intubation) == 0) {
         for (std::size_t at = 0; at < block.payload.size(); at += tick_bytes(log.header.has_intubation)) {
           log.ticks.push_back(get_tick(block.payload.data() + at, log.header.has_intubation));
+        }
+      } else if (block.kind == "EVNT" && log.header.has_events) {
+        const LogEvent event = event_from_json(block.payload);
+        if (event.tick >= static_cast<std::int64_t>(log.ticks.size()) ||
+            (!log.events.empty() && event.tick < log.events.back().tick)) {
+          problem = "an event is out of order";
+        } else {
+          log.events.push_back(event);
         }
       } else if (block.kind == "FOOT") {
         std::int64_t ticks = 0;

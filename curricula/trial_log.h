@@ -78,6 +78,15 @@ struct LogIntubation {
   std::uint32_t faults = 0;
 };
 
+/// What happened beside the hands: the dual task. Reaction times are differences of ticks.
+struct LogEvent {
+  enum class Kind : std::uint8_t { shown = 0, answered, silenced };
+  std::int64_t tick = 0;  ///< of the tick that was the newest then
+  Kind kind = Kind::shown;
+  int distraction = 0;    ///< of the scenario, counted from 1
+  int answer = 0;         ///< that was chosen, counted from 1; 0 where none was
+};
+
 /// One servo tick. The same fields as engine::TickRecord; curricula knows no engine, so they are written out here.
 struct LogTick {
   std::int64_t tick = 0;
@@ -117,8 +126,8 @@ constexpr char kHeadExtension[] = "head_extension_deg";
 
 /// Everything that must be known to understand and to repeat the trial. No identity of patient or trainee.
 struct LogHeader {
-  int schema = 1;  ///< as read; written: 3 with an intubation, 2 with a tool of its own, which older
-                   ///< readers must not miss
+  int schema = 1;  ///< as read; written: 4 with events, 3 with an intubation, 2 with a tool of its own, which
+                   ///< older readers must not miss
   std::string software_version;
   std::string build_hash;              ///< of the program that wrote it
   std::string instruction_set;         ///< kernels' level, for instance "x86-64"
@@ -130,6 +139,7 @@ struct LogHeader {
   std::string scenario_yaml;           ///< the scenario's text: scoring needs no other file
   std::string scenario_sha256;
   std::string tool_sha256;             ///< of tool.ply beside the log; empty: the scenario's blade
+  bool has_events = false;             ///< of the scenario's distractions; without it there can be none
   bool has_intubation = false;         ///< its ticks have the second half; settings then hold kCordsToCarina
   std::string device_kind;             ///< scores are never pooled across kinds
   double servo_period_s = 0.001;
@@ -154,6 +164,7 @@ struct LogFooter {
 struct TrialLog {
   LogHeader header;
   std::vector<LogTick> ticks;
+  std::vector<LogEvent> events;  ///< by growing tick
   LogFooter footer;
 };
 
@@ -171,6 +182,8 @@ class TrialLogWriter {
   TrialLogWriter(const TrialLogWriter&) = delete;
   TrialLogWriter& operator=(const TrialLogWriter&) = delete;
   void append(const LogTick& tick);
+  /// Not before the tick it names has been appended. The ticks before it go to the file as well.
+  void append(const LogEvent& event);
   void close(const LogFooter& footer);
 
  private:

@@ -3,9 +3,10 @@
 //   "\x89VTRIAL\n"  u32 format version
 //   blocks:  kind (4 letters)  u32 number (0, 1, 2, ...)  u32 payload bytes  payload  u32 CRC-32 of all that
 //     HEAD   JSON, the first block
-//     TICK   whole ticks of tick_bytes() each: LogTick's fields in their order; where the header's schema is 3 those
-//            of LogIntubation follow, in theirs. Enumerations and truth values are one byte, counts and bits four,
+//     TICK   whole ticks of tick_bytes() each: LogTick's fields in their order; where the header says that there is an
+//            intubation (schema 3, or the field of schema 4) those of LogIntubation follow, in theirs. Enumerations and truth values are one byte, counts and bits four,
 //            tick and steps eight.
+//     EVNT   JSON, one event; only where the header's schema is 4
 //     FOOT   JSON with the number of ticks, the last block
 //
 // Doubles are stored as their 64 bits, so a log gives back exactly what was measured, NaN included.
@@ -52,6 +53,8 @@ LogTick get_tick(const char* bytes, bool intubation);
 /// JSON texts. The getters throw TrialLogError (without the file's name) naming the field that is missing or wrong.
 std::string header_to_json(const LogHeader& header);
 LogHeader header_from_json(const std::string& json);
+std::string event_to_json(const LogEvent& event);
+LogEvent event_from_json(const std::string& json);
 std::string footer_to_json(const LogFooter& footer, std::int64_t ticks);
 LogFooter footer_from_json(const std::string& json, std::int64_t& ticks);
 

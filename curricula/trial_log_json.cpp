@@ -2,12 +2,16 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "curricula/trial_log_format.h"
 
 namespace vallecula::curricula::log_format {
 namespace {
+
+constexpr std::array<const char*, 3> kEventKinds{"shown", "answered", "silenced"};  ///< by LogEvent::Kind
 
 double finite_or_throw(double value, const std::string& name) {
   if (!std::isfinite(value)) throw TrialLogError("'" + name + "' is not a finite number and cannot be stored");
@@ -52,7 +56,8 @@ void check_depth_is_known(const LogHeader& header) {
 
 std::string header_to_json(const LogHeader& header) {
   QJsonObject o;
-  o["schema"] = header.has_intubation ? 3 : header.tool_sha256.empty() ? 1 : 2;
+  o["schema"] = header.has_events ? 4 : header.has_intubation ? 3 : header.tool_sha256.empty() ? 1 : 2;
+  if (header.has_events) o["has_intubation"] = header.has_intubation;
   o["software_version"] = text(header.software_version);
   o["build_hash"] = text(header.build_hash);
   o["instruction_set"] = text(header.instruction_set);
@@ -86,11 +91,12 @@ LogHeader header_from_json(const std::string& json) {
   const QJsonObject o = parse_object(json);
   LogHeader header;
   header.schema = static_cast<int>(get_integer(o, "schema"));
-  if (header.schema < 1 || header.schema > 3) {
+  if (header.schema < 1 || header.schema > 4) {
     throw TrialLogError("its schema is " + std::to_string(header.schema) +
-                        ", this version reads 1 to 3; use the newer Vallecula");
+                        ", this version reads 1 to 4; use the newer Vallecula");
   }
-  header.has_intubation = header.schema == 3;
+  header.has_events = header.schema == 4;
+  header.has_intubation = header.schema == 3 || (header.has_events && get_bool(o, "has_intubation"));
   header.software_version = get_text(o, "software_version");
   header.build_hash = get_text(o, "build_hash");
   header.instruction_set = get_text(o, "instruction_set");
@@ -118,6 +124,30 @@ LogHeader header_from_json(const std::string& json) {
     header.landmarks_m[it.key().toStdString()] = {c[0].toDouble(), c[1].toDouble(), c[2].toDouble()};
   }
   return header;
+}
+
+std::string event_to_json(const LogEvent& event) {
+  QJsonObject o;
+  o["tick"] = static_cast<qint64>(event.tick);
+  o["kind"] = kEventKinds[static_cast<std::size_t>(event.kind)];
+  o["distraction"] = event.distraction;
+  o["answer"] = event.answer;
+  return compact(o);
+}
+
+LogEvent event_from_json(const std::string& json) {
+  const QJsonObject o = parse_object(json);
+  LogEvent event;
+  event.tick = get_integer(o, "tick");
+  const std::string kind = get_text(o, "kind");
+  const auto known = std::find(kEventKinds.begin(), kEventKinds.end(), kind);
+  if (known == kEventKinds.end()) throw TrialLogError("an event's kind '" + kind + "' is unknown");
+  event.kind = static_cast<LogEvent::Kind>(known - kEventKinds.begin());
+  event.distraction = static_cast<int>(get_integer(o, "distraction"));
+  event.answer = static_cast<int>(get_integer(o, "answer"));
+  if (event.tick < 0 || event.distraction < 1 || event.answer < 0)
+    throw TrialLogError("an event's tick, distraction or answer is out of range");
+  return event;
 }
 
 std::string footer_to_json(const LogFooter& footer, std::int64_t ticks) {

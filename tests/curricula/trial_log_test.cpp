@@ -192,6 +192,50 @@ TEST_F(TrialLogFile, AnIntubationIsSchema3AndAnotherKindOfTickIsRefused) {
   }
 }
 
+TEST_F(TrialLogFile, EventsStandBetweenTheTicksTheyNameAndOutliveACut) {
+  std::mt19937_64 random(5);
+  for (const bool intubation : {false, true}) {
+    LogHeader header;
+    header.has_events = true;
+    header.has_intubation = intubation;
+    header.settings[kCordsToCarina] = 0.04;
+    {
+      TrialLogWriter log(path(), header);
+      for (int i = 0; i < 3; ++i) log.append(random_tick(random, intubation));
+      log.append(LogEvent{1, LogEvent::Kind::shown, 2, 0});
+      log.append(LogEvent{2, LogEvent::Kind::answered, 2, 3});
+      EXPECT_NE(error_of<TrialLogError>([&] {
+                  log.append(LogEvent{3, LogEvent::Kind::silenced, 1, 0});
+                }).find("has not been written"),
+                std::string::npos);
+    }  // cut off: what stands in the part is all there is
+    const TrialLog log = read_trial_log(part());
+    EXPECT_EQ(log.header.schema, 4) << "older programs must not miss them";
+    EXPECT_EQ(log.header.has_intubation, intubation);
+    ASSERT_EQ(log.ticks.size(), 3u);
+    ASSERT_EQ(log.events.size(), 2u);
+    EXPECT_EQ(log.events[0].kind, LogEvent::Kind::shown);
+    EXPECT_EQ(log.events[1].kind, LogEvent::Kind::answered);
+    EXPECT_EQ(log.events[1].tick, 2);
+    EXPECT_EQ(log.events[1].distraction, 2);
+    EXPECT_EQ(log.events[1].answer, 3);
+  }
+  TrialLogWriter log(path(), LogHeader{});
+  log.append(random_tick(random));
+  EXPECT_NE(error_of<TrialLogError>([&] {
+              log.append(LogEvent{0, LogEvent::Kind::shown, 1, 0});
+            }).find("names no events"),
+            std::string::npos);
+  EXPECT_NE(error_of<TrialLogError>([] {
+              log_format::event_from_json(R"({"tick":1,"kind":"sung","distraction":1,"answer":0})");
+            }).find("'sung' is unknown"),
+            std::string::npos);
+  EXPECT_NE(error_of<TrialLogError>([] {
+              log_format::event_from_json(R"({"tick":1,"kind":"shown","distraction":0,"answer":0})");
+            }).find("out of range"),
+            std::string::npos);
+}
+
 TEST_F(TrialLogFile, AnIntubationsDepthMustBeKnown) {
   for (const double wrong : {0.0, -0.05}) {
     LogHeader header = sample_header(true);
@@ -211,12 +255,14 @@ TEST_F(TrialLogFile, WhatAnIntubationDoesNotKnowIsRefused) {
   std::string good;
   log_format::put_tick(good, tick);
   ASSERT_EQ(good.size(), kTickWithIntubation);
-  // Places by the layout: pose 56, valid 1, in hand 1, tip and direction 48, place 1, side 1, ... what is before the tip 276.
+  // Places by the layout: pose 56, valid 1, in hand 1, tip and direction 48, place 1, side 1, ... what is before the
+  // tip 276.
   const struct {
     std::size_t at;
     int first_unknown;
     const char* what;
-  } cases[] = {{57, 3, "thing in hand"}, {106, 6, "place"}, {107, 2, "main bronchus"}, {276, 11, "thing before the tip"}};
+  } cases[] = {
+      {57, 3, "thing in hand"}, {106, 6, "place"}, {107, 2, "main bronchus"}, {276, 11, "thing before the tip"}};
   for (const auto& c : cases) {
     std::string bytes = good;
     bytes[kTick + c.at] = static_cast<char>(c.first_unknown - 1);
