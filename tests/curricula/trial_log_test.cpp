@@ -168,8 +168,8 @@ TEST_F(TrialLogFile, AToolOfItsOwnIsNamedByItsHashAndOldLogsHaveNone) {
   json.replace(json.find("tool_sha256"), 11, "tool_sha999");
   EXPECT_THROW(log_format::header_from_json(json), TrialLogError);
   json = log_format::header_to_json(header);
-  json.replace(json.find("\"schema\":2"), 10, "\"schema\":4");
-  EXPECT_NE(error_of<TrialLogError>([&] { log_format::header_from_json(json); }).find("reads 1 to 3; use the newer"),
+  json.replace(json.find("\"schema\":2"), 10, "\"schema\":5");
+  EXPECT_NE(error_of<TrialLogError>([&] { log_format::header_from_json(json); }).find("reads 1 to 4; use the newer"),
             std::string::npos);
 }
 
