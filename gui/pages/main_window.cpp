@@ -15,6 +15,7 @@
 #include "gui/import/import_wizard.h"
 #include "gui/pages/background.h"
 #include "gui/pages/devices_page.h"
+#include "gui/pages/replay_page.h"
 #include "gui/pages/result_page.h"
 #include "gui/pages/trial_page.h"
 #include "gui/session/builtin_patient.h"
@@ -48,8 +49,10 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
   prepare_page_ = make_prepare_page();
   trial_ = new TrialPage(pages_);
   result_ = new ResultPage(pages_);
+  replay_ = new ReplayPage(pages_);
   for (QWidget* page : {static_cast<QWidget*>(start_), static_cast<QWidget*>(devices_), static_cast<QWidget*>(import_),
-                        prepare_page_, static_cast<QWidget*>(trial_), static_cast<QWidget*>(result_)})
+                        prepare_page_, static_cast<QWidget*>(trial_), static_cast<QWidget*>(result_),
+                        static_cast<QWidget*>(replay_)})
     pages_->addWidget(page);
   // The page that is seen says how small the window may be, not the largest of them all.
   const auto only_current_counts = [this] {
@@ -82,6 +85,7 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
     back_to_start();
   });
   connect(trial_, &TrialPage::finished, this, [this](const TrialOutcome& outcome) {
+    result_log_ = outcome.log;
     result_->show_outcome(outcome, scenario_, results_, misfits_);
     pages_->setCurrentWidget(result_);
     emit trial_finished(outcome);
@@ -91,6 +95,12 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
     if (again_) again_();
   });
   connect(result_, &ResultPage::left, this, &MainWindow::back_to_start);
+  connect(result_, &ResultPage::replay_wanted, this, [this](double at_s) { replay(result_log_, at_s); });
+  connect(replay_, &ReplayPage::left, this, &MainWindow::leave_replay);
+  connect(replay_, &ReplayPage::failed, this, [this](const QString& message) {
+    leave_replay();
+    emit replay_failed(message);
+  });
 }
 
 MainWindow::~MainWindow() {
@@ -239,6 +249,49 @@ void MainWindow::prepare(TrialSetup setup, std::function<std::filesystem::path()
       });
 }
 
+void MainWindow::replay(const std::filesystem::path& trial, double at_s, const std::filesystem::path& patient) {
+  if (worker_) return;
+  replay_from_result_ = pages_->currentWidget() == result_;
+  result_->tell("");
+  start_->set_message("");
+  cancelled_ = false;
+  prepare_stage_->setText("Reading the trial");
+  prepare_bar_->setValue(0);
+  pages_->setCurrentWidget(prepare_page_);
+  const auto failed = [this](const QString& message) {
+    if (replay_from_result_)
+      result_->tell(message);
+    else
+      start_->set_message(message);
+    leave_replay();
+    emit replay_failed(message);
+  };
+  worker_ = run_in_background<std::shared_ptr<ReplayTrial>>(
+      this,
+      [this, trial, patient] {
+        return open_replay(trial, patient,
+                           [this](const std::string& stage, double done) { report_progress(stage, done); });
+      },
+      [this, at_s, failed](std::shared_ptr<ReplayTrial> opened) {
+        pages_->setCurrentWidget(replay_);
+        try {
+          replay_->open(std::move(opened), std::max(0.0, at_s), at_s >= 0.0);
+        } catch (const std::exception& error) {
+          return failed(QString::fromUtf8(error.what()));
+        }
+        emit replay_opened();
+      },
+      [this, failed](const QString& message) { cancelled_ ? leave_replay() : failed(message); });
+}
+
+void MainWindow::leave_replay() {
+  replay_->close_replay();
+  if (replay_from_result_)
+    pages_->setCurrentWidget(result_);
+  else
+    back_to_start();
+}
+
 void MainWindow::report_progress(const std::string& stage, double fraction) {
   if (cancelled_) throw Cancelled();
   QMetaObject::invokeMethod(
@@ -271,6 +324,7 @@ QString MainWindow::page_name() const {
          : page == import_       ? "import"
          : page == prepare_page_ ? "prepare"
          : page == trial_        ? "trial"
+         : page == replay_       ? "replay"
                                  : "result";
 }
 
@@ -278,6 +332,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
   cancelled_ = true;
   import_->stop();
   trial_->close_trial();
+  replay_->close_replay();
   QMainWindow::closeEvent(event);
 }
 

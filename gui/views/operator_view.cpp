@@ -4,6 +4,7 @@
 #include <vtkLight.h>
 #include <vtkMath.h>
 #include <vtkNew.h>
+#include <vtkPlane.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 
@@ -43,6 +44,11 @@ OperatorView::OperatorView(QWidget* parent) : GlView(parent) {
   vtkNew<vtkLight> light;  // for the steel; tissue has its own lamps in its shader
   light->SetLightTypeToHeadlight();
   renderer()->AddLight(light);
+  connect(this, &GlView::camera_moved, this, [this] {
+    if (!look_) return;
+    move_lamp();
+    draw();
+  });
 }
 
 void OperatorView::show_patient(std::shared_ptr<PatientLook> look, const engine::TriangleMesh& tool,
@@ -74,7 +80,8 @@ void OperatorView::show_patient(std::shared_ptr<PatientLook> look, const engine:
   closeness_ = 0.0;
   blade_in_ = ghost_shown_ = false;
   since_aimed_.restart();
-  aim();
+  set_half(half_);
+  set_free_camera(false);
 }
 
 void OperatorView::update_from(const engine::Snapshot& snapshot) {
@@ -96,8 +103,52 @@ void OperatorView::update_from(const engine::Snapshot& snapshot) {
   aim();
 }
 
+void OperatorView::settle() {
+  const bool close = zoom_ == Zoom::mouth || (zoom_ == Zoom::automatic && blade_in_);
+  closeness_ = close ? 1.0 : 0.0;
+  aim();
+}
+
+void OperatorView::set_free_camera(bool on) {
+  free_camera_ = on;
+  set_mouse_camera(on);
+  aim();
+}
+
+void OperatorView::turn_camera(double right_deg, double up_deg) {
+  if (!look_ || !free_camera_) return;
+  auto* camera = renderer()->GetActiveCamera();
+  camera->Azimuth(-right_deg);
+  camera->Elevation(up_deg);
+  camera->OrthogonalizeViewUp();
+  renderer()->ResetCameraClippingRange();
+  move_lamp();
+}
+
+void OperatorView::set_half(bool on) {
+  half_ = on;
+  if (tissues_.empty()) return;
+  auto* skin = tissues_.front()->GetMapper();
+  skin->RemoveAllClippingPlanes();
+  if (!on) return;
+  vtkNew<vtkPlane> middle;
+  middle->SetOrigin(look_->framing.midline_x_mm, 0.0, 0.0);
+  middle->SetNormal(-1.0, 0.0, 0.0);
+  skin->AddClippingPlane(middle);
+}
+
+void OperatorView::move_lamp() {
+  for (const auto& actor : tissues_)
+    set_lamp(actor, renderer()->GetActiveCamera(), tool_->bulb_mm(), tool_->beam(), kLampStrength);
+}
+
 void OperatorView::aim() {
   if (!look_) return;
+  if (free_camera_) {
+    renderer()->ResetCameraClippingRange();
+    move_lamp();
+    return;
+  }
   const Framing& framing = look_->framing;
   const bool close = zoom_ == Zoom::mouth || (zoom_ == Zoom::automatic && blade_in_);
   const double elapsed = 1e-9 * static_cast<double>(since_aimed_.nsecsElapsed());
@@ -117,7 +168,7 @@ void OperatorView::aim() {
   camera->SetViewUp(up.x(), up.y(), up.z());
   camera->SetViewAngle(vtkMath::DegreesFromRadians(2.0 * std::atan(0.5 * across_mm_ / (at - eye).norm())));
   renderer()->ResetCameraClippingRange();
-  for (const auto& actor : tissues_) set_lamp(actor, camera, tool_->bulb_mm(), tool_->beam(), kLampStrength);
+  move_lamp();
 }
 
 engine::Vec3 OperatorView::screen_up() const {

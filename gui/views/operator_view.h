@@ -28,6 +28,15 @@ class OperatorView : public GlView {
   void update_from(const engine::Snapshot& snapshot);
   void set_zoom(Zoom zoom) { zoom_ = zoom; }
   Zoom zoom() const { return zoom_; }
+  /// As near as it is to be, without the way there: after a jump in time.
+  void settle();
+  /// True: the camera is the mouse's (VTK's trackball) and stays where it is put; false: back at the operator's eye.
+  void set_free_camera(bool on);
+  bool free_camera() const { return free_camera_; }
+  /// Turns a free camera about what it looks at, degrees.
+  void turn_camera(double right_deg, double up_deg);
+  /// Takes the patient's left half of the skin away, for a look from the side.
+  void set_half(bool on);
   bool ghost_shown() const { return ghost_shown_; }
   /// The blade's tip is past the gums.
   bool blade_in() const { return blade_in_; }
@@ -41,6 +50,7 @@ class OperatorView : public GlView {
 
  private:
   void aim();
+  void move_lamp();
   std::shared_ptr<PatientLook> look_;
   std::unique_ptr<ToolLook> tool_;
   std::unique_ptr<GhostLook> ghost_;
@@ -50,7 +60,7 @@ class OperatorView : public GlView {
   std::vector<vtkSmartPointer<vtkActor>> tissues_;
   Zoom zoom_ = Zoom::automatic;
   double closeness_ = 0.0, across_mm_ = 100.0;
-  bool ghost_shown_ = false, blade_in_ = false;
+  bool ghost_shown_ = false, blade_in_ = false, free_camera_ = false, half_ = false;
   QElapsedTimer since_aimed_;
 };
 

@@ -175,5 +175,20 @@ TEST_P(AnyRecords, ANoteStandsAtASecondOfATrial) {
   EXPECT_TRUE(notes.of_trial(c.boss, trial).empty());
 }
 
+TEST_P(AnyRecords, ANotesTrialIsFoundByItsLog) {
+  Class c(location());
+  c.add(c.kiwi_id, "2024-05-01T10:00:00Z", true);  // whose log's hash is not known
+  RecordRow row;
+  row.finished_utc = "2024-05-02T10:00:00Z";
+  row.curriculum_id = row.scenario_id = row.device_kind = "x";
+  row.trial_path = "/somewhere/trial.vtrial";
+  row.log_sha256 = "abc";
+  const long long trial = c.records.add(row);
+  const Notes notes(c.records);
+  EXPECT_EQ(notes.trial_of_log("abc"), trial);
+  EXPECT_EQ(notes.trial_of_log("abd"), 0);
+  EXPECT_EQ(notes.trial_of_log(""), 0);
+}
+
 }  // namespace
 }  // namespace vallecula::curricula::testing
