@@ -66,7 +66,7 @@ struct TrialSession::Impl {
   void run_at_full_speed();
   void discard_log();
   void keep_log_of_reset();
-  void add_record(const curricula::Score& score, const fs::path& file);
+  long long add_record(const curricula::TrialLog& log, const curricula::Score& score, const fs::path& file);
   curricula::LogHeader header() const;
   curricula::LogFooter footer(bool complete, const std::string& how) const;
   TrialOutcome finish(const std::string& how);
@@ -177,7 +177,8 @@ void TrialSession::Impl::start() {
   results.remove_older_trial();
   writer = std::make_unique<curricula::TrialLogWriter>(results.log(), header());
   if (!tool_ply.empty()) write_file_whole(results.tool(), tool_ply);
-  record_row.begin({"", "", curriculum.id, scenario.id, hands->kind(), results.log(), setup.trainee_id});
+  record_row.begin({"", "", curriculum.id, scenario.id, hands->kind(), results.log(), setup.trainee_id,
+                    curriculum.module_of(scenario.id)->id});
   recorded = 0;
   ended_by.clear();
   failure = nullptr;
@@ -256,10 +257,11 @@ void TrialSession::Impl::discard_log() {
   if (!tool_ply.empty()) fs::remove(results.tool(), ignored);
 }
 
-void TrialSession::Impl::add_record(const curricula::Score& score, const fs::path& file) {
+long long TrialSession::Impl::add_record(const curricula::TrialLog& log, const curricula::Score& score,
+                                         const fs::path& file) {
   // A record must still find its trial when the folder has been put in place.
   const fs::path folder = setup.final_out.empty() ? results.folder() : fs::absolute(setup.final_out);
-  record_row.add(score, file, folder / file.filename());
+  return record_row.add(log, scenario, score, file, folder / file.filename());
 }
 
 // A reset begins anew; it does not undo what was done: the attempt stays, scored, beside the next one.
@@ -283,7 +285,7 @@ void TrialSession::Impl::keep_log_of_reset() {
   // Its own, since tool.ply goes with the next trial in this folder. Moved last: a log without one takes tool.ply.
   if (!tool_ply.empty()) fs::rename(results.tool(), own_tool_file(kept));
   const curricula::TrialLog log = curricula::read_trial_log(kept);
-  add_record(curricula::score_trial(log, scenario), kept);
+  add_record(log, curricula::score_trial(log, scenario), kept);
 }
 
 TrialOutcome TrialSession::Impl::finish(const std::string& how) {
@@ -308,7 +310,7 @@ TrialOutcome TrialSession::Impl::finish(const std::string& how) {
   write_force_chart(outcome.force_plot, log, scenario, outcome.score);
   write_report(results.folder(), log, scenario, outcome.score);
 
-  add_record(outcome.score, outcome.log);
+  outcome.record_id = add_record(log, outcome.score, outcome.log);
   return outcome;
 }
 

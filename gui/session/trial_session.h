@@ -43,6 +43,7 @@ struct TrialOutcome {
   curricula::Score score;
   std::filesystem::path log, score_json, report, force_plot;
   std::string fault;  ///< in plain words, with the file its ticks are in; empty: none
+  long long record_id = 0;  ///< of its row: what a rating or a note is given to
 };
 
 /// Life: construct (loads and builds; may take a second) -> start -> poll latest()/finished -> finish. finish() is
