@@ -26,7 +26,7 @@ std::vector<fs::path> files_of_trial(const fs::path& log) {
                                    fs::path(log).replace_extension(".fault.csv")};
   if (log.filename() == "trial.vtrial") {
     candidates = screenshots_in(folder);
-    for (const char* name : {"score.json", "self-rating.json", "report.html", "force.png", "fault.csv", "tool.ply"})
+    for (const char* name : {"score.json", "report.html", "force.png", "fault.csv", "tool.ply"})
       candidates.push_back(folder / name);
   }
   candidates.push_back(log.string() + ".part");

@@ -281,7 +281,7 @@ void MainWindow::show_result() {
 
 void MainWindow::take_self_rating(const SelfRating& rating) {
   try {
-    keep_self_rating(outcome_.log, rating);  // before anything of the score is seen
+    keep_self_rating({}, outcome_.record_id, rating);  // before anything of the score is seen
   } catch (const std::exception& error) {
     rating_->set_message(QString::fromUtf8(error.what()));
     return;

@@ -1,7 +1,6 @@
 #include "gui/pages/module_words.h"
 
 #include <QStringList>
-#include <algorithm>
 
 namespace vallecula::gui {
 namespace {
@@ -58,9 +57,7 @@ QString why_closed(const curricula::Curriculum& curriculum, const std::vector<cu
         if (curriculum.modules[m].id == id && !progress[m].mastered && !missing.contains(title)) missing << title;
       }
   };
-  for (const curricula::Module& module : curriculum.modules)
-    if (std::find(module.scenarios.begin(), module.scenarios.end(), scenario_id) != module.scenarios.end())
-      ask_for(module.after);
+  if (const curricula::Module* module = curriculum.module_of(scenario_id)) ask_for(module->after);
   if (const curricula::Scenario* scenario = curriculum.find(scenario_id)) ask_for(scenario->after);
   return missing.isEmpty() ? QString() : "Opens after " + missing.join(" and ") + " is mastered.";
 }

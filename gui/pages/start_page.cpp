@@ -362,11 +362,8 @@ void StartPage::show_chosen() {
 void StartPage::show_scenario(const curricula::Scenario& scenario) {
   heading_->setText(QString::fromStdString(scenario.title));
   QString text = html_of(scenario.briefing) + "<p>" + passes_with(scenario).toHtmlEscaped() + "</p>";
-  const auto module = std::find_if(curriculum()->modules.begin(), curriculum()->modules.end(), [&](const auto& one) {
-    return std::count(one.scenarios.begin(), one.scenarios.end(), scenario.id) > 0;
-  });
-  if (module != curriculum()->modules.end()) {
-    const auto& progress = progress_[static_cast<std::size_t>(module - curriculum()->modules.begin())];
+  if (const curricula::Module* module = curriculum()->module_of(scenario.id)) {
+    const auto& progress = progress_[static_cast<std::size_t>(module - curriculum()->modules.data())];
     if (!watching())
       text += "<p>" + QString::fromStdString(module->title).toHtmlEscaped() + ": " +
               progress_line(*module, progress).toHtmlEscaped() + ".</p>";

@@ -23,6 +23,7 @@ PastResults past_results(const curricula::Who& who) {
     curricula::PastResult result;
     result.scenario_id = row.scenario_id;
     result.device_kind = row.device_kind;
+    result.mode = row.mode;
     result.passed = row.score.passed;
     result.attempts = std::max(1, row.attempts);
     results[row.curriculum_id].push_back(std::move(result));
