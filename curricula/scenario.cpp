@@ -136,6 +136,13 @@ const Scenario* Curriculum::find(const std::string& id) const {
   return found == scenarios.end() ? nullptr : &*found;
 }
 
+const Module* Curriculum::module_of(const std::string& scenario_id) const {
+  const auto found = std::find_if(modules.begin(), modules.end(), [&](const Module& module) {
+    return std::find(module.scenarios.begin(), module.scenarios.end(), scenario_id) != module.scenarios.end();
+  });
+  return found == modules.end() ? nullptr : &*found;
+}
+
 Curriculum load_curriculum(const std::filesystem::path& file) {
   int schema = 0;
   const YAML::Node document = checked_document(file, schema);

@@ -134,6 +134,7 @@ struct Curriculum {
   std::vector<Module> modules;        ///< each scenario belongs to one
   std::vector<Scenario> scenarios;
   const Scenario* find(const std::string& id) const;
+  const Module* module_of(const std::string& scenario_id) const;  ///< null: there is no such scenario
 };
 
 Curriculum load_curriculum(const std::filesystem::path& file);      ///< throws CurriculumError

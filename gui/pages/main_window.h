@@ -21,6 +21,8 @@ class DevicesPage;
 class ImportWizard;
 class ReplayPage;
 class ResultPage;
+class SelfRatingPage;
+struct SelfRating;
 class TrialPage;
 
 class MainWindow : public QMainWindow {
@@ -43,7 +45,7 @@ class MainWindow : public QMainWindow {
   StartPage& start_page() { return *start_; }
   ImportWizard& import_wizard() { return *import_; }
   DevicesPage& devices_page() { return *devices_; }
-  QString page_name() const;  ///< "start", "devices", "import", "prepare", "trial", "result", "replay"
+  QString page_name() const;  ///< "start", "devices", "import", "prepare", "trial", "rating", "result", "replay"
 
  signals:
   void prepared();
@@ -56,10 +58,15 @@ class MainWindow : public QMainWindow {
   void closeEvent(QCloseEvent* event) override;
 
  private:
-  void prepare_choice(const Choice& choice);
+  /// `seed`: of an attempt to be repeated; 0: a new one is drawn.
+  void prepare_choice(const Choice& choice, std::uint32_t seed = 0);
   /// `patient`: gives the package's folder; runs on the preparing thread.
   void prepare(TrialSetup setup, std::function<std::filesystem::path()> patient, bool start_at_once);
   void report_progress(const std::string& stage, double fraction);
+  void show_result();
+  void take_self_rating(const SelfRating& rating);
+  /// What is open and mastered, from the records, on a thread of its own.
+  void read_past();
   void show_failure(const QString& message);
   void back_to_start();
   void leave_replay();
@@ -75,15 +82,17 @@ class MainWindow : public QMainWindow {
   QLabel* prepare_stage_;
   QProgressBar* prepare_bar_;
   TrialPage* trial_;
+  SelfRatingPage* rating_;
   ResultPage* result_;
   ReplayPage* replay_;
-  QPointer<QThread> worker_;
+  QPointer<QThread> worker_, past_reader_;
   std::atomic<bool> cancelled_{false};
   curricula::Scenario scenario_;
   std::vector<std::string> misfits_;  ///< of the patient and this scenario
-  std::filesystem::path results_, result_log_;
+  std::filesystem::path results_;
   bool replay_from_result_ = false;
-  std::function<void()> again_;
+  TrialOutcome outcome_;
+  std::function<void()> again_, same_again_;
   bool has_start_ = false;
 };
 

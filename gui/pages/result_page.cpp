@@ -98,16 +98,19 @@ ResultPage::ResultPage(QWidget* parent) : QWidget(parent) {
   middle->addLayout(plots, 17);
   middle->addWidget(scrolled, 11);
   auto* foot = new QHBoxLayout;
-  auto* again = new QPushButton("Again", this);
-  again->setObjectName("primary");
+  again_ = new QPushButton(this);
+  again_->setObjectName("primary");
+  again_->setToolTip("Enter");
+  same_ = new QPushButton("Same attempt again", this);
   auto* report = new QPushButton("Open the report", this);
   auto* leave = new QPushButton("Other scenario", this);
   foot->addWidget(where_, 1);
   replay_ = new QPushButton("Replay", this);
   replay_->setObjectName("replay");
   connect(replay_, &QPushButton::clicked, this, [this] { emit replay_wanted(-1.0); });
-  for (auto* button : {replay_, report, leave, again}) foot->addWidget(button);
-  connect(again, &QPushButton::clicked, this, &ResultPage::again);
+  for (auto* button : {replay_, report, leave, same_, again_}) foot->addWidget(button);
+  connect(again_, &QPushButton::clicked, this, &ResultPage::again);
+  connect(same_, &QPushButton::clicked, this, &ResultPage::same_again);
   connect(leave, &QPushButton::clicked, this, &ResultPage::left);
   connect(report, &QPushButton::clicked, this,
           [this] { QDesktopServices::openUrl(QUrl::fromLocalFile(QString::fromStdString(report_.string()))); });
@@ -154,7 +157,15 @@ void ResultPage::show_outcome(const TrialOutcome& outcome, const curricula::Scen
   const QString how = locked.isEmpty() ? QString("each leads to its second in the replay") : locked;
   reasons_->setText(list.isEmpty() ? QString() : "<b>Reasons</b> (" + how + ")<ul style='margin-left:-22px'>" + list + "</ul>");
   report_ = outcome.report;
-  where_->setText("Results: " + QString::fromStdString(folder.string()));
+  const auto& attempt = scenario.attempt;
+  const bool drawn = attempt.seed != 0;
+  again_->setText(drawn ? "Next attempt" : "Again");
+  same_->setVisible(drawn);
+  QString where = "Results: " + QString::fromStdString(folder.string());
+  if (drawn) where += QString("\nAttempt seed %1: with it everything is the same once more.").arg(attempt.seed);
+  if (attempt.mode == curricula::Mode::assessment)
+    where += outcome.replay_allowed ? "\nAn assessment." : "\nAn assessment: its replay stays locked.";
+  where_->setText(where);
   plot_picture_ = QPixmap(QString::fromStdString(outcome.force_plot.string()));
   draw_monitor(outcome, scenario);
   fit_plots();

@@ -27,7 +27,8 @@ class ResultPage : public QWidget {
   void tell(const QString& message);  ///< what went wrong since; empty: nothing
 
  signals:
-  void again();
+  void again();       ///< of a scenario with a variation another attempt, as drawn anew
+  void same_again();  ///< what has just been done, as it was drawn
   void left();
   /// At a second of the trial; negative: from its beginning.
   void replay_wanted(double at_s);
@@ -41,7 +42,7 @@ class ResultPage : public QWidget {
   void draw_monitor(const TrialOutcome& outcome, const curricula::Scenario& scenario);
   void show_figures(const TrialOutcome& outcome, const curricula::Scenario& scenario);
   QLabel *title_, *verdict_, *outcome_, *change_, *plot_, *monitor_, *reasons_, *where_, *told_;
-  QPushButton* replay_;
+  QPushButton *replay_;
   QGridLayout* figures_;
   QPixmap plot_picture_, monitor_picture_;
   QPointer<QThread> drawing_;

@@ -71,6 +71,31 @@ TEST_P(AnyRecords, ACurveIsOfOneTraineeScenarioAndDeviceKind) {
   EXPECT_EQ(c.records.newest(10).size(), 1u);
 }
 
+TEST_P(AnyRecords, WhatCountsTowardsMasteryIsOldestFirstAndWhole) {
+  Records records(location());
+  RecordRow row = sample("2024-05-03T10:00:00Z");
+  row.mode = Mode::assessment;
+  records.add(row);
+  row.score.complete = false;
+  records.add(row);
+  row = sample("2024-05-02T10:00:00Z");  // the clock went back: recorded later all the same
+  row.device_kind = "touch";
+  row.score.passed = false;
+  row.score.intubation.emplace().attempts.resize(3);
+  records.add(row);
+  row.curriculum_id = "another";
+  records.add(row);
+  const auto results = Progress(records).results(std::nullopt, 0, "first-steps");
+  ASSERT_EQ(results.size(), 2u);
+  EXPECT_EQ(results[0].mode, Mode::assessment);
+  EXPECT_EQ(results[0].device_kind, "mouse");
+  EXPECT_TRUE(results[0].passed);
+  EXPECT_EQ(results[0].attempts, 1);
+  EXPECT_EQ(results[1].device_kind, "touch");
+  EXPECT_EQ(results[1].attempts, 3);
+  EXPECT_FALSE(results[1].passed);
+}
+
 TEST_P(AnyRecords, AnIntubationSucceedsWithinTwoAttempts) {
   Records records(location());
   const auto with_attempts = [](std::size_t attempts) {
