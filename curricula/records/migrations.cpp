@@ -62,6 +62,10 @@ const std::vector<std::vector<Statement>>& record_migrations() {
        "ALTER TABLE trials ADD COLUMN attempts INTEGER",
        "ALTER TABLE trials ADD COLUMN time_to_pass_s REAL",
        "ALTER TABLE trials ADD COLUMN lowest_heart_per_min REAL",
+       "ALTER TABLE trials ADD COLUMN module_id TEXT NOT NULL DEFAULT ''",
+       "ALTER TABLE trials ADD COLUMN mode TEXT NOT NULL DEFAULT 'practice'",
+       "ALTER TABLE trials ADD COLUMN attempt_seed INTEGER NOT NULL DEFAULT 0",
+       "ALTER TABLE trials ADD COLUMN duration_s REAL",  // NULL: before schema 4
        "CREATE UNIQUE INDEX trials_by_uid ON trials (uid)",
        "CREATE INDEX trials_by_trainee ON trials (trainee_id, scenario_id, device_kind)",
        "CREATE TABLE open_trials ("
@@ -72,7 +76,38 @@ const std::vector<std::vector<Statement>>& record_migrations() {
        "device_kind TEXT NOT NULL, "
        "log_path TEXT NOT NULL, "
        "station TEXT NOT NULL, "
-       "trainee_id INTEGER REFERENCES people (id))",
+       "trainee_id INTEGER REFERENCES people (id), "
+       "module_id TEXT NOT NULL)",
+       // By the names of score/figures.h; a figure that a trial has none of has no row.
+       "CREATE TABLE figures ("
+       "trial_id INTEGER NOT NULL REFERENCES trials (id), "
+       "name TEXT NOT NULL, "
+       "value REAL NOT NULL, "
+       "PRIMARY KEY (trial_id, name))",
+       // What older rows have of them, so that a learning curve begins where the learning began.
+       "INSERT INTO figures (trial_id, name, value) SELECT id, 'passed', passed FROM trials",
+       "INSERT INTO figures (trial_id, name, value) SELECT id, 'attempt_time_s', attempt_time_s FROM trials "
+       "WHERE attempt_time_s > 0",
+       "INSERT INTO figures (trial_id, name, value) SELECT id, 'time_to_trachea_visible_s', time_to_trachea_visible_s "
+       "FROM trials WHERE time_to_trachea_visible_s IS NOT NULL",
+       "INSERT INTO figures (trial_id, name, value) SELECT id, 'glottis_visible_max_percent', "
+       "glottis_visible_max_percent FROM trials",
+       "INSERT INTO figures (trial_id, name, value) SELECT id, 'peak_tongue_force_n', peak_tongue_force_n FROM trials",
+       "INSERT INTO figures (trial_id, name, value) SELECT id, 'peak_gum_force_n', peak_gum_force_n FROM trials",
+       "INSERT INTO figures (trial_id, name, value) SELECT id, 'time_over_target_s', time_over_target_s FROM trials",
+       "INSERT INTO figures (trial_id, name, value) SELECT id, 'time_over_force_limit_s', time_over_force_limit_s "
+       "FROM trials",
+       "INSERT INTO figures (trial_id, name, value) SELECT id, 'lowest_spo2_percent', lowest_spo2_percent FROM trials "
+       "WHERE lowest_spo2_percent IS NOT NULL",
+       "CREATE TABLE ratings ("
+       "id INTEGER PRIMARY KEY AUTOINCREMENT, "
+       "trial_id INTEGER NOT NULL REFERENCES trials (id), "
+       "rater TEXT NOT NULL CHECK (rater IN ('self', 'instructor')), "
+       "author_id INTEGER REFERENCES people (id), "  // NULL: nobody was signed in, or the author was deleted
+       "item TEXT NOT NULL, "
+       "value REAL NOT NULL, "
+       "at_utc TEXT NOT NULL)",
+       "CREATE INDEX ratings_by_trial ON ratings (trial_id)",
        "CREATE TABLE notes ("
        "id INTEGER PRIMARY KEY AUTOINCREMENT, "
        "trial_id INTEGER NOT NULL REFERENCES trials (id), "

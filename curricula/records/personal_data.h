@@ -10,7 +10,7 @@
 namespace vallecula::curricula {
 
 /// Everything kept of a person, in a new folder: records.json (the person without the PIN, every column of their
-/// trials, notes on them or by them, the audit trail's lines about them) and trials/ID/ with the files of each trial
+/// trials with their figures, notes and ratings on them or by them, the audit trail's lines about them) and trials/ID/ with the files of each trial
 /// that are on this station and still that trial's; what is not there is said in records.json. By the person themself
 /// or an instructor. Written aside and renamed; throws RecordsError (NotAllowed; the folder exists; the disk is full,
 /// then nothing is left).
@@ -20,7 +20,7 @@ struct Deletion {
   int trials = 0, notes = 0, files = 0;
   std::vector<std::string> left;  ///< what could not be deleted now and is tried again at every start, and why
 };
-/// Deletes a person with trials, notes and the trials' files, rows first, all or none. By the person themself or an
+/// Deletes a person with trials, notes, ratings and the trials' files, rows first, all or none. By the person themself or an
 /// instructor; not the last instructor while there are other people. The audit trail keeps that the number was deleted,
 /// and by which number. Files on other stations are deleted when those start (delete_pending_files). Throws
 /// RecordsError.

@@ -76,7 +76,7 @@ std::vector<RecordRow> Progress::curve(const Who& who, const CurveKey& key) cons
     const QString whose = of_trainee(key.trainee_id, values);
     values << bound(key.curriculum_id) << bound(key.scenario_id) << bound(key.device_kind);
     rows = trial_rows(connection, whose + " AND curriculum_id = ? AND scenario_id = ? AND device_kind = ? ORDER BY id",
-                      values);
+                      values, WithFigures::yes);
   });
   return rows;
 }
@@ -89,9 +89,26 @@ std::vector<RecordRow> Progress::trials(const Who& who, long long trainee_id, in
     QVariantList values;
     const QString whose = of_trainee(trainee_id, values);
     values << (count > 0 ? count : 0);
-    rows = trial_rows(connection, whose + " ORDER BY finished_utc DESC, id DESC LIMIT ?", values);
+    rows = trial_rows(connection, whose + " ORDER BY finished_utc DESC, id DESC LIMIT ?", values, WithFigures::yes);
   });
   return rows;
+}
+
+std::vector<PastResult> Progress::results(const Who& who, long long trainee_id,
+                                          const std::string& curriculum_id) const {
+  Connection& connection = records_.connection();
+  std::vector<RecordRow> rows;
+  connection.read([&] {
+    require_own_or_instructor(connection, who, trainee_id);
+    QVariantList values;
+    const QString whose = of_trainee(trainee_id, values);
+    values << bound(curriculum_id);
+    rows = trial_rows(connection, whose + " AND curriculum_id = ? AND complete <> 0 ORDER BY id", values);
+  });
+  std::vector<PastResult> results;
+  for (const RecordRow& row : rows)
+    results.push_back({row.scenario_id, row.device_kind, row.mode, row.score.passed, std::max(1, row.attempts)});
+  return results;
 }
 
 std::vector<Day> Progress::calendar(const Who& who, long long trainee_id) const {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "curricula/progress/cusum.h"
+#include "curricula/progress/progress.h"
 #include "curricula/records/people.h"
 
 namespace vallecula::curricula {
@@ -54,6 +54,8 @@ class Progress {
   std::vector<RecordRow> curve(const Who& who, const CurveKey& key) const;
   /// The newest `count` of all their trials, newest first.
   std::vector<RecordRow> trials(const Who& who, long long trainee_id, int count) const;
+  /// What counts towards the mastery of a curriculum's modules, oldest first, for progress_of(); without interrupted ones.
+  std::vector<PastResult> results(const Who& who, long long trainee_id, const std::string& curriculum_id) const;
   std::vector<Day> calendar(const Who& who, long long trainee_id) const;  ///< days with trials, by date
   /// Every trainee's curves, by name; instructors only.
   std::vector<CurveSummary> cohort(const SignedIn& instructor, const CohortFilter& filter) const;

@@ -4,12 +4,14 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QVariant>
+#include <cmath>
 #include <filesystem>
 
 #include "curricula/records/connection.h"
 #include "curricula/records/migrations.h"
 #include "curricula/records/random_id.h"
 #include "curricula/records/trial_rows.h"
+#include "curricula/score/figures.h"
 
 namespace vallecula::curricula {
 namespace {
@@ -42,6 +44,10 @@ long long insert_trial(Connection& connection, const RecordRow& row, const std::
       {"trial_path", bound(row.trial_path)},
       {"station", bound(connection.location().station)},
       {"log_sha256", bound(row.log_sha256)},
+      {"module_id", bound(row.module_id)},
+      {"mode", QString(name_of(row.mode))},
+      {"attempt_seed", static_cast<qlonglong>(row.attempt_seed)},
+      {"duration_s", bound(row.duration_s)},
       {"complete", static_cast<int>(s.complete)},  // PostgreSQL takes no truth value for a number
       {"passed", static_cast<int>(s.passed)},
       {"reasons", reasons_to_json(s.reasons)},
@@ -83,7 +89,32 @@ long long insert_trial(Connection& connection, const RecordRow& row, const std::
   return query.value(0).toLongLong();
 }
 
+void insert_figures(Connection& connection, long long trial_id, const Score& score) {
+  for (const Figure& figure : figures()) {
+    const std::optional<double> value = figure.value(score);
+    if (!value || !std::isfinite(*value)) continue;  // SQLite keeps a NaN as NULL
+    connection.run("INSERT INTO figures (trial_id, name, value) VALUES (?, ?, ?)",
+                   {bound_id(trial_id), QString(figure.name), *value}, kNotRecorded);
+  }
+}
+
 }  // namespace
+
+RecordRow row_of(const OpenTrial& trial, const TrialLog& log, const Scenario& scenario, const Score& score) {
+  RecordRow row;
+  row.uid = trial.uid;
+  row.trainee_id = trial.trainee_id;
+  row.started_utc = trial.started_utc;
+  row.curriculum_id = trial.curriculum_id;
+  row.scenario_id = trial.scenario_id;
+  row.device_kind = trial.device_kind;
+  row.module_id = trial.module_id;
+  row.mode = scenario.attempt.mode;
+  row.attempt_seed = scenario.attempt.seed;
+  row.duration_s = static_cast<double>(log.ticks.size()) * log.header.servo_period_s;
+  row.score = score;
+  return row;
+}
 
 Records::Records(const RecordsLocation& location) : connection_(std::make_unique<Connection>(location)) {
   migrate(*connection_);
@@ -98,11 +129,11 @@ std::string Records::begin(const OpenTrial& trial) {
     // The same uid twice: the first try was committed and its answer lost.
     connection_->run(
         "INSERT INTO open_trials (uid, started_utc, curriculum_id, scenario_id, device_kind, log_path, station, "
-        "trainee_id) "
-        "VALUES (?, ?, ?, ?, ?, ?, ?, ?) ON CONFLICT (uid) DO NOTHING",
+        "trainee_id, module_id) "
+        "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?) ON CONFLICT (uid) DO NOTHING",
         {bound(uid), bound(trial.started_utc), bound(trial.curriculum_id), bound(trial.scenario_id),
          bound(trial.device_kind), bound(std::filesystem::absolute(trial.log_path).string()),
-         bound(connection_->location().station), bound_id(trial.trainee_id)},
+         bound(connection_->location().station), bound_id(trial.trainee_id), bound(trial.module_id)},
         "the trial could not be registered");
   });
   return uid;
@@ -128,7 +159,7 @@ std::vector<OpenTrial> Records::open_trials() const {
     while (query.next()) {
       const auto word = [&](const char* column) { return query.value(column).toString().toStdString(); };
       trials.push_back({word("uid"), word("started_utc"), word("curriculum_id"), word("scenario_id"),
-                        word("device_kind"), word("log_path"), query.value("trainee_id").toLongLong()});
+                        word("device_kind"), word("log_path"), query.value("trainee_id").toLongLong(), word("module_id")});
     }
   });
   return trials;
@@ -152,16 +183,36 @@ long long Records::add(const RecordRow& row) {
           ": the trial is not among those begun: its trainee was deleted meanwhile, so nothing of it is kept");
     }
     id = insert_trial(*connection_, row, uid);
+    insert_figures(*connection_, id, row.score);
   });
   return id;
 }
 
 std::vector<RecordRow> Records::newest(int count) const {
   return trial_rows(*connection_, "trainee_id IS NULL ORDER BY finished_utc DESC, id DESC LIMIT ?",
-                    {count > 0 ? count : 0});
+                    {count > 0 ? count : 0}, WithFigures::yes);
 }
 
-std::vector<RecordRow> trial_rows(Connection& connection, const QString& where, const QVariantList& values) {
+namespace {
+
+/// Of the rows that `where` found.
+void read_figures(Connection& connection, const QString& where, const QVariantList& values,
+                  std::vector<RecordRow>& rows) {
+  std::map<long long, RecordRow*> by_id;
+  for (RecordRow& row : rows) by_id[row.id] = &row;
+  QSqlQuery query = connection.run(
+      "SELECT trial_id, name, value FROM figures WHERE trial_id IN (SELECT id FROM trials WHERE " + where + ")", values,
+      Connection::kCannotBeRead);
+  while (query.next()) {
+    const auto row = by_id.find(query.value(0).toLongLong());  // a trial may have come between the two
+    if (row != by_id.end()) row->second->figures[query.value(1).toString().toStdString()] = query.value(2).toDouble();
+  }
+}
+
+}  // namespace
+
+std::vector<RecordRow> trial_rows(Connection& connection, const QString& where, const QVariantList& values,
+                                  WithFigures with_figures) {
   std::vector<RecordRow> rows;
   connection.read([&] {
     rows.clear();
@@ -182,6 +233,13 @@ std::vector<RecordRow> trial_rows(Connection& connection, const QString& where, 
       row.trial_path = word("trial_path");
       row.station = word("station");
       row.log_sha256 = word("log_sha256");
+      row.module_id = word("module_id");
+      row.mode = word("mode") == name_of(Mode::assessment) ? Mode::assessment : Mode::practice;
+      row.attempt_seed = static_cast<std::uint32_t>(whole("attempt_seed"));
+      const auto known = [&](const char* column) {
+        return query.value(column).isNull() ? std::nullopt : std::optional(number(column));
+      };
+      row.duration_s = known("duration_s");
       Score& s = row.score;
       s.complete = whole("complete") != 0;
       s.passed = whole("passed") != 0;
@@ -203,9 +261,6 @@ std::vector<RecordRow> trial_rows(Connection& connection, const QString& where, 
       s.deadline_misses = whole("deadline_misses");
       s.ticks = whole("ticks");
       if (const auto outcome = outcome_named(word("outcome"))) {
-        const auto known = [&](const char* column) {
-          return query.value(column).isNull() ? std::nullopt : std::optional(number(column));
-        };
         s.intubation.emplace().outcome = *outcome;
         s.intubation->lowest_spo2_percent = known("lowest_spo2_percent");
         s.intubation->lowest_heart_per_min = known("lowest_heart_per_min");
@@ -214,6 +269,7 @@ std::vector<RecordRow> trial_rows(Connection& connection, const QString& where, 
       }
       rows.push_back(row);
     }
+    if (with_figures == WithFigures::yes) read_figures(connection, where, values, rows);
   });
   return rows;
 }

@@ -28,17 +28,11 @@ RecoveredTrial recover(Records& records, const OpenTrial& trial) {
   const TrialLog log = read_trial_log(trial.log_path);
   if (!log.ticks.empty()) recovered.recorded_s = log.ticks.back().time_s;
   recovered.complete = log.footer.complete;
-  RecordRow row;
-  row.uid = trial.uid;
-  row.trainee_id = trial.trainee_id;
-  row.started_utc = trial.started_utc;
+  const Scenario scenario = parse_scenario(log.header.scenario_yaml, trial.log_path.string());
+  RecordRow row = row_of(trial, log, scenario, score_trial(log, scenario));
   row.finished_utc = end_of(trial.started_utc, recovered.recorded_s);
-  row.curriculum_id = trial.curriculum_id;
-  row.scenario_id = trial.scenario_id;
-  row.device_kind = trial.device_kind;
   row.trial_path = trial.log_path.string();
   row.log_sha256 = log_sha256(trial.log_path);
-  row.score = score_trial(log, parse_scenario(log.header.scenario_yaml, trial.log_path.string()));
   recovered.record_id = records.add(row);
   return recovered;
 }

@@ -9,7 +9,11 @@
 
 namespace vallecula::curricula {
 
-/// `where` completes "SELECT * FROM trials WHERE ...", with its values in order.
-std::vector<RecordRow> trial_rows(Connection& connection, const QString& where, const QVariantList& values);
+enum class WithFigures { no, yes };
+
+/// `where` completes "SELECT * FROM trials WHERE ...", with its values in order. Whoever only counts leaves the figures:
+/// there are some thirty a trial.
+std::vector<RecordRow> trial_rows(Connection& connection, const QString& where, const QVariantList& values,
+                                  WithFigures with_figures = WithFigures::no);
 
 }  // namespace vallecula::curricula

@@ -65,25 +65,20 @@ void TrialRecord::abandon() noexcept {
   trial_.uid.clear();
 }
 
-void TrialRecord::add(const curricula::Score& score, const fs::path& log, const fs::path& final_path) {
-  curricula::RecordRow row;
-  row.uid = trial_.uid;
-  row.trainee_id = trial_.trainee_id;
-  row.started_utc = trial_.started_utc;
+long long TrialRecord::add(const curricula::TrialLog& log, const curricula::Scenario& scenario,
+                           const curricula::Score& score, const fs::path& file, const fs::path& final_path) {
+  curricula::RecordRow row = curricula::row_of(trial_, log, scenario, score);
   row.finished_utc = now_utc();
-  row.curriculum_id = trial_.curriculum_id;
-  row.scenario_id = trial_.scenario_id;
-  row.device_kind = trial_.device_kind;
   row.trial_path = final_path;
-  row.log_sha256 = curricula::log_sha256(log);
-  row.score = score;
+  row.log_sha256 = curricula::log_sha256(file);
   try {
-    curricula::Records(records_location()).add(row);
+    const long long id = curricula::Records(records_location()).add(row);
+    trial_.uid.clear();
+    return id;
   } catch (const std::exception& error) {
     throw std::runtime_error(std::string(error.what()) + " (the trial's results are whole, in " +
-                             log.parent_path().string() + ")");
+                             file.parent_path().string() + ")");
   }
-  trial_.uid.clear();
 }
 
 }  // namespace vallecula::gui

@@ -27,8 +27,10 @@ class TrialRecord {
   void moved(const std::filesystem::path& log);
   /// The trial leaves nothing behind. Nothing is thrown: what is left open is cleared at the next start.
   void abandon() noexcept;
-  /// Durable when it returns. `final_path`: where the log will be found. Throws std::runtime_error.
-  void add(const curricula::Score& score, const std::filesystem::path& log, const std::filesystem::path& final_path);
+  /// Durable when it returns. `log` is the whole of `file`; `final_path`: where the file will be found. Returns the row's
+  /// id in the records. Throws std::runtime_error.
+  long long add(const curricula::TrialLog& log, const curricula::Scenario& scenario, const curricula::Score& score,
+                const std::filesystem::path& file, const std::filesystem::path& final_path);
 
  private:
   curricula::OpenTrial trial_;

@@ -4,6 +4,8 @@
 #include <thread>
 #include <vector>
 
+#include "curricula/score/figures.h"
+
 namespace vallecula::curricula::testing {
 namespace {
 
@@ -67,7 +69,7 @@ TEST_P(AnyRecords, StationsThatBeginTogetherMakeTheSchemaOnce) {
 
 TEST_P(AnyRecords, ATrialUnderWayIsKnownUntilItHasItsRow) {
   Records records(at_station("a")), elsewhere(at_station("b"));
-  const OpenTrial trial{"", "2024-05-03T09:59:00Z", "first-steps", "term", "mouse", "/trials/here.vtrial", 0};
+  const OpenTrial trial{"", "2024-05-03T09:59:00Z", "first-steps", "term", "mouse", "/trials/here.vtrial", 0, "first"};
   const std::string uid = records.begin(trial), other = records.begin(trial);
   EXPECT_NE(uid, other);
   ASSERT_EQ(records.open_trials().size(), 2u);
@@ -75,6 +77,7 @@ TEST_P(AnyRecords, ATrialUnderWayIsKnownUntilItHasItsRow) {
   const auto open = records.open_trials();
   EXPECT_EQ(open[0].log_path, "/trials/here.vtrial");
   EXPECT_EQ(open[0].scenario_id, "term");
+  EXPECT_EQ(open[0].module_id, "first");
   EXPECT_EQ(open[0].started_utc, trial.started_utc);
 
   RecordRow row = sample("2024-05-03T10:00:00Z");
@@ -94,6 +97,35 @@ TEST_P(AnyRecords, ATrialUnderWayIsKnownUntilItHasItsRow) {
 
   row.uid = other;  // given up: whoever still adds it is told
   EXPECT_NE(error_of<RecordsError>([&] { records.add(row); }).find("not among those begun"), std::string::npos);
+}
+
+TEST_P(AnyRecords, ModeSeedModuleDurationAndFiguresAreKeptWithTheTrial) {
+  Records records(location());
+  RecordRow row = sample("2024-05-03T10:00:00Z");
+  row.module_id = "the-view";
+  row.mode = Mode::assessment;
+  row.attempt_seed = 4294967295u;
+  row.duration_s = 31.25;
+  row.score.time_to_trachea_visible_s = -1.0;
+  row.figures["not a figure"] = 1.0;
+  records.add(row);
+  records.add(sample("2024-05-02T10:00:00Z"));
+  const auto rows = records.newest(2);
+  ASSERT_EQ(rows.size(), 2u);
+  EXPECT_EQ(rows[0].module_id, "the-view");
+  EXPECT_EQ(rows[0].mode, Mode::assessment);
+  EXPECT_EQ(rows[0].attempt_seed, 4294967295u);
+  EXPECT_EQ(rows[0].duration_s, 31.25);
+  std::map<std::string, double> expected;
+  for (const Figure& figure : figures())
+    if (const auto value = figure.value(row.score)) expected[figure.name] = *value;
+  EXPECT_EQ(rows[0].figures, expected);
+  EXPECT_EQ(rows[0].figures.at("peak_tongue_force_n"), 5.1234567890123456);
+  EXPECT_EQ(rows[0].figures.count("time_to_trachea_visible_s"), 0u) << "it was never in sight";
+  EXPECT_EQ(rows[1].figures.at("time_to_trachea_visible_s"), 7.25) << "each trial its own";
+  EXPECT_EQ(rows[1].mode, Mode::practice);
+  EXPECT_EQ(rows[1].attempt_seed, 0u);
+  EXPECT_FALSE(rows[1].duration_s);
 }
 
 TEST_P(AnyRecords, ATimeThatIsNoneIsRefused) {

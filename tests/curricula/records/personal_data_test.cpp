@@ -9,6 +9,7 @@
 
 #include "curricula/records/notes.h"
 #include "curricula/records/progress.h"
+#include "curricula/records/ratings.h"
 #include "curricula/records/recovery.h"
 #include "tests/curricula/records/any_records.h"
 
@@ -60,6 +61,7 @@ TEST_P(AnyRecords, ATraineeTakesAllOwnDataAlong) {
   put(folder_ / "second" / "operator-1.png", "picture");
   put(folder_ / "second" / "holiday.png", "not ours");
   Notes(desk.records).add(desk.boss, first, 2.5, "lift, do not lever");
+  Ratings(desk.records).add(desk.boss, first, {"instructor", kGlobalRating, 3.0});
   fs::remove(folder_ / "first" / "trial.vtrial");
 
   const fs::path out = folder_ / "mine";
@@ -80,6 +82,9 @@ TEST_P(AnyRecords, ATraineeTakesAllOwnDataAlong) {
   EXPECT_EQ(taken["id"].toInt(), replaced);
   EXPECT_TRUE(taken["files_missing"].toString().contains("replaced"));
   EXPECT_EQ(all["notes"].toArray()[0].toObject()["text"].toString(), "lift, do not lever");
+  EXPECT_EQ(all["ratings"].toArray()[0].toObject()["value"].toDouble(), 3.0);
+  EXPECT_EQ(all["figures"].toArray()[0].toObject()["trial_id"].toInt(), first);
+  EXPECT_EQ(all["figures"].toArray().last().toObject()["trial_id"].toInt(), replaced);
   EXPECT_GE(all["audit"].toArray().size(), 2);
   EXPECT_EQ(text.find("argon2"), std::string::npos);
   EXPECT_EQ(text.find("Emu"), std::string::npos);

@@ -71,6 +71,31 @@ TEST_P(AnyRecords, ACurveIsOfOneTraineeScenarioAndDeviceKind) {
   EXPECT_EQ(c.records.newest(10).size(), 1u);
 }
 
+TEST_P(AnyRecords, WhatCountsTowardsMasteryIsOldestFirstAndWhole) {
+  Records records(location());
+  RecordRow row = sample("2024-05-03T10:00:00Z");
+  row.mode = Mode::assessment;
+  records.add(row);
+  row.score.complete = false;
+  records.add(row);
+  row = sample("2024-05-02T10:00:00Z");  // the clock went back: recorded later all the same
+  row.device_kind = "touch";
+  row.score.passed = false;
+  row.score.intubation.emplace().attempts.resize(3);
+  records.add(row);
+  row.curriculum_id = "another";
+  records.add(row);
+  const auto results = Progress(records).results(std::nullopt, 0, "first-steps");
+  ASSERT_EQ(results.size(), 2u);
+  EXPECT_EQ(results[0].mode, Mode::assessment);
+  EXPECT_EQ(results[0].device_kind, "mouse");
+  EXPECT_TRUE(results[0].passed);
+  EXPECT_EQ(results[0].attempts, 1);
+  EXPECT_EQ(results[1].device_kind, "touch");
+  EXPECT_EQ(results[1].attempts, 3);
+  EXPECT_FALSE(results[1].passed);
+}
+
 TEST_P(AnyRecords, AnIntubationSucceedsWithinTwoAttempts) {
   Records records(location());
   const auto with_attempts = [](std::size_t attempts) {
@@ -173,6 +198,21 @@ TEST_P(AnyRecords, ANoteStandsAtASecondOfATrial) {
     EXPECT_NE(error_of<RecordsError>([&] { notes.add(c.boss, trial, at, "x"); }).find("second"), std::string::npos);
   EXPECT_NE(error_of<RecordsError>([&] { notes.add(c.boss, 999, 1.0, "x"); }).find("no trial 999"), std::string::npos);
   EXPECT_TRUE(notes.of_trial(c.boss, trial).empty());
+}
+
+TEST_P(AnyRecords, ANotesTrialIsFoundByItsLog) {
+  Class c(location());
+  c.add(c.kiwi_id, "2024-05-01T10:00:00Z", true);  // whose log's hash is not known
+  RecordRow row;
+  row.finished_utc = "2024-05-02T10:00:00Z";
+  row.curriculum_id = row.scenario_id = row.device_kind = "x";
+  row.trial_path = "/somewhere/trial.vtrial";
+  row.log_sha256 = "abc";
+  const long long trial = c.records.add(row);
+  const Notes notes(c.records);
+  EXPECT_EQ(notes.trial_of_log("abc"), trial);
+  EXPECT_EQ(notes.trial_of_log("abd"), 0);
+  EXPECT_EQ(notes.trial_of_log(""), 0);
 }
 
 }  // namespace

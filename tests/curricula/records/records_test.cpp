@@ -118,6 +118,13 @@ TEST_F(RecordsFile, EveryReleasedSchemaIsBroughtForwardWithItsRows) {
       EXPECT_EQ(rows[1].trainee_id, 0);
       EXPECT_EQ(rows[1].uid.empty(), schema < 4);
       EXPECT_EQ(rows[1].trial_path, "/a/b.vtrial");
+      EXPECT_EQ(rows[1].mode, schema < 4 ? Mode::practice : Mode::assessment);
+      EXPECT_EQ(rows[1].attempt_seed, schema < 4 ? 0u : 4294967295u);
+      EXPECT_EQ(rows[1].duration_s, schema < 4 ? std::nullopt : std::optional(61.5));
+      EXPECT_EQ(rows[1].module_id, schema < 4 ? "" : "m");
+      EXPECT_EQ(rows[1].figures.at("peak_tongue_force_n"), 1.5) << "also of what is older than the table";
+      EXPECT_EQ(rows[0].figures.at("peak_tongue_force_n"), 0.1);
+      EXPECT_EQ(rows[1].figures.count("time_to_trachea_visible_s"), 0u);
       EXPECT_EQ(rows[1].score.reasons, std::vector<std::string>{"why"});
       EXPECT_EQ(rows[1].score.time_to_trachea_visible_s, -1.0);
       EXPECT_FALSE(rows[1].score.intubation) << "it was laryngoscopy alone";
@@ -128,6 +135,7 @@ TEST_F(RecordsFile, EveryReleasedSchemaIsBroughtForwardWithItsRows) {
     EXPECT_EQ(structure(db), as_new);
     EXPECT_EQ(db.ask("PRAGMA integrity_check").toString(), "ok");
     EXPECT_EQ(db.ask("SELECT COUNT(*) FROM people").toInt(), schema < 4 ? 0 : 1);
+    EXPECT_EQ(db.ask("SELECT COUNT(*) FROM ratings").toInt(), schema < 4 ? 0 : 1);
   }
 }
 

@@ -24,7 +24,7 @@ LogHeader header() {
       load_curriculum(fs::path(VALLECULA_SOURCE_DIR) / "curricula" / "courses" / "first-steps.yaml");
   LogHeader header;
   header.scenario_id = course.scenarios[0].id;
-  header.scenario_yaml = course.scenarios[0].yaml;
+  header.scenario_yaml = attempt_of(course.scenarios[0], Mode::assessment, 0).yaml;
   header.device_kind = "mouse";
   for (const char* gum : {"gum_upper_midline", "gum_lower_midline"}) header.landmarks_m[gum] = {0.0, -0.02, 0.0};
   return header;
@@ -38,7 +38,7 @@ LogTick tick(std::int64_t n) {
 }
 
 OpenTrial open_trial(const fs::path& log) {
-  return {"", "2024-05-03T10:00:00Z", "first-steps", "term", "mouse", log, 0};
+  return {"", "2024-05-03T10:00:00Z", "first-steps", "term", "mouse", log, 0, "the-view"};
 }
 
 std::string bytes_of(const fs::path& file) {
@@ -110,6 +110,10 @@ TEST_P(AnyRecords, AKilledTrialIsFoundAndKeptUpToItsLastWholeBlock) {
   EXPECT_FALSE(rows[0].score.passed);
   EXPECT_EQ(rows[0].score.ticks, static_cast<long long>(kept.ticks.size()));
   EXPECT_EQ(rows[0].trial_path, log.string());
+  EXPECT_EQ(rows[0].module_id, "the-view");
+  EXPECT_EQ(rows[0].mode, Mode::assessment) << "as its log says";
+  EXPECT_EQ(rows[0].duration_s, 0.001 * static_cast<double>(kept.ticks.size()));
+  EXPECT_EQ(rows[0].figures.at("passed"), 0.0);
   EXPECT_EQ(rows[0].log_sha256, log_sha256(log));
   EXPECT_TRUE(recover_trials(records).empty()) << "once";
   EXPECT_EQ(records.newest(5).size(), 1u);
