@@ -35,7 +35,7 @@ std::vector<ChecklistItem> checklist_of(const Score& score, const TrialLog& log,
 
 /// The global rating beside it is given by a person, never by the program (a checklist and a global rating together:
 /// NICAT, alpha 0.79). What 1 to 5 mean; the words are assumed.
-constexpr std::array<const char*, 5> kGlobalRating = {"unsafe", "with help at every step", "with help at some steps",
+constexpr std::array<const char*, 5> kGlobalRatingWords = {"unsafe", "with help at every step", "with help at some steps",
                                                       "alone, with flaws", "alone and well"};
 
 }  // namespace vallecula::curricula

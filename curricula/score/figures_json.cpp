@@ -93,7 +93,7 @@ void add_figures(const Score& score, QJsonObject& o) {
   if (score.dual_task) o["dual_task"] = dual_task_to_json(*score.dual_task);
   o["checklist"] = checklist_to_json(score.checklist);
   QJsonArray words;
-  for (const char* word : kGlobalRating) words.append(word);
+  for (const char* word : kGlobalRatingWords) words.append(word);
   o["global_rating"] = QJsonObject{{"given", QJsonValue::Null}, {"of", words}};
 }
 

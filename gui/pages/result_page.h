@@ -42,7 +42,7 @@ class ResultPage : public QWidget {
   void draw_monitor(const TrialOutcome& outcome, const curricula::Scenario& scenario);
   void show_figures(const TrialOutcome& outcome, const curricula::Scenario& scenario);
   QLabel *title_, *verdict_, *outcome_, *change_, *plot_, *monitor_, *reasons_, *where_, *told_;
-  QPushButton *replay_;
+  QPushButton *replay_, *again_, *same_;
   QGridLayout* figures_;
   QPixmap plot_picture_, monitor_picture_;
   QPointer<QThread> drawing_;

@@ -91,8 +91,8 @@ std::string checklist_html(const curricula::Score& score) {
   }
   html += "</table>\n<p class=\"foot\">What the log has not seen is left to the instructor. The items are not validated.</p>\n";
   html += "<p>Global rating, by a person:";
-  for (std::size_t i = 0; i < curricula::kGlobalRating.size(); ++i)
-    html += " &#9744; " + std::to_string(i + 1) + " " + escaped(curricula::kGlobalRating[i]);
+  for (std::size_t i = 0; i < curricula::kGlobalRatingWords.size(); ++i)
+    html += " &#9744; " + std::to_string(i + 1) + " " + escaped(curricula::kGlobalRatingWords[i]);
   return html + "</p>\n";
 }
 
