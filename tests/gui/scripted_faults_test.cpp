@@ -41,7 +41,7 @@ struct Fault {
   const char* figure;  ///< its own
   double beyond;       ///< at least so many times the larger of expert's and novice's
 };
-constexpr Fault kFaults[] = {{"levers", "peak_levered_n", 1.2},
+constexpr Fault kFaults[] = {{"levers", "peak_gum_force_n", 1.3},
                              {"too-far", "past_vallecula_mm", 1.5},
                              {"off-midline", "blade_from_midline_mm", 3.0},
                              {"forceful", "tongue_force_integral_ns", 1.3},
@@ -90,7 +90,8 @@ TEST_F(ScriptedFaults, EachIsToldByItsOwnFigure) {
   EXPECT_GT(hands["expert"]["glottis_visible_max_percent"], 50.0);
   EXPECT_LT(hands["novice"]["glottis_visible_max_percent"], 25.0);
   EXPECT_GT(hands["expert"]["lift_share_percent"], 90.0);
-  EXPECT_LT(hands["novice"]["lift_share_percent"], 60.0);
+  // The novice levers as well, and with as much of the load: the fault presses harder, and nothing else is wrong with it.
+  for (const char* hand : {"novice", "levers"}) EXPECT_LT(hands[hand]["lift_share_percent"], 60.0) << hand;
   for (const Fault& fault : kFaults) {
     const double usual = std::max(hands["expert"].at(fault.figure), hands["novice"].at(fault.figure));
     EXPECT_GE(hands[fault.hand].at(fault.figure), fault.beyond * usual) << fault.hand << " shows in " << fault.figure;
