@@ -88,6 +88,14 @@ const std::vector<Figure>& figures() {
       {"tongue_force_integral_ns", "Tongue force over time", "N s",
        "integral of the model force on the tongue over the trial", "PMID 1519691", false, -1,
        [](const Score& s) { return Value(s.force.tongue_integral_ns); }},
+      {"peak_tongue_pressure_kpa", "Peak tongue pressure", "kPa",
+       "largest mean pressure over the contact with the tongue in a tick with 0.5 N or more on it: force by the area of the "
+       "tissue's surface at rest that the contacts stand for",
+       kOwn, false, -1,
+       [](const Score& s) {
+         const auto& pressed = s.force.tongue_pressure_pa;
+         return pressed ? Value(1e-3 * pressed->value) : std::nullopt;
+       }},
       {"lift_share_percent", "Lifted, not levered", "%",
        "share of the load of tongue and epiglottis, along the handle, that the upper jaw did not bear as a fulcrum", kLever,
        false, 1, [](const Score& s) { return in_percent(s.force.lift_share); }},

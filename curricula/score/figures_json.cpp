@@ -14,9 +14,12 @@ QJsonValue second_or_null(double at_s) { return number_or_null(at_s, at_s >= 0.0
 QString text(const std::string& s) { return QString::fromStdString(s); }
 
 QJsonObject force_to_json(const ForceFigures& force) {
+  const std::optional<Peak>& pressed = force.tongue_pressure_pa;
   return {{"mean_tongue_force_n", value_or_null(force.mean_tongue_n)},
           {"tongue_force_integral_ns", number_or_null(force.tongue_integral_ns)},
           {"tongue_contact_s", force.tongue_contact_s},
+          {"peak_tongue_pressure_pa", number_or_null(pressed ? pressed->value : 0.0, pressed.has_value())},
+          {"peak_tongue_pressure_at_s", second_or_null(pressed ? pressed->at_s : -1.0)},
           {"lift_share", value_or_null(force.lift_share)},
           {"peak_levered_n", number_or_null(force.levered_n.value)},
           {"peak_levered_at_s", second_or_null(force.levered_n.at_s)},

@@ -41,6 +41,11 @@ ForceFigures measure_forces_beyond_peaks(const TrialLog& log, const Scenario& sc
     const double force_n = magnitude(tick.loads[kTongue].force_n);
     if (force_n > 0.0) ++touched;
     tongue_n += force_n;
+    const double area_m2 = tick.loads[kTongue].area_m2;
+    if (force_n >= kLeastPressingN && area_m2 > 0.0) {
+      if (!figures.tongue_pressure_pa) figures.tongue_pressure_pa.emplace();
+      figures.tongue_pressure_pa->take(force_n / area_m2, tick.time_s);
+    }
     const Loads loads = along_the_handle(tick);
     borne_n += loads.borne_n;
     levered_n += loads.levered_n;

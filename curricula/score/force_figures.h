@@ -14,6 +14,10 @@ struct ForceFigures {
   double tongue_contact_s = 0.0;           ///< time with any force on the tongue, in the whole trial
   double tongue_integral_ns = 0.0;         ///< of the magnitude over that time (PMID 1519691)
   std::optional<double> mean_tongue_n;     ///< the integral by that time, not by the attempt's; never touched: nothing
+  /// Largest mean pressure over the contact, force by area, of ticks with kLeastPressingN or more on the tongue. The area is
+  /// the surface's at rest, in grains of a mesh point's share; within it pressure is higher at edges. Nothing where the
+  /// log knows no areas or the tongue was not pressed.
+  std::optional<Peak> tongue_pressure_pa;
   /// Share (0..1) of the load on the blade that the hand itself lifts; the rest is levered. Nothing where the load was
   /// too little to tell (kLeastLiftedNs).
   std::optional<double> lift_share;
@@ -22,7 +26,8 @@ struct ForceFigures {
   double levered_over_target_at_s = -1.0;  ///< the first of it; -1: never
 };
 
-constexpr double kLeastLiftedNs = 0.1;  ///< assumed
+constexpr double kLeastLiftedNs = 0.1;   ///< assumed
+constexpr double kLeastPressingN = 0.5;  ///< assumed: below it a contact is a grain or two
 
 /// Lifting and levering, by statics along the handle's axis u (the blade's own z axis, along which a lift goes): tongue
 /// and epiglottis load the blade with L = -(F_tongue + F_epiglottis) . u. A hand that lifts bears all of L. A blade that

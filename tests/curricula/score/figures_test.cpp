@@ -21,6 +21,7 @@ TEST(Figures, AreNamedOnceEachWithUnitDefinitionAndSource) {
     EXPECT_EQ(ends("_n"), unit == "N") << name;
     EXPECT_EQ(ends("_percent"), unit == "%") << name;
     EXPECT_EQ(ends("_per_min"), unit == "1/min") << name;
+    EXPECT_EQ(ends("_kpa"), unit == "kPa") << name;
     EXPECT_EQ(ends("_mm"), unit == "mm") << name;
   }
   EXPECT_EQ(find_figure("no_such_figure"), nullptr);
@@ -30,7 +31,7 @@ TEST(Figures, WhatATrialDoesNotHaveIsNothing) {
   const Score none;
   for (const char* name : {"attempt_time_s", "time_to_trachea_visible_s", "attempts", "time_to_pass_s",
                            "lowest_spo2_percent", "lowest_heart_per_min", "desaturated", "bradycardia",
-                           "depth_error_mm", "mean_tongue_force_n", "lift_share_percent", "time_to_stable_view_s",
+                           "depth_error_mm", "mean_tongue_force_n", "peak_tongue_pressure_kpa", "lift_share_percent", "time_to_stable_view_s",
                            "mean_glottis_visible_percent", "cormack_lehane", "entry_left_mm", "blade_from_midline_mm",
                            "tip_to_vallecula_mm", "vallecula_reached", "past_vallecula_mm", "tip_path_mm",
                            "smoothness_sparc", "tremor_mm", "dual_task_reaction_s", "dual_task_errors",
@@ -51,6 +52,7 @@ TEST(Figures, EachReadsItsOwnPartOfTheScore) {
   s.peak_force_n[kPalate] = 1.5;
   s.force.mean_tongue_n = 2.5;
   s.force.tongue_integral_ns = 30.0;
+  s.force.tongue_pressure_pa = Peak{12500.0, 3.0};
   s.force.lift_share = 0.75;
   s.force.levered_n = {1.25, 4.0};
   s.view.mean_percent = 33.0;
@@ -69,6 +71,7 @@ TEST(Figures, EachReadsItsOwnPartOfTheScore) {
   for (const auto& [name, value] : std::map<std::string, double>{
            {"mouth_entries", 3},         {"cormack_lehane", 2},        {"peak_palate_force_n", 1.5},
            {"mean_tongue_force_n", 2.5}, {"tongue_force_integral_ns", 30}, {"lift_share_percent", 75},
+           {"peak_tongue_pressure_kpa", 12.5},
            {"peak_levered_n", 1.25},     {"mean_glottis_visible_percent", 33}, {"time_to_stable_view_s", 6},
            {"entry_left_mm", -9},        {"tip_to_vallecula_mm", 4},   {"blade_from_midline_mm", 2},
            {"vallecula_reached", 1},     {"past_vallecula_mm", 7},     {"tip_path_mm", 420},

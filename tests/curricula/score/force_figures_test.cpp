@@ -79,6 +79,20 @@ TEST(ForceFigures, TheAxisIsTheHandlesHoweverTheBladeIsTurned) {
   EXPECT_NEAR(*f.lift_share, 0.75, 1e-12);
 }
 
+TEST(ForceFigures, PressureIsForceByArea) {
+  const Change change = [](LogTick& t) {
+    if (between(t, 6, 7)) t.loads[kTongue] = {{0, 0, -2}, {}, 9, 80e-6};
+    if (between(t, 7, 8)) t.loads[kTongue] = {{0, 0, -3}, {}, 9, 150e-6};
+    if (between(t, 8, 9)) t.loads[kTongue] = {{0, 0, -0.4}, {}, 1, 1e-6};  // too little to tell
+    if (between(t, 9, 10)) t.loads[kTongue] = {{0, 0, -4}, {}, 9, 0.0};     // its area is not known
+  };
+  const ForceFigures f = of(change);
+  ASSERT_TRUE(f.tongue_pressure_pa);
+  EXPECT_NEAR(f.tongue_pressure_pa->value, 25e3, 1e-6);
+  EXPECT_NEAR(f.tongue_pressure_pa->at_s, 6.0, 1e-9);
+  EXPECT_FALSE(of(pressed(0.0)).tongue_pressure_pa) << "a log of an older schema";
+}
+
 TEST(ForceFigures, PausesAndForcesThatAreNoNumbersCountForNothing) {
   const auto change = [](LogTick& t) {
     pressed(1.5)(t);
