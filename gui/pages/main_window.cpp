@@ -1,12 +1,14 @@
 #include "gui/pages/main_window.h"
 
 #include <QCloseEvent>
+#include <QDesktopServices>
 #include <QDateTime>
 #include <QLabel>
 #include <QProgressBar>
 #include <QRandomGenerator>
 #include <QPushButton>
 #include <QStackedWidget>
+#include <QUrl>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <stdexcept>
@@ -17,6 +19,7 @@
 #include "gui/pages/devices_page.h"
 #include "gui/pages/result_page.h"
 #include "gui/pages/trial_page.h"
+#include "gui/records_pages/records_page.h"
 #include "gui/session/builtin_patient.h"
 #include "gui/session/device_choice.h"
 #include "gui/session/patient_fit.h"
@@ -44,12 +47,13 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
   pages_ = new QStackedWidget(this);
   start_ = new StartPage(pages_);
   devices_ = new DevicesPage(pages_);
+  records_ = new RecordsPage(pages_);
   import_ = new ImportWizard(pages_);
   prepare_page_ = make_prepare_page();
   trial_ = new TrialPage(pages_);
   result_ = new ResultPage(pages_);
-  for (QWidget* page : {static_cast<QWidget*>(start_), static_cast<QWidget*>(devices_), static_cast<QWidget*>(import_),
-                        prepare_page_, static_cast<QWidget*>(trial_), static_cast<QWidget*>(result_)})
+  for (QWidget* page : {static_cast<QWidget*>(start_), static_cast<QWidget*>(devices_), static_cast<QWidget*>(records_),
+                        static_cast<QWidget*>(import_), prepare_page_, static_cast<QWidget*>(trial_), static_cast<QWidget*>(result_)})
     pages_->addWidget(page);
   // The page that is seen says how small the window may be, not the largest of them all.
   const auto only_current_counts = [this] {
@@ -57,14 +61,25 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
       const auto policy = i == pages_->currentIndex() ? QSizePolicy::Preferred : QSizePolicy::Ignored;
       pages_->widget(i)->setSizePolicy(policy, policy);
     }
+    who_->setVisible(pages_->currentWidget() == start_);
   };
+  who_ = new WhoStrip(records_->desk(), this);
   connect(pages_, &QStackedWidget::currentChanged, this, only_current_counts);
   only_current_counts();
-  setCentralWidget(pages_);
+  auto* whole = new QWidget(this);
+  auto* column = new QVBoxLayout(whole);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  column->addWidget(who_);
+  column->addWidget(pages_, 1);
+  setCentralWidget(whole);
   resize(1280, 800);
   connect(start_, &StartPage::chosen, this, &MainWindow::prepare_choice);
   connect(start_, &StartPage::import_wanted, this, [this] { import_series(); });
   connect(start_, &StartPage::devices_wanted, this, [this] { pages_->setCurrentWidget(devices_); });
+  connect(who_, &WhoStrip::records_wanted, this, [this] { pages_->setCurrentWidget(records_); });
+  connect(records_, &RecordsPage::left, this, &MainWindow::back_to_start);
+  connect(records_, &RecordsPage::trial_wanted, this, &MainWindow::show_trial);
   connect(devices_, &DevicesPage::left, this, &MainWindow::back_to_start);
   connect(devices_, &DevicesPage::found, start_, &StartPage::set_found_devices);
   connect(devices_, &DevicesPage::chosen, this, [this](const device::FoundDevice& device) {
@@ -125,6 +140,7 @@ QWidget* MainWindow::make_prepare_page() {
 
 void MainWindow::show_start(std::vector<curricula::Curriculum> curricula) {
   has_start_ = true;
+  records_->set_curricula(curricula);
   start_->set_curricula(std::move(curricula));
   const auto kept = user_settings();
   const QString device = kept->value("device", "mouse").toString();
@@ -170,6 +186,7 @@ void MainWindow::prepare_choice(const Choice& choice) {
   setup.scenario = choice.scenario.id;
   setup.device = choice.device.toStdString();
   setup.second = choice.second.toStdString();
+  setup.trainee_id = records_->desk().person().id;
   const auto kept = user_settings();
   kept->setValue("scenario", QString::fromStdString(choice.scenario.id));
   kept->setValue("device", choice.device);
@@ -264,10 +281,19 @@ void MainWindow::back_to_start() {
     close();  // opened for one trial only
 }
 
+void MainWindow::show_trial(const QString& log) {
+  const std::filesystem::path folder = std::filesystem::path(log.toStdString()).parent_path();
+  std::error_code error;
+  const auto report = folder / "report.html";
+  QDesktopServices::openUrl(
+      QUrl::fromLocalFile(QString::fromStdString((std::filesystem::exists(report, error) ? report : folder).string())));
+}
+
 QString MainWindow::page_name() const {
   const QWidget* page = pages_->currentWidget();
   return page == start_          ? "start"
          : page == devices_      ? "devices"
+         : page == records_      ? "records"
          : page == import_       ? "import"
          : page == prepare_page_ ? "prepare"
          : page == trial_        ? "trial"

@@ -19,8 +19,10 @@ namespace vallecula::gui {
 
 class DevicesPage;
 class ImportWizard;
+class RecordsPage;
 class ResultPage;
 class TrialPage;
+class WhoStrip;
 
 class MainWindow : public QMainWindow {
   Q_OBJECT
@@ -38,7 +40,8 @@ class MainWindow : public QMainWindow {
   StartPage& start_page() { return *start_; }
   ImportWizard& import_wizard() { return *import_; }
   DevicesPage& devices_page() { return *devices_; }
-  QString page_name() const;  ///< "start", "devices", "import", "prepare", "trial", "result"
+  RecordsPage& records_page() { return *records_; }
+  QString page_name() const;  ///< "start", "records", "devices", "import", "prepare", "trial", "result"
 
  signals:
   void prepared();
@@ -55,6 +58,7 @@ class MainWindow : public QMainWindow {
   void report_progress(const std::string& stage, double fraction);
   void show_failure(const QString& message);
   void back_to_start();
+  void show_trial(const QString& log);
   void add_imported_patients();
   void choose_last_device(const QString& name);
   QWidget* make_prepare_page();
@@ -62,6 +66,8 @@ class MainWindow : public QMainWindow {
   QStackedWidget* pages_;
   StartPage* start_;
   DevicesPage* devices_;
+  RecordsPage* records_;
+  WhoStrip* who_;
   ImportWizard* import_;
   QWidget* prepare_page_;
   QLabel* prepare_stage_;
