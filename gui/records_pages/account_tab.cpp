@@ -104,6 +104,7 @@ QWidget* AccountTab::make_sign_in() {
   connect(pin_, &QLineEdit::returnPressed, this, &AccountTab::sign_in);
   connect(name_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, [this] {
     message_->clear();
+    clock_.stop();
     show_wait();
   });
   connect(new_trainee, &QPushButton::clicked, this, [this] { register_somebody(false); });
@@ -168,6 +169,7 @@ void AccountTab::refresh() {
       },
       [this](Names names) {
         const QVariant before = name_->currentData();
+        const QSignalBlocker quiet(name_);
         people_ = std::move(names.people);
         name_->clear();
         for (const Person& person : people_)
@@ -175,7 +177,8 @@ void AccountTab::refresh() {
         name_->setCurrentIndex(std::max(0, name_->findData(before)));
         if (people_.empty()) {
           name_->setCurrentIndex(-1);
-          message_->setText("Nobody is registered here yet: register as a trainee, or set up the first instructor.");
+          if (message_->text().isEmpty())
+            message_->setText("Nobody is registered here yet: register as a trainee, or set up the first instructor.");
         }
         first_instructor_->setVisible(!names.has_instructor);
         show_wait();

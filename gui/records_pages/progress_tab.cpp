@@ -45,7 +45,9 @@ QString result_of(const RecordRow& row) {
   return !row.score.complete ? "interrupted" : row.score.passed ? "passed" : "not passed";
 }
 
-QString after_trials(int trials) { return trials < 0 ? QString("not yet") : QString("after %1 trials").arg(trials); }
+QString so_many(int trials) { return trials == 1 ? QString("1 trial") : QString("%1 trials").arg(trials); }
+QString after_trials(int trials) { return trials < 0 ? QString("not yet") : "after " + so_many(trials); }
+QString words_of(const curricula::Day& day) { return so_many(day.trials) + QString(", %1 passed").arg(day.passed); }
 
 }  // namespace
 
@@ -54,7 +56,7 @@ ProgressTab::ProgressTab(RecordsDesk& desk, const KnownCourses& courses, QWidget
   auto* row = new QHBoxLayout(this);
   row->addWidget(make_left(), 0);
   row->addWidget(make_right(), 1);
-  connect(&desk_, &RecordsDesk::changed, this, [this] { wanted_ = {}; });
+  connect(&desk_, &RecordsDesk::changed, this, &ProgressTab::forget);
   empty_curve({});
 }
 
@@ -133,15 +135,24 @@ QWidget* ProgressTab::make_right() {
   });
   connect(trials_, &QTableWidget::activated, this,
           [this](const QModelIndex& index) { open_trial(static_cast<int>(rows_.size()) - 1 - index.row()); });
-  for (TrialChart* chart : {learning_}) {
-    connect(chart, &TrialChart::pointed_at, this, &ProgressTab::choose_trial);
-    connect(chart, &TrialChart::wanted, this, &ProgressTab::open_trial);
-  }
+  connect(learning_, &TrialChart::pointed_at, this, &ProgressTab::choose_trial);
+  connect(learning_, &TrialChart::wanted, this, &ProgressTab::open_trial);
   return right;
 }
 
 long long ProgressTab::subject() const {
   return desk_.instructor() ? whose_->currentData().toLongLong() : desk_.person().id;
+}
+
+void ProgressTab::forget() {
+  wanted_ = {};
+  curves_.clear();
+  days_.clear();
+  list_->clear();
+  calendar_->setDateTextFormat(QDate(), QTextCharFormat());
+  day_->clear();
+  whose_label_->clear();
+  empty_curve({});
 }
 
 void ProgressTab::show_progress_of(const CurveKey& key) {
@@ -163,7 +174,9 @@ void ProgressTab::refresh() {
         subject.days = progress.calendar(who, of);
         return subject;
       },
-      [this](Subject subject) { show_subject(std::move(subject)); });
+      [this, asker = desk_.person().id](Subject subject) {
+        if (desk_.person().id == asker) show_subject(std::move(subject));
+      });
 }
 
 void ProgressTab::fill_people(const std::vector<curricula::Person>& people) {
@@ -213,7 +226,7 @@ void ProgressTab::show_subject(Subject subject) {
     format.setFontWeight(QFont::Bold);
     format.setFontUnderline(true);
     format.setBackground(theme::kAccent.darker(160));
-    format.setToolTip(QString("%1 trials, %2 passed").arg(day.trials).arg(day.passed));
+    format.setToolTip(words_of(day));
     calendar_->setDateTextFormat(QDate::fromString(QString::fromStdString(day.date), Qt::ISODate), format);
   }
   if (!days_.empty())
@@ -229,7 +242,7 @@ void ProgressTab::show_days() {
   const std::string chosen = calendar_->selectedDate().toString(Qt::ISODate).toStdString();
   QString text = "no trial on this day (UTC)";
   for (const curricula::Day& day : days_)
-    if (day.date == chosen) text = QString("%1 trials, %2 passed on this day (UTC)").arg(day.trials).arg(day.passed);
+    if (day.date == chosen) text = words_of(day) + " on this day (UTC)";
   day_->setText(text);
 }
 
@@ -240,7 +253,8 @@ void ProgressTab::ask_curve() {
   const curricula::Who who = desk_.who();
   desk_.ask<std::vector<RecordRow>>(
       this, [who, key](curricula::Records& records) { return curricula::Progress(records).curve(who, key); },
-      [this, key](std::vector<RecordRow> rows) {
+      [this, key, asker = desk_.person().id](std::vector<RecordRow> rows) {
+        if (desk_.person().id != asker) return;
         const int now = list_->currentRow();
         if (now < 0 || now >= static_cast<int>(curves_.size()) || !same(curves_[static_cast<std::size_t>(now)].key, key))
           return;  // another was chosen meanwhile

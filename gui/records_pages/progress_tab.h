@@ -42,6 +42,7 @@ class ProgressTab : public QWidget {
   long long subject() const;
   void fill_people(const std::vector<curricula::Person>& people);
   void show_subject(Subject subject);
+  void forget();  ///< whoever signs in next sees nothing of it
   void show_days();
   void ask_curve();
   void show_curve();

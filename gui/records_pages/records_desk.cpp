@@ -7,7 +7,7 @@
 namespace vallecula::gui {
 namespace {
 
-constexpr double kPatienceS = 4.0;  ///< somebody sits there and waits
+constexpr double kPatienceS = 3.0;  ///< somebody sits there and waits
 
 }  // namespace
 
