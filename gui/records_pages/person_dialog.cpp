@@ -32,6 +32,7 @@ PersonDialog::PersonDialog(QWidget* parent, const QString& title, const QString&
     again_ = line(form, "PIN &again", true);
   }
   message_ = new QLabel(this);
+  message_->setObjectName("dialog_message");
   message_->setWordWrap(true);
   message_->setStyleSheet("color: #e69f00");
   auto* cancel = new QPushButton("Cancel", this);

@@ -314,7 +314,7 @@ TEST_F(WindowRecords, AnInstructorFiltersTheCohortOpensACurveAndLooksAfterPeople
   name->clear();
   type(name, "Kiwi");
   press(name, Qt::Key_Return);
-  ASSERT_TRUE(wait_for([&] { return dialog->findChildren<QLabel*>().last()->text().contains("taken"); }, 10000))
+  ASSERT_TRUE(wait_for([&] { return dialog->findChild<QLabel*>("dialog_message")->text().contains("taken"); }, 10000))
       << "refused in the dialog, to be tried again";
   name->clear();
   type(name, "Stork");
@@ -357,8 +357,8 @@ TEST_F(WindowRecords, ATraineeChangesThePinTakesTheDataAlongAndIsDeleted) {
   click(&page(), "Change PIN");
   fill({"0000", "5678", "5678"});
   QWidget* dialog = QApplication::activeModalWidget();
-  ASSERT_TRUE(wait_for([&] { return dialog->findChildren<QLabel*>().last()->text().contains("wrong"); }, 10000))
-      << dialog->findChildren<QLabel*>().last()->text().toStdString();
+  ASSERT_TRUE(wait_for([&] { return dialog->findChild<QLabel*>("dialog_message")->text().contains("wrong"); }, 10000))
+      << dialog->findChild<QLabel*>("dialog_message")->text().toStdString();
   for (QLineEdit* edit : dialog->findChildren<QLineEdit*>()) edit->clear();
   fill({"1234", "5678", "5678"});
   ASSERT_TRUE(wait_for([&] { return text_of("account_message").contains("changed"); }, 10000));
