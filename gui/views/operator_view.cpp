@@ -58,6 +58,8 @@ void OperatorView::show_patient(std::shared_ptr<PatientLook> look, const engine:
   tube_.reset();
   cords_.reset();
   secretions_.reset();
+  path_.reset();
+  mark_.reset();
   if (intubation != nullptr) {
     tube_ = std::make_unique<TubeLook>(*intubation);
     cords_ = std::make_unique<CordsLook>(*intubation);
@@ -77,11 +79,26 @@ void OperatorView::show_patient(std::shared_ptr<PatientLook> look, const engine:
   aim();
 }
 
+void OperatorView::show_ghost_path(const engine::TriangleMesh& tool, const device::Trajectory& way) {
+  path_ = std::make_unique<GhostPathLook>(tool, way);
+  renderer()->AddActor(path_->actor());
+}
+
+void OperatorView::highlight_glottis() {
+  mark_ = std::make_unique<GlottisMark>(look_->package, *look_->motion);
+  for (const auto& actor : mark_->actors()) renderer()->AddActor(actor);
+}
+
+void OperatorView::set_ghost_time(double time_s) {
+  if (path_) path_->place(time_s);
+}
+
 void OperatorView::update_from(const engine::Snapshot& snapshot) {
   if (!look_ || snapshot.step < 0) return;
   look_->update(snapshot);
   tool_->place(snapshot.proxy_pose);
   ghost_shown_ = ghost_->place(snapshot.device_pose, snapshot.proxy_pose);
+  if (mark_) mark_->update(snapshot);
   if (tube_) {
     tube_->update(snapshot);
     cords_->update(snapshot);

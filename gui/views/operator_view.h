@@ -8,6 +8,7 @@
 
 #include "engine/snapshot.h"
 #include "gui/views/gl_view.h"
+#include "gui/views/help_look.h"
 #include "gui/views/larynx_look.h"
 #include "gui/views/patient_look.h"
 #include "gui/views/tool_look.h"
@@ -24,6 +25,11 @@ class OperatorView : public GlView {
   /// Takes a patient and a tool in place of what was shown; `intubation`: of a scene that has one.
   void show_patient(std::shared_ptr<PatientLook> look, const engine::TriangleMesh& tool,
                     const engine::IntubationDescription* intubation = nullptr);
+  /// Helps of the patient shown; both are gone with the next one.
+  void show_ghost_path(const engine::TriangleMesh& tool, const device::Trajectory& way);
+  void highlight_glottis();
+  /// Where the ghost path is, s since it was first shown.
+  void set_ghost_time(double time_s);
   /// Moves tongue, blade and ghost, tube, cords and secretions to the snapshot's step; draw() then shows it.
   void update_from(const engine::Snapshot& snapshot);
   void set_zoom(Zoom zoom) { zoom_ = zoom; }
@@ -47,6 +53,8 @@ class OperatorView : public GlView {
   std::unique_ptr<TubeLook> tube_;
   std::unique_ptr<CordsLook> cords_;
   std::unique_ptr<SecretionsLook> secretions_;
+  std::unique_ptr<GhostPathLook> path_;
+  std::unique_ptr<GlottisMark> mark_;
   std::vector<vtkSmartPointer<vtkActor>> tissues_;
   Zoom zoom_ = Zoom::automatic;
   double closeness_ = 0.0, across_mm_ = 100.0;
