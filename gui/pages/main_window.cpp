@@ -18,10 +18,12 @@
 #include "gui/pages/background.h"
 #include "gui/pages/devices_page.h"
 #include "gui/pages/result_page.h"
+#include "gui/pages/self_rating_page.h"
 #include "gui/pages/trial_page.h"
 #include "gui/records_pages/records_page.h"
 #include "gui/session/builtin_patient.h"
 #include "gui/session/device_choice.h"
+#include "gui/session/past_results.h"
 #include "gui/session/patient_fit.h"
 #include "gui/session/user_paths.h"
 #include "gui/session/user_settings.h"
@@ -51,9 +53,11 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
   import_ = new ImportWizard(pages_);
   prepare_page_ = make_prepare_page();
   trial_ = new TrialPage(pages_);
+  rating_ = new SelfRatingPage(pages_);
   result_ = new ResultPage(pages_);
   for (QWidget* page : {static_cast<QWidget*>(start_), static_cast<QWidget*>(devices_), static_cast<QWidget*>(records_),
-                        static_cast<QWidget*>(import_), prepare_page_, static_cast<QWidget*>(trial_), static_cast<QWidget*>(result_)})
+                        static_cast<QWidget*>(import_), prepare_page_, static_cast<QWidget*>(trial_),
+                        static_cast<QWidget*>(rating_), static_cast<QWidget*>(result_)})
     pages_->addWidget(page);
   // The page that is seen says how small the window may be, not the largest of them all.
   const auto only_current_counts = [this] {
@@ -74,10 +78,11 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
   column->addWidget(pages_, 1);
   setCentralWidget(whole);
   resize(1280, 800);
-  connect(start_, &StartPage::chosen, this, &MainWindow::prepare_choice);
+  connect(start_, &StartPage::chosen, this, [this](const Choice& choice) { prepare_choice(choice); });
   connect(start_, &StartPage::import_wanted, this, [this] { import_series(); });
   connect(start_, &StartPage::devices_wanted, this, [this] { pages_->setCurrentWidget(devices_); });
   connect(who_, &WhoStrip::records_wanted, this, [this] { pages_->setCurrentWidget(records_); });
+  connect(&records_->desk(), &RecordsDesk::changed, this, &MainWindow::read_past);
   connect(records_, &RecordsPage::left, this, &MainWindow::back_to_start);
   connect(records_, &RecordsPage::trial_wanted, this, &MainWindow::show_trial);
   connect(devices_, &DevicesPage::left, this, &MainWindow::back_to_start);
@@ -97,14 +102,23 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
     back_to_start();
   });
   connect(trial_, &TrialPage::finished, this, [this](const TrialOutcome& outcome) {
-    result_->show_outcome(outcome, scenario_, results_, misfits_);
-    pages_->setCurrentWidget(result_);
+    outcome_ = outcome;
+    if (curricula::rules_of(scenario_.attempt.mode).self_rating_before && outcome.by_person) {
+      rating_->ask(scenario_);
+      pages_->setCurrentWidget(rating_);
+    } else {
+      show_result();
+    }
     emit trial_finished(outcome);
   });
   connect(trial_, &TrialPage::failed, this, &MainWindow::show_failure);
   connect(result_, &ResultPage::again, this, [this] {
     if (again_) again_();
   });
+  connect(result_, &ResultPage::same_again, this, [this] {
+    if (same_again_) same_again_();
+  });
+  connect(rating_, &SelfRatingPage::rated, this, &MainWindow::take_self_rating);
   connect(result_, &ResultPage::left, this, &MainWindow::back_to_start);
 }
 
@@ -180,13 +194,14 @@ void MainWindow::import_series(const QString& source) {
   import_->begin(source);
 }
 
-void MainWindow::prepare_choice(const Choice& choice) {
+void MainWindow::prepare_choice(const Choice& choice, std::uint32_t seed) {
   TrialSetup setup;
   setup.curriculum = choice.curriculum;
   setup.scenario = choice.scenario.id;
   setup.device = choice.device.toStdString();
   setup.second = choice.second.toStdString();
   setup.trainee_id = records_->desk().person().id;
+  setup.mode = choice.mode;
   const auto kept = user_settings();
   kept->setValue("scenario", QString::fromStdString(choice.scenario.id));
   kept->setValue("device", choice.device);
@@ -195,7 +210,9 @@ void MainWindow::prepare_choice(const Choice& choice) {
   const std::string moment = QDateTime::currentDateTime().toString("yyyyMMdd-HHmmss").toStdString();
   setup.out = user_data_folder() / "trials" / (moment + "-" + choice.scenario.id);
   // No two attempts are the same; the seed stands in the trial's log, and `vallecula trial` repeats it.
-  if (choice.scenario.variation) setup.attempt_seed = QRandomGenerator::global()->bounded(1u, 0xffffffffu);
+  if (choice.scenario.variation && curricula::rules_of(choice.mode).variation)
+    setup.attempt_seed = seed != 0 ? seed : QRandomGenerator::global()->bounded(1u, 0xffffffffu);
+  same_again_ = [this, choice, drawn = setup.attempt_seed] { prepare_choice(choice, drawn); };
   const auto manikin = curricula::attempt_of(choice.scenario, setup.mode, setup.attempt_seed).manikin;
   const auto chosen = choice.patient;
   prepare(
@@ -209,7 +226,7 @@ void MainWindow::prepare_choice(const Choice& choice) {
 }
 
 void MainWindow::prepare(const TrialSetup& setup, bool start_at_once) {
-  again_ = [this, setup, start_at_once] { prepare(setup, start_at_once); };
+  same_again_ = again_ = [this, setup, start_at_once] { prepare(setup, start_at_once); };
   prepare(
       setup, [patient = setup.patient] { return patient; }, start_at_once);
 }
@@ -274,11 +291,38 @@ void MainWindow::show_failure(const QString& message) {
   emit trial_failed(message);
 }
 
+void MainWindow::show_result() {
+  result_->show_outcome(outcome_, scenario_, results_, misfits_);
+  pages_->setCurrentWidget(result_);
+}
+
+void MainWindow::take_self_rating(const SelfRating& rating) {
+  RecordsDesk& desk = records_->desk();
+  desk.ask<bool>(
+      this,
+      [who = desk.who(), trial = outcome_.record_id, rating](curricula::Records& records) {
+        keep_self_rating(records, who, trial, rating);
+        return true;
+      },
+      [this](bool) { show_result(); },  // kept before anything of the score is seen
+      [this](const QString& message) { rating_->set_message(message); });
+}
+
+void MainWindow::read_past() {
+  RecordsDesk& desk = records_->desk();
+  desk.ask<PastResults>(
+      this, [who = desk.who()](curricula::Records& records) { return past_results(records, who); },
+      [this](PastResults past) { start_->set_past(std::move(past), records_->desk().instructor()); },
+      [this](const QString& message) { start_->set_message(message); });
+}
+
 void MainWindow::back_to_start() {
-  if (has_start_)
+  if (has_start_) {
     pages_->setCurrentWidget(start_);
-  else
+    read_past();
+  } else {
     close();  // opened for one trial only
+  }
 }
 
 void MainWindow::show_trial(const QString& log) {
@@ -297,6 +341,7 @@ QString MainWindow::page_name() const {
          : page == import_       ? "import"
          : page == prepare_page_ ? "prepare"
          : page == trial_        ? "trial"
+         : page == rating_       ? "rating"
                                  : "result";
 }
 

@@ -21,6 +21,8 @@ class DevicesPage;
 class ImportWizard;
 class RecordsPage;
 class ResultPage;
+class SelfRatingPage;
+struct SelfRating;
 class TrialPage;
 class WhoStrip;
 
@@ -41,7 +43,8 @@ class MainWindow : public QMainWindow {
   ImportWizard& import_wizard() { return *import_; }
   DevicesPage& devices_page() { return *devices_; }
   RecordsPage& records_page() { return *records_; }
-  QString page_name() const;  ///< "start", "records", "devices", "import", "prepare", "trial", "result"
+  /// "start", "records", "devices", "import", "prepare", "trial", "rating", "result"
+  QString page_name() const;
 
  signals:
   void prepared();
@@ -52,10 +55,15 @@ class MainWindow : public QMainWindow {
   void closeEvent(QCloseEvent* event) override;
 
  private:
-  void prepare_choice(const Choice& choice);
+  /// `seed`: of an attempt to be repeated; 0: a new one is drawn.
+  void prepare_choice(const Choice& choice, std::uint32_t seed = 0);
   /// `patient`: gives the package's folder; runs on the preparing thread.
   void prepare(TrialSetup setup, std::function<std::filesystem::path()> patient, bool start_at_once);
   void report_progress(const std::string& stage, double fraction);
+  void show_result();
+  void take_self_rating(const SelfRating& rating);
+  /// What is open and mastered for whoever is signed in.
+  void read_past();
   void show_failure(const QString& message);
   void back_to_start();
   void show_trial(const QString& log);
@@ -73,13 +81,15 @@ class MainWindow : public QMainWindow {
   QLabel* prepare_stage_;
   QProgressBar* prepare_bar_;
   TrialPage* trial_;
+  SelfRatingPage* rating_;
   ResultPage* result_;
   QPointer<QThread> worker_;
   std::atomic<bool> cancelled_{false};
   curricula::Scenario scenario_;
   std::vector<std::string> misfits_;  ///< of the patient and this scenario
   std::filesystem::path results_;
-  std::function<void()> again_;
+  TrialOutcome outcome_;
+  std::function<void()> again_, same_again_;
   bool has_start_ = false;
 };
 

@@ -77,13 +77,16 @@ ResultPage::ResultPage(QWidget* parent) : QWidget(parent) {
   middle->addLayout(plots, 17);
   middle->addWidget(scrolled, 11);
   auto* foot = new QHBoxLayout;
-  auto* again = new QPushButton("Again", this);
-  again->setObjectName("primary");
+  again_ = new QPushButton(this);
+  again_->setObjectName("primary");
+  again_->setToolTip("Enter");
+  same_ = new QPushButton("Same attempt again", this);
   auto* report = new QPushButton("Open the report", this);
   auto* leave = new QPushButton("Other scenario", this);
   foot->addWidget(where_, 1);
-  for (auto* button : {report, leave, again}) foot->addWidget(button);
-  connect(again, &QPushButton::clicked, this, &ResultPage::again);
+  for (auto* button : {report, leave, same_, again_}) foot->addWidget(button);
+  connect(again_, &QPushButton::clicked, this, &ResultPage::again);
+  connect(same_, &QPushButton::clicked, this, &ResultPage::same_again);
   connect(leave, &QPushButton::clicked, this, &ResultPage::left);
   connect(report, &QPushButton::clicked, this,
           [this] { QDesktopServices::openUrl(QUrl::fromLocalFile(QString::fromStdString(report_.string()))); });
@@ -124,7 +127,15 @@ void ResultPage::show_outcome(const TrialOutcome& outcome, const curricula::Scen
     list += "<li style='margin-bottom:5px'>" + QString::fromStdString(reason).toHtmlEscaped() + "</li>";
   reasons_->setText(list.isEmpty() ? QString() : "<b>Reasons</b><ul style='margin-left:-22px'>" + list + "</ul>");
   report_ = outcome.report;
-  where_->setText("Results: " + QString::fromStdString(folder.string()));
+  const auto& attempt = scenario.attempt;
+  const bool drawn = attempt.seed != 0;
+  again_->setText(drawn ? "Next attempt" : "Again");
+  same_->setVisible(drawn);
+  QString where = "Results: " + QString::fromStdString(folder.string());
+  if (drawn) where += QString("\nAttempt seed %1: with it everything is the same once more.").arg(attempt.seed);
+  if (attempt.mode == curricula::Mode::assessment)
+    where += outcome.replay_allowed ? "\nAn assessment." : "\nAn assessment: its replay stays locked.";
+  where_->setText(where);
   plot_picture_ = QPixmap(QString::fromStdString(outcome.force_plot.string()));
   draw_monitor(outcome, scenario);
   fit_plots();

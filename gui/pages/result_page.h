@@ -12,6 +12,7 @@
 
 class QGridLayout;
 class QLabel;
+class QPushButton;
 
 namespace vallecula::gui {
 
@@ -25,7 +26,8 @@ class ResultPage : public QWidget {
                     const std::filesystem::path& folder, const std::vector<std::string>& misfits);
 
  signals:
-  void again();
+  void again();       ///< of a scenario with a variation another attempt, as drawn anew
+  void same_again();  ///< what has just been done, as it was drawn
   void left();
 
  protected:
@@ -37,6 +39,7 @@ class ResultPage : public QWidget {
   void draw_monitor(const TrialOutcome& outcome, const curricula::Scenario& scenario);
   void show_figures(const TrialOutcome& outcome, const curricula::Scenario& scenario);
   QLabel *title_, *verdict_, *outcome_, *change_, *plot_, *monitor_, *reasons_, *where_;
+  QPushButton *again_, *same_;
   QGridLayout* figures_;
   QPixmap plot_picture_, monitor_picture_;
   QPointer<QThread> drawing_;
