@@ -14,10 +14,10 @@ class QComboBox;
 class QDialog;
 class QLabel;
 class QPushButton;
-class QTreeWidget;
-class QTreeWidgetItem;
 
 namespace vallecula::gui {
+
+class ModuleTree;
 
 struct Choice {
   std::filesystem::path curriculum;
@@ -47,7 +47,7 @@ class StartPage : public QWidget {
   bool select(const QString& scenario, const QString& device);
   /// Throws std::logic_error when no scenario is chosen.
   Choice choice() const;
-  /// What the rows of the curriculum say, for a person who reads on: "Handling the blade: open", one a module.
+  /// What is said of the modules: "Handling the blade: open", one each.
   QStringList states() const;
 
  signals:
@@ -56,29 +56,22 @@ class StartPage : public QWidget {
   void devices_wanted();
 
  private:
-  void show_curriculum(int index);
-  /// Fills the tree anew, with the same row chosen.
+  /// Fills the tree anew.
   void show_modules();
   void show_chosen();
   void show_scenario(const curricula::Scenario& scenario);
-  void add_scenario(QTreeWidgetItem* to, const std::string& id, const std::vector<curricula::PastResult>& past);
-  /// The one where somebody who comes back goes on: open, and not passed yet.
-  QTreeWidgetItem* next_to_do() const;
-  const curricula::Curriculum* curriculum() const;      ///< that is shown; null: there is none
-  const curricula::Scenario* chosen_scenario() const;   ///< null: a module, the course or nothing is chosen
+  const curricula::Curriculum* curriculum() const;  ///< that is shown; null: there is none
   /// Nobody learns by a scripted hand, so it may be watched at anything.
   bool watching() const;
   /// As LogHeader::device_kind, of what is chosen.
   std::string hands() const;
-  QTreeWidgetItem* item_of(const QString& id) const;
   void browse();
   /// Of the chosen device, as it was last found; null: it was not, or has none.
   std::unique_ptr<QDialog> device_settings();
   std::vector<curricula::Curriculum> curricula_;
   std::vector<device::FoundDevice> found_{device::found_mouse()};  ///< looked for elsewhere: it may take seconds
   PastResults past_;
-  std::vector<curricula::ModuleProgress> progress_;  ///< of the curriculum shown
-  QTreeWidget* tree_;
+  ModuleTree* tree_;
   QLabel *heading_, *briefing_, *why_, *message_, *second_label_, *mode_label_;
   QComboBox *curriculum_, *patient_, *device_, *second_, *mode_;
   QPushButton* go_;

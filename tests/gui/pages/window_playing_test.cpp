@@ -74,9 +74,8 @@ class WindowPlaying : public Screen {
   }
   static bool shows(QWidget& of, const QString& words) {
     const auto labels = of.findChildren<QLabel*>();
-    return std::any_of(labels.begin(), labels.end(), [&](const QLabel* label) {
-      return label->isVisible() && label->text().contains(words);
-    });
+    return std::any_of(labels.begin(), labels.end(),
+                       [&](const QLabel* label) { return label->isVisible() && label->text().contains(words); });
   }
   test::Sandbox box_;
 };
