@@ -170,8 +170,9 @@ void StartPage::set_curricula(std::vector<curricula::Curriculum> curricula) {
   show_modules();
 }
 
-void StartPage::set_past(PastResults past) {
+void StartPage::set_past(PastResults past, bool all_open) {
   past_ = std::move(past);
+  all_open_ = all_open;
   show_modules();
 }
 
@@ -193,7 +194,7 @@ std::string StartPage::hands() const {
 void StartPage::show_modules() {
   std::vector<curricula::PastResult> past;
   if (curriculum() != nullptr) past = with_hands(past_[curriculum()->id], *curriculum(), hands());
-  tree_->show_course(curriculum(), past, hands(), watching());
+  tree_->show_course(curriculum(), past, hands(), all_open_ || watching());
 }
 
 QStringList StartPage::states() const { return tree_->states(); }

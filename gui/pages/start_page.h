@@ -34,8 +34,9 @@ class StartPage : public QWidget {
   explicit StartPage(QWidget* parent = nullptr);
   /// Replaces the curricula, the first is shown; keeps the last choice where it is still to be had.
   void set_curricula(std::vector<curricula::Curriculum> curricula);
-  /// What whoever sits here has done so far: says what is open and mastered.
-  void set_past(PastResults past);
+  /// What whoever sits here has done so far: says what is open and mastered. `all_open`: an instructor, for whom nothing
+  /// is closed.
+  void set_past(PastResults past, bool all_open = false);
   void add_patient(const std::filesystem::path& package, bool choose);
   /// Offers what is plugged in beside what is always there; what is gone is no longer offered, unless it is chosen.
   void set_found_devices(const std::vector<device::FoundDevice>& devices);
@@ -71,6 +72,7 @@ class StartPage : public QWidget {
   std::vector<curricula::Curriculum> curricula_;
   std::vector<device::FoundDevice> found_{device::found_mouse()};  ///< looked for elsewhere: it may take seconds
   PastResults past_;
+  bool all_open_ = false;
   ModuleTree* tree_;
   QLabel *heading_, *briefing_, *why_, *message_, *second_label_, *mode_label_;
   QComboBox *curriculum_, *patient_, *device_, *second_, *mode_;

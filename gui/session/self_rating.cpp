@@ -4,7 +4,8 @@
 
 namespace vallecula::gui {
 
-void keep_self_rating(curricula::Records& records, const curricula::Who& who, long long record_id, const SelfRating& rating) {
+void keep_self_rating(curricula::Records& records, const curricula::Who& who, long long record_id,
+                      const SelfRating& rating) {
   curricula::Ratings ratings(records);
   const auto add = [&](const char* item, double value) { ratings.add(who, record_id, {"self", item, value}); };
   add(curricula::kGlobalRating, rating.global);

@@ -9,6 +9,7 @@
 
 #include "gui/commands/headless_application.h"
 #include "gui/pages/module_words.h"
+#include "gui/session/trial_record.h"
 #include "gui/session/trial_session.h"
 #include "tests/gui/block_patient.h"
 #include "tests/gui/busy_course.h"
@@ -28,7 +29,10 @@ class PastResultsTest : public ::testing::Test {
 };
 
 TEST_F(PastResultsTest, OldestFirstWithModeAndDevice) {
-  EXPECT_TRUE(past_results({}).empty());
+  {
+    curricula::Records records(records_location());
+    EXPECT_TRUE(past_results(records, {}).empty());
+  }
   TrialSetup setup;
   setup.patient = write_block_patient(box_.folder());
   setup.curriculum = write_busy_course(box_.folder());
@@ -45,7 +49,8 @@ TEST_F(PastResultsTest, OldestFirstWithModeAndDevice) {
     EXPECT_EQ(outcome.replay_allowed, mode == Mode::practice);
     EXPECT_FALSE(outcome.by_person);
   }
-  const PastResults results = past_results({});
+  curricula::Records records(records_location());
+  const PastResults results = past_results(records, {});
   ASSERT_EQ(results.size(), 1u);
   const auto& past = results.at("busy-course");
   ASSERT_EQ(past.size(), 2u);
