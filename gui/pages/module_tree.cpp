@@ -49,10 +49,11 @@ void ModuleTree::show_course(const curricula::Curriculum* course, const std::vec
     if (course_ != nullptr) progress_ = curricula::progress_of(*course_, past, hands);
     if (course_ != nullptr && !course_->goals.empty())
       row_in(invisibleRootItem(), "About this course", kCourseKey)->setForeground(kTitle, theme::kFaint);
+    const bool alone = progress_.size() == 1;  // a course's only module needs no row of its own
+    setRootIsDecorated(!alone);
     for (std::size_t m = 0; m < progress_.size(); ++m) {
       const curricula::Module& module = course_->modules[m];
       QTreeWidgetItem* row = invisibleRootItem();
-      const bool alone = progress_.size() == 1;  // a course's only module needs no row of its own
       if (!alone) {
         row =
             row_in(row, QString("%1  %2").arg(m + 1).arg(QString::fromStdString(module.title)), module_key(module.id));

@@ -126,6 +126,8 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
   auto* scrolled = new QScrollArea(this);  // a course's texts are as long as its author likes
   scrolled->setWidget(briefing_);
   scrolled->setWidgetResizable(true);
+  for (QWidget* ground : {scrolled->viewport(), static_cast<QWidget*>(briefing_)})
+    ground->setAutoFillBackground(false);  // the panel's own shows
   scrolled->setFrameShape(QFrame::NoFrame);
   scrolled->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   scrolled->setFocusPolicy(Qt::NoFocus);
