@@ -113,10 +113,10 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
   });
   connect(trial_, &TrialPage::failed, this, &MainWindow::show_failure);
   connect(result_, &ResultPage::again, this, [this] {
-    if (again_) again_();
+    if (const auto again = again_) again();  // a copy: preparing puts another in its place, what it holds with it
   });
   connect(result_, &ResultPage::same_again, this, [this] {
-    if (same_again_) same_again_();
+    if (const auto again = same_again_) again();
   });
   connect(rating_, &SelfRatingPage::rated, this, &MainWindow::take_self_rating);
   connect(result_, &ResultPage::left, this, &MainWindow::back_to_start);
