@@ -58,8 +58,7 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
   mode_ = new QComboBox(this);
   mode_->setObjectName("mode");
   mode_->addItem("Practice", static_cast<int>(curricula::Mode::practice));
-  mode_->addItem("Assessment: as written, no helps, you rate yourself first, replay locked",
-                 static_cast<int>(curricula::Mode::assessment));
+  mode_->addItem("Assessment: no helps, own rating first, no replay", static_cast<int>(curricula::Mode::assessment));
   patient_ = new QComboBox(this);
   patient_->addItem("Built-in manikin, made for the scenario", QString());
   device_ = new QComboBox(this);
@@ -74,6 +73,10 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
   second_->setObjectName("second");
   second_->addItem("The same device, blade and tube in turn (X changes)", QString());
   second_->addItem("The mouse", "mouse");
+  mode_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);  // a small window cuts it short
+  mode_->setMinimumContentsLength(20);
+  connect(mode_, qOverload<int>(&QComboBox::activated), this,
+          [this] { mode_wanted_ = static_cast<curricula::Mode>(mode_->currentData().toInt()); });
   auto* browse = new QPushButton("Other patient ...", this);
   connect(browse, &QPushButton::clicked, this, &StartPage::browse);
   auto* from_ct = new QPushButton("New patient from a CT ...", this);
@@ -179,16 +182,13 @@ void StartPage::set_past(PastResults past, bool all_open) {
 }
 
 const curricula::Curriculum* StartPage::curriculum() const {
-  return curriculum_->currentIndex() < 0 ? nullptr
-                                         : &curricula_[static_cast<std::size_t>(curriculum_->currentIndex())];
+  return curriculum_->currentIndex() < 0 ? nullptr : &curricula_[static_cast<std::size_t>(curriculum_->currentIndex())];
 }
 
 bool StartPage::watching() const { return is_scripted(device_->currentData().toString().toStdString()); }
 
 std::string StartPage::hands() const {
-  const auto kind = [](const QComboBox* box) {
-    return box->currentData().toString().section(':', 0, 0).toStdString();
-  };
+  const auto kind = [](const QComboBox* box) { return box->currentData().toString().section(':', 0, 0).toStdString(); };
   const std::string blade = kind(device_), tube = kind(second_);
   return watching() || blade == "mouse" || tube.empty() ? blade : blade + "+" + tube;
 }
@@ -213,9 +213,9 @@ void StartPage::show_chosen() {
     const curricula::ModuleProgress& progress = tree_->progress_of(*module);
     const QString closed = tree_->why_closed(*curriculum()->find(module->scenarios.front()));
     heading_->setText(QString::fromStdString(module->title));
-    briefing_->setText(html_of(module->goal) + "<p><b>" + capitalised(state_of(progress)) + "</b>: " +
-                       progress_line(*module, progress).toHtmlEscaped() + ". " + closed.toHtmlEscaped() + "</p><p>" +
-                       mastery_rule(*module).toHtmlEscaped() +
+    briefing_->setText(html_of(module->goal) + "<p><b>" + capitalised(state_of(progress)) +
+                       "</b>: " + progress_line(*module, progress).toHtmlEscaped() + ". " + closed.toHtmlEscaped() +
+                       "</p><p>" + mastery_rule(*module).toHtmlEscaped() +
                        " Trials with another kind of device do not count here.</p>");
   } else {
     heading_->setText(QString::fromStdString(curriculum()->title));
@@ -231,14 +231,13 @@ void StartPage::show_scenario(const curricula::Scenario& scenario) {
       text += "<p>" + QString::fromStdString(module->title).toHtmlEscaped() + ": " +
               progress_line(*module, tree_->progress_of(*module)).toHtmlEscaped() + ".</p>";
     auto* modes = qobject_cast<QStandardItemModel*>(mode_->model());
-    int allowed = -1;
-    for (int i = mode_->count() - 1; i >= 0; --i) {
-      const auto mode = static_cast<curricula::Mode>(mode_->itemData(i).toInt());
-      const bool may = std::count(module->modes.begin(), module->modes.end(), mode) > 0;
-      modes->item(i)->setEnabled(may);
-      if (may) allowed = i;
-    }
-    if (allowed >= 0 && !modes->item(mode_->currentIndex())->isEnabled()) mode_->setCurrentIndex(allowed);
+    const auto may = [module](curricula::Mode mode) {
+      return std::count(module->modes.begin(), module->modes.end(), mode) > 0;
+    };
+    for (int i = 0; i < mode_->count(); ++i)
+      modes->item(i)->setEnabled(may(static_cast<curricula::Mode>(mode_->itemData(i).toInt())));
+    const curricula::Mode mode = may(mode_wanted_) ? mode_wanted_ : module->modes.front();
+    mode_->setCurrentIndex(mode_->findData(static_cast<int>(mode)));
   }
   briefing_->setText(text);
   const QString closed = tree_->why_closed(scenario);
@@ -346,8 +345,11 @@ Choice StartPage::choice() const {
   const curricula::Scenario* scenario = tree_->scenario();
   if (scenario == nullptr) throw std::logic_error("no scenario is chosen");
   const auto mode = watching() ? curricula::Mode::practice : static_cast<curricula::Mode>(mode_->currentData().toInt());
-  return {curriculum()->file, *scenario, patient_->currentData().toString().toStdString(),
-          device_->currentData().toString(), second_->isVisibleTo(this) ? second_->currentData().toString() : QString(),
+  return {curriculum()->file,
+          *scenario,
+          patient_->currentData().toString().toStdString(),
+          device_->currentData().toString(),
+          second_->isVisibleTo(this) ? second_->currentData().toString() : QString(),
           mode};
 }
 

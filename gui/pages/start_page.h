@@ -73,6 +73,7 @@ class StartPage : public QWidget {
   std::vector<device::FoundDevice> found_{device::found_mouse()};  ///< looked for elsewhere: it may take seconds
   PastResults past_;
   bool all_open_ = false;
+  curricula::Mode mode_wanted_ = curricula::Mode::practice;  ///< where the module allows it
   ModuleTree* tree_;
   QLabel *heading_, *briefing_, *why_, *message_, *second_label_, *mode_label_;
   QComboBox *curriculum_, *patient_, *device_, *second_, *mode_;
