@@ -36,9 +36,9 @@ std::vector<curricula::Curriculum> curricula_to_choose_from() {
 }
 
 int run_window(const std::function<void(MainWindow&)>& opened) {
+  WindowApplication application;
   for (const std::string& told : tidy_records()) spdlog::warn("{}", told);
   auto curricula = curricula_to_choose_from();
-  WindowApplication application;
   MainWindow window;
   window.show_start(std::move(curricula));
   window.show();

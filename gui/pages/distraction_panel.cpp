@@ -37,9 +37,10 @@ DistractionPanel::DistractionPanel(QWidget* parent) : QFrame(parent) {
   column_ = new QVBoxLayout(this);
   column_->setContentsMargins(10, 8, 10, 8);
   column_->setSpacing(6);
-  idle_ = new QLabel("You will be asked things meanwhile, here. Keys 1 to 6 answer, M silences an alarm; talk asks for "
-                     "nothing.",
-                     this);
+  idle_ = new QLabel(
+      "You will be asked things meanwhile, here. Keys 1 to 6 answer, M silences an alarm; talk asks for "
+      "nothing.",
+      this);
   idle_->setObjectName("faint");
   idle_->setWordWrap(true);
   column_->addWidget(idle_);
@@ -131,8 +132,9 @@ DistractionPanel::Row DistractionPanel::make_row(const DualTask::Open& open, boo
 void DistractionPanel::refresh() {
   if (task_ == nullptr || task_->distractions().empty()) return;
   const std::vector<DualTask::Open> open = task_->open();
-  const bool same = std::equal(open.begin(), open.end(), rows_.begin(), rows_.end(),
-                               [](const DualTask::Open& o, const Row& row) { return o.distraction == row.distraction; });
+  const bool same =
+      std::equal(open.begin(), open.end(), rows_.begin(), rows_.end(),
+                 [](const DualTask::Open& o, const Row& row) { return o.distraction == row.distraction; });
   if (!same) {
     for (const Row& row : rows_) row.widget->deleteLater(), row.widget->hide();
     rows_.clear();

@@ -18,8 +18,8 @@ class DistractionPanel : public QFrame {
   Q_OBJECT
  public:
   explicit DistractionPanel(QWidget* parent = nullptr);
-  /// Whose distractions are shown from now on; null: nobody's, and the panel is hidden where there are none. `by_person`:
-  /// false where a script answers, or nobody does.
+  /// Whose distractions are shown from now on; null: nobody's, and the panel is hidden where there are none.
+  /// `by_person`: false where a script answers, or nobody does.
   void serve(DualTask* task, bool by_person);
   /// True when the key is one of these: 1 to 6 answer the question that is open longest, M silences the alarm that is.
   bool key(QKeyEvent* event, bool pressed);

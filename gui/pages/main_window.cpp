@@ -1,12 +1,14 @@
 #include "gui/pages/main_window.h"
 
 #include <QCloseEvent>
+#include <QDesktopServices>
 #include <QDateTime>
 #include <QLabel>
 #include <QProgressBar>
 #include <QRandomGenerator>
 #include <QPushButton>
 #include <QStackedWidget>
+#include <QUrl>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <stdexcept>
@@ -19,6 +21,7 @@
 #include "gui/pages/result_page.h"
 #include "gui/pages/self_rating_page.h"
 #include "gui/pages/trial_page.h"
+#include "gui/records_pages/records_page.h"
 #include "gui/session/builtin_patient.h"
 #include "gui/session/device_choice.h"
 #include "gui/session/past_results.h"
@@ -47,15 +50,17 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
   pages_ = new QStackedWidget(this);
   start_ = new StartPage(pages_);
   devices_ = new DevicesPage(pages_);
+  records_ = new RecordsPage(pages_);
   import_ = new ImportWizard(pages_);
   prepare_page_ = make_prepare_page();
   trial_ = new TrialPage(pages_);
   rating_ = new SelfRatingPage(pages_);
   result_ = new ResultPage(pages_);
   replay_ = new ReplayPage(pages_);
-  for (QWidget* page : {static_cast<QWidget*>(start_), static_cast<QWidget*>(devices_), static_cast<QWidget*>(import_),
-                        prepare_page_, static_cast<QWidget*>(trial_), static_cast<QWidget*>(rating_),
-                        static_cast<QWidget*>(result_), static_cast<QWidget*>(replay_)})
+  for (QWidget* page : {static_cast<QWidget*>(start_), static_cast<QWidget*>(devices_), static_cast<QWidget*>(records_),
+                        static_cast<QWidget*>(import_), prepare_page_, static_cast<QWidget*>(trial_),
+                        static_cast<QWidget*>(rating_), static_cast<QWidget*>(result_),
+                        static_cast<QWidget*>(replay_)})
     pages_->addWidget(page);
   // The page that is seen says how small the window may be, not the largest of them all.
   const auto only_current_counts = [this] {
@@ -63,14 +68,26 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
       const auto policy = i == pages_->currentIndex() ? QSizePolicy::Preferred : QSizePolicy::Ignored;
       pages_->widget(i)->setSizePolicy(policy, policy);
     }
+    who_->setVisible(pages_->currentWidget() == start_);
   };
+  who_ = new WhoStrip(records_->desk(), this);
   connect(pages_, &QStackedWidget::currentChanged, this, only_current_counts);
   only_current_counts();
-  setCentralWidget(pages_);
+  auto* whole = new QWidget(this);
+  auto* column = new QVBoxLayout(whole);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  column->addWidget(who_);
+  column->addWidget(pages_, 1);
+  setCentralWidget(whole);
   resize(1280, 800);
   connect(start_, &StartPage::chosen, this, [this](const Choice& choice) { prepare_choice(choice); });
   connect(start_, &StartPage::import_wanted, this, [this] { import_series(); });
   connect(start_, &StartPage::devices_wanted, this, [this] { pages_->setCurrentWidget(devices_); });
+  connect(who_, &WhoStrip::records_wanted, this, [this] { pages_->setCurrentWidget(records_); });
+  connect(&records_->desk(), &RecordsDesk::changed, this, &MainWindow::read_past);
+  connect(records_, &RecordsPage::left, this, &MainWindow::back_to_start);
+  connect(records_, &RecordsPage::trial_wanted, this, &MainWindow::show_trial);
   connect(devices_, &DevicesPage::left, this, &MainWindow::back_to_start);
   connect(devices_, &DevicesPage::found, start_, &StartPage::set_found_devices);
   connect(devices_, &DevicesPage::chosen, this, [this](const device::FoundDevice& device) {
@@ -99,10 +116,10 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
   });
   connect(trial_, &TrialPage::failed, this, &MainWindow::show_failure);
   connect(result_, &ResultPage::again, this, [this] {
-    if (again_) again_();
+    if (const auto again = again_) again();  // a copy: preparing puts another in its place, what it holds with it
   });
   connect(result_, &ResultPage::same_again, this, [this] {
-    if (same_again_) same_again_();
+    if (const auto again = same_again_) again();
   });
   connect(rating_, &SelfRatingPage::rated, this, &MainWindow::take_self_rating);
   connect(result_, &ResultPage::left, this, &MainWindow::back_to_start);
@@ -116,8 +133,7 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
 
 MainWindow::~MainWindow() {
   cancelled_ = true;
-  for (const auto& thread : {worker_, past_reader_})
-    if (thread) thread->wait();
+  if (worker_) worker_->wait();
 }
 
 QWidget* MainWindow::make_prepare_page() {
@@ -147,6 +163,7 @@ QWidget* MainWindow::make_prepare_page() {
 
 void MainWindow::show_start(std::vector<curricula::Curriculum> curricula) {
   has_start_ = true;
+  records_->set_curricula(curricula);
   start_->set_curricula(std::move(curricula));
   const auto kept = user_settings();
   const QString device = kept->value("device", "mouse").toString();
@@ -192,6 +209,7 @@ void MainWindow::prepare_choice(const Choice& choice, std::uint32_t seed) {
   setup.scenario = choice.scenario.id;
   setup.device = choice.device.toStdString();
   setup.second = choice.second.toStdString();
+  setup.trainee_id = records_->desk().person().id;
   setup.mode = choice.mode;
   const auto kept = user_settings();
   kept->setValue("scenario", QString::fromStdString(choice.scenario.id));
@@ -331,19 +349,22 @@ void MainWindow::show_result() {
 }
 
 void MainWindow::take_self_rating(const SelfRating& rating) {
-  try {
-    keep_self_rating({}, outcome_.record_id, rating);  // before anything of the score is seen
-  } catch (const std::exception& error) {
-    rating_->set_message(QString::fromUtf8(error.what()));
-    return;
-  }
-  show_result();
+  RecordsDesk& desk = records_->desk();
+  desk.ask<bool>(
+      this,
+      [who = desk.who(), trial = outcome_.record_id, rating](curricula::Records& records) {
+        keep_self_rating(records, who, trial, rating);
+        return true;
+      },
+      [this](bool) { show_result(); },  // kept before anything of the score is seen
+      [this](const QString& message) { rating_->set_message(message); });
 }
 
 void MainWindow::read_past() {
-  if (past_reader_) return;
-  past_reader_ = run_in_background<PastResults>(
-      this, [] { return past_results({}); }, [this](PastResults past) { start_->set_past(std::move(past)); },
+  RecordsDesk& desk = records_->desk();
+  desk.ask<PastResults>(
+      this, [who = desk.who()](curricula::Records& records) { return past_results(records, who); },
+      [this](PastResults past) { start_->set_past(std::move(past), records_->desk().instructor()); },
       [this](const QString& message) { start_->set_message(message); });
 }
 
@@ -356,10 +377,19 @@ void MainWindow::back_to_start() {
   }
 }
 
+void MainWindow::show_trial(const QString& log) {
+  const std::filesystem::path folder = std::filesystem::path(log.toStdString()).parent_path();
+  std::error_code error;
+  const auto report = folder / "report.html";
+  QDesktopServices::openUrl(
+      QUrl::fromLocalFile(QString::fromStdString((std::filesystem::exists(report, error) ? report : folder).string())));
+}
+
 QString MainWindow::page_name() const {
   const QWidget* page = pages_->currentWidget();
   return page == start_          ? "start"
          : page == devices_      ? "devices"
+         : page == records_      ? "records"
          : page == import_       ? "import"
          : page == prepare_page_ ? "prepare"
          : page == trial_        ? "trial"

@@ -19,11 +19,13 @@ namespace vallecula::gui {
 
 class DevicesPage;
 class ImportWizard;
+class RecordsPage;
 class ReplayPage;
 class ResultPage;
 class SelfRatingPage;
 struct SelfRating;
 class TrialPage;
+class WhoStrip;
 
 class MainWindow : public QMainWindow {
   Q_OBJECT
@@ -45,7 +47,9 @@ class MainWindow : public QMainWindow {
   StartPage& start_page() { return *start_; }
   ImportWizard& import_wizard() { return *import_; }
   DevicesPage& devices_page() { return *devices_; }
-  QString page_name() const;  ///< "start", "devices", "import", "prepare", "trial", "rating", "result", "replay"
+  RecordsPage& records_page() { return *records_; }
+  /// "start", "records", "devices", "import", "prepare", "trial", "rating", "result", "replay"
+  QString page_name() const;
 
  signals:
   void prepared();
@@ -65,11 +69,12 @@ class MainWindow : public QMainWindow {
   void report_progress(const std::string& stage, double fraction);
   void show_result();
   void take_self_rating(const SelfRating& rating);
-  /// What is open and mastered, from the records, on a thread of its own.
+  /// What is open and mastered for whoever is signed in.
   void read_past();
   void show_failure(const QString& message);
   void back_to_start();
   void leave_replay();
+  void show_trial(const QString& log);
   void add_imported_patients();
   void choose_last_device(const QString& name);
   QWidget* make_prepare_page();
@@ -77,6 +82,8 @@ class MainWindow : public QMainWindow {
   QStackedWidget* pages_;
   StartPage* start_;
   DevicesPage* devices_;
+  RecordsPage* records_;
+  WhoStrip* who_;
   ImportWizard* import_;
   QWidget* prepare_page_;
   QLabel* prepare_stage_;
@@ -85,7 +92,7 @@ class MainWindow : public QMainWindow {
   SelfRatingPage* rating_;
   ResultPage* result_;
   ReplayPage* replay_;
-  QPointer<QThread> worker_, past_reader_;
+  QPointer<QThread> worker_;
   std::atomic<bool> cancelled_{false};
   curricula::Scenario scenario_;
   std::vector<std::string> misfits_;  ///< of the patient and this scenario

@@ -35,10 +35,10 @@ QString progress_line(const curricula::Module& module, const curricula::ModulePr
 
 QString mastery_rule(const curricula::Module& module) {
   const curricula::MasteryRule& rule = module.mastery;
-  QString text = rule.by_cusum
-                     ? QString("Mastered when the cumulative sum (CUSUM) over all its trials reaches %1 and each "
-                               "scenario has been passed")
-                           .arg(curricula::cusum_lines(rule.cusum).lower, 0, 'f', 1)
+  QString text = rule.by_cusum ? QString(
+                                     "Mastered when the cumulative sum (CUSUM) over all its trials reaches %1 and each "
+                                     "scenario has been passed")
+                                     .arg(curricula::cusum_lines(rule.cusum).lower, 0, 'f', 1)
                  : rule.passes == 1
                      ? QString("Mastered when each scenario has been passed")
                      : QString("Mastered when each scenario has been passed %1 times running").arg(rule.passes);

@@ -163,8 +163,7 @@ void ResultPage::show_outcome(const TrialOutcome& outcome, const curricula::Scen
   same_->setVisible(drawn);
   QString where = "Results: " + QString::fromStdString(folder.string());
   if (drawn) where += QString("\nAttempt seed %1: with it everything is the same once more.").arg(attempt.seed);
-  if (attempt.mode == curricula::Mode::assessment)
-    where += outcome.replay_allowed ? "\nAn assessment." : "\nAn assessment: its replay stays locked.";
+  if (!outcome.replay_allowed) where += "\nAn assessment: its replay stays locked.";
   where_->setText(where);
   plot_picture_ = QPixmap(QString::fromStdString(outcome.force_plot.string()));
   draw_monitor(outcome, scenario);

@@ -13,9 +13,9 @@ namespace vallecula::gui {
 namespace {
 
 // Five steps of a global rating; their words are assumed.
-constexpr std::array<const char*, 5> kWords = {
-    "1  Unsafe: somebody should have taken over", "2  Below what is expected", "3  Just about what is expected",
-    "4  Well, with little to improve",            "5  As an expert would"};
+constexpr std::array<const char*, 5> kWords = {"1  Unsafe: somebody should have taken over",
+                                               "2  Below what is expected", "3  Just about what is expected",
+                                               "4  Well, with little to improve", "5  As an expert would"};
 constexpr int kYes = 1, kNo = 2;
 
 }  // namespace
@@ -105,8 +105,7 @@ void SelfRatingPage::ask(const curricula::Scenario& scenario) {
 void SelfRatingPage::set_message(const QString& message) { message_->setText(message); }
 
 void SelfRatingPage::show_button() {
-  done_->setEnabled(global_->checkedId() > 0 &&
-                    (!with_tube_ || (place_->checkedId() > 0 && sure_->checkedId() > 0)));
+  done_->setEnabled(global_->checkedId() > 0 && (!with_tube_ || (place_->checkedId() > 0 && sure_->checkedId() > 0)));
 }
 
 SelfRating SelfRatingPage::answer() const {

@@ -4,13 +4,11 @@
 #include <QFileDialog>
 #include <QFormLayout>
 #include <QHBoxLayout>
-#include <QHeaderView>
 #include <QLabel>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QSignalBlocker>
 #include <QStandardItemModel>
-#include <QTreeWidget>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <stdexcept>
@@ -19,7 +17,9 @@
 #include "device/found_devices.h"
 #include "gui/pages/device_dialog.h"
 #include "gui/pages/devices_page.h"
+#include "gui/pages/module_tree.h"
 #include "gui/pages/module_words.h"
+#include "gui/pages/pass_words.h"
 #include "gui/report/markdown.h"
 #include "gui/session/device_choice.h"
 #include "gui/session/device_rows.h"
@@ -31,44 +31,8 @@ namespace {
 
 constexpr const char *kWatchExpert = "scripted:expert", *kWatchNovice = "scripted:novice";
 
-QString passes_with(const curricula::Scenario& scenario) {
-  QString text =
-      QString(
-          "Passes with: at most %1 N on the tongue and %2 N on the gum, at least %3 % of the glottis seen, "
-          "within %4 s, at most %5 s above the training target of %6 N on the tongue and %7 s at the device's "
-          "force limit.")
-          .arg(scenario.pass.peak_tongue_force_n, 0, 'f', 1)
-          .arg(scenario.pass.peak_gum_force_n, 0, 'f', 1)
-          .arg(scenario.pass.glottis_visible_percent, 0, 'f', 0)
-          .arg(scenario.pass.attempt_time_s, 0, 'f', 0)
-          .arg(scenario.pass.time_over_target_s, 0, 'f', 1)
-          .arg(scenario.targets.tongue_force_n, 0, 'f', 1)
-          .arg(scenario.pass.time_over_device_limit_s, 0, 'f', 1);
-  if (!scenario.intubation) return text;
-  const curricula::IntubationPass& pass = scenario.intubation->pass;
-  QStringList tube, outcomes;
-  for (const curricula::Outcome outcome : pass.outcomes) outcomes << QString(name_of(outcome)).replace('-', ' ');
-  tube << "outcome: " + outcomes.join(" or ");
-  if (pass.attempts) tube << QString("at most %1 attempts").arg(*pass.attempts);
-  if (pass.time_to_pass_s) tube << QString("at most %1 s from the view to the cords passed").arg(*pass.time_to_pass_s);
-  if (pass.lowest_spo2_percent) tube << QString("SpO2 not below %1 %").arg(*pass.lowest_spo2_percent);
-  if (pass.lowest_heart_per_min) tube << QString("heart rate not below %1").arg(*pass.lowest_heart_per_min);
-  if (pass.tube_force_n) tube << QString("at most %1 N along the tube").arg(*pass.tube_force_n);
-  if (pass.co2_confirmed) tube << "the place confirmed by CO2";
-  if (pass.depth_neutral) tube << "good depth with the head neutral, too";
-  if (pass.oesophagus_in_time)
-    tube << QString("a tube in the oesophagus recognised within %1 breaths").arg(scenario.intubation->breaths_to_confirm);
-  if (pass.no_severe_desaturation) tube << "no fall of saturation by 20 points in an attempt";
-  return text + " The tube: " + tube.join(", ") + ".";
-}
-
 /// Marks an entry that stands for something plugged in.
 constexpr int kPluggedIn = Qt::UserRole + 1;
-
-/// What a row of the tree stands for.
-enum RowKind { kCourseRow, kModuleRow, kScenarioRow };
-constexpr int kRowKind = Qt::UserRole, kRowId = Qt::UserRole + 1;
-constexpr int kTitle = 0, kState = 1;
 
 QString course_text(const curricula::Curriculum& curriculum) {
   QString text = "<p>Whoever has finished this course can:</p><ul>";
@@ -87,23 +51,14 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
   curriculum_ = new QComboBox(this);
   curriculum_->setObjectName("curriculum");
   curriculum_->setAccessibleName("Curriculum");
-  tree_ = new QTreeWidget(this);
-  tree_->setAccessibleName("Modules and scenarios");
-  tree_->setColumnCount(2);
-  tree_->setHeaderHidden(true);
-  tree_->header()->setStretchLastSection(false);
-  tree_->header()->setSectionResizeMode(kTitle, QHeaderView::Stretch);
-  tree_->header()->setSectionResizeMode(kState, QHeaderView::ResizeToContents);
-  tree_->setStyleSheet("QTreeView::item { padding: 6px 4px; }");
-  tree_->setIndentation(18);
+  tree_ = new ModuleTree(this);
   briefing_ = new QLabel(this);
   briefing_->setWordWrap(true);
   briefing_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   mode_ = new QComboBox(this);
   mode_->setObjectName("mode");
   mode_->addItem("Practice", static_cast<int>(curricula::Mode::practice));
-  mode_->addItem("Assessment: as written, no helps, you rate yourself first, replay locked",
-                 static_cast<int>(curricula::Mode::assessment));
+  mode_->addItem("Assessment: no helps, own rating first, no replay", static_cast<int>(curricula::Mode::assessment));
   patient_ = new QComboBox(this);
   patient_->addItem("Built-in manikin, made for the scenario", QString());
   device_ = new QComboBox(this);
@@ -118,6 +73,10 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
   second_->setObjectName("second");
   second_->addItem("The same device, blade and tube in turn (X changes)", QString());
   second_->addItem("The mouse", "mouse");
+  mode_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);  // a small window cuts it short
+  mode_->setMinimumContentsLength(20);
+  connect(mode_, qOverload<int>(&QComboBox::activated), this,
+          [this] { mode_wanted_ = static_cast<curricula::Mode>(mode_->currentData().toInt()); });
   auto* browse = new QPushButton("Other patient ...", this);
   connect(browse, &QPushButton::clicked, this, &StartPage::browse);
   auto* from_ct = new QPushButton("New patient from a CT ...", this);
@@ -170,6 +129,8 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
   auto* scrolled = new QScrollArea(this);  // a course's texts are as long as its author likes
   scrolled->setWidget(briefing_);
   scrolled->setWidgetResizable(true);
+  for (QWidget* ground : {scrolled->viewport(), static_cast<QWidget*>(briefing_)})
+    ground->setAutoFillBackground(false);  // the panel's own shows
   scrolled->setFrameShape(QFrame::NoFrame);
   scrolled->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   scrolled->setFocusPolicy(Qt::NoFocus);
@@ -192,10 +153,10 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
   all->addLayout(columns, 1);
   all->addWidget(message_);
 
-  connect(curriculum_, qOverload<int>(&QComboBox::currentIndexChanged), this, &StartPage::show_curriculum);
+  connect(curriculum_, qOverload<int>(&QComboBox::currentIndexChanged), this, &StartPage::show_modules);
   for (QComboBox* hand : {device_, second_})
     connect(hand, qOverload<int>(&QComboBox::currentIndexChanged), this, &StartPage::show_modules);
-  connect(tree_, &QTreeWidget::currentItemChanged, this, &StartPage::show_chosen);
+  connect(tree_, &ModuleTree::chosen, this, &StartPage::show_chosen);
   connect(tree_, &QTreeWidget::itemActivated, this, [this] { go_->click(); });
   connect(go_, &QPushButton::clicked, this, [this] { emit chosen(choice()); });
   go_->setEnabled(false);
@@ -211,151 +172,54 @@ void StartPage::set_curricula(std::vector<curricula::Curriculum> curricula) {
     curriculum_->setCurrentIndex(std::min(index, curriculum_->count() - 1));
   }
   curriculum_->setEnabled(curricula_.size() > 1);
-  show_curriculum(curriculum_->currentIndex());
+  show_modules();
 }
 
-void StartPage::set_past(PastResults past) {
+void StartPage::set_past(PastResults past, bool all_open) {
   past_ = std::move(past);
+  all_open_ = all_open;
   show_modules();
 }
 
 const curricula::Curriculum* StartPage::curriculum() const {
-  return curriculum_->currentIndex() < 0 ? nullptr
-                                         : &curricula_[static_cast<std::size_t>(curriculum_->currentIndex())];
-}
-
-const curricula::Scenario* StartPage::chosen_scenario() const {
-  const QTreeWidgetItem* item = tree_->currentItem();
-  if (curriculum() == nullptr || item == nullptr || item->data(kTitle, kRowKind).toInt() != kScenarioRow) return nullptr;
-  return curriculum()->find(item->data(kTitle, kRowId).toString().toStdString());
+  return curriculum_->currentIndex() < 0 ? nullptr : &curricula_[static_cast<std::size_t>(curriculum_->currentIndex())];
 }
 
 bool StartPage::watching() const { return is_scripted(device_->currentData().toString().toStdString()); }
 
 std::string StartPage::hands() const {
-  const auto kind = [](const QComboBox* box) {
-    return box->currentData().toString().section(':', 0, 0).toStdString();
-  };
+  const auto kind = [](const QComboBox* box) { return box->currentData().toString().section(':', 0, 0).toStdString(); };
   const std::string blade = kind(device_), tube = kind(second_);
   return watching() || blade == "mouse" || tube.empty() ? blade : blade + "+" + tube;
 }
 
-void StartPage::show_curriculum(int) {
-  {
-    const QSignalBlocker quiet(tree_);
-    tree_->clear();  // what was chosen was another curriculum's
-  }
-  show_modules();
-}
-
-void StartPage::add_scenario(QTreeWidgetItem* to, const std::string& id,
-                             const std::vector<curricula::PastResult>& past) {
-  auto* row = new QTreeWidgetItem(to);
-  row->setText(kTitle, QString::fromStdString(curriculum()->find(id)->title));
-  row->setData(kTitle, kRowKind, kScenarioRow);
-  row->setData(kTitle, kRowId, QString::fromStdString(id));
-  const bool passed = std::any_of(past.begin(), past.end(), [&](const curricula::PastResult& result) {
-    return result.scenario_id == id && result.device_kind == hands() && result.passed;
-  });
-  row->setText(kState, passed ? "passed" : "");
-  row->setForeground(kState, theme::kWithin.lighter(130));
-  if (!watching() && !why_closed(*curriculum(), progress_, id).isEmpty()) row->setForeground(kTitle, theme::kFaint);
-}
-
 void StartPage::show_modules() {
-  const QTreeWidgetItem* before = tree_->currentItem();
-  const QString chosen = before != nullptr ? before->data(kTitle, kRowId).toString() : QString();
-  const QSignalBlocker quiet(tree_);
-  tree_->clear();
-  progress_.clear();
-  if (curriculum() != nullptr) {
-    const auto past = with_hands(past_[curriculum()->id], *curriculum(), hands());
-    progress_ = curricula::progress_of(*curriculum(), past, hands());
-    if (!curriculum()->goals.empty()) {
-      auto* course = new QTreeWidgetItem(tree_->invisibleRootItem());
-      course->setText(kTitle, "About this course");
-      course->setData(kTitle, kRowKind, kCourseRow);
-      course->setData(kTitle, kRowId, ":course");
-      course->setForeground(kTitle, theme::kFaint);
-    }
-    const bool one = curriculum()->modules.size() == 1;  // its only module needs no row of its own
-    for (std::size_t m = 0; m < curriculum()->modules.size(); ++m) {
-      const curricula::Module& module = curriculum()->modules[m];
-      QTreeWidgetItem* row = tree_->invisibleRootItem();
-      if (!one) {
-        row = new QTreeWidgetItem(tree_->invisibleRootItem());
-        QFont font = row->font(kTitle);
-        font.setBold(true);
-        row->setFont(kTitle, font);
-        row->setText(kTitle, QString("%1  %2").arg(m + 1).arg(QString::fromStdString(module.title)));
-        row->setData(kTitle, kRowKind, kModuleRow);
-        row->setData(kTitle, kRowId, ":" + QString::fromStdString(module.id));
-        row->setText(kState, state_of(progress_[m]));
-        row->setForeground(kState, progress_[m].mastered ? theme::kWithin.lighter(130)
-                                   : progress_[m].open   ? theme::kText
-                                                         : theme::kFaint);
-      }
-      for (const std::string& id : module.scenarios) add_scenario(row, id, past);
-      if (!one) row->setExpanded(progress_[m].open && !progress_[m].mastered);
-    }
-  }
-  QTreeWidgetItem* now = chosen.isEmpty() ? nullptr : item_of(chosen);
-  tree_->setCurrentItem(now != nullptr ? now : next_to_do());
-  show_chosen();
+  std::vector<curricula::PastResult> past;
+  if (curriculum() != nullptr) past = with_hands(past_[curriculum()->id], *curriculum(), hands());
+  tree_->show_course(curriculum(), past, hands(), all_open_ || watching());
 }
 
-QTreeWidgetItem* StartPage::item_of(const QString& id) const {
-  for (QTreeWidgetItemIterator it(tree_); *it != nullptr; ++it)
-    if ((*it)->data(kTitle, kRowId).toString() == id) return *it;
-  return nullptr;
-}
-
-QTreeWidgetItem* StartPage::next_to_do() const {
-  QTreeWidgetItem* first = nullptr;
-  for (QTreeWidgetItemIterator it(tree_); *it != nullptr; ++it) {
-    if ((*it)->data(kTitle, kRowKind).toInt() != kScenarioRow) continue;
-    if (first == nullptr) first = *it;
-    const std::string id = (*it)->data(kTitle, kRowId).toString().toStdString();
-    if ((*it)->text(kState).isEmpty() && why_closed(*curriculum(), progress_, id).isEmpty()) return *it;
-  }
-  return first;
-}
-
-QStringList StartPage::states() const {
-  QStringList states;
-  for (std::size_t m = 0; m < progress_.size(); ++m)
-    states << QString::fromStdString(curriculum()->modules[m].title) + ": " + state_of(progress_[m]);
-  return states;
-}
+QStringList StartPage::states() const { return tree_->states(); }
 
 void StartPage::show_chosen() {
-  why_->clear();
   why_->hide();
   go_->setEnabled(false);
-  const QTreeWidgetItem* item = tree_->currentItem();
-  if (curriculum() == nullptr || item == nullptr) {
+  if (curriculum() == nullptr) {
     heading_->clear();
     briefing_->clear();
-    return;
-  }
-  if (const curricula::Scenario* scenario = chosen_scenario()) {
+  } else if (const curricula::Scenario* scenario = tree_->scenario()) {
     show_scenario(*scenario);
-    return;
-  }
-  heading_->setText(item->text(kTitle));
-  if (item->data(kTitle, kRowKind).toInt() == kCourseRow) {
-    briefing_->setText(course_text(*curriculum()));
-    return;
-  }
-  for (std::size_t m = 0; m < curriculum()->modules.size(); ++m) {
-    const curricula::Module& module = curriculum()->modules[m];
-    if (":" + QString::fromStdString(module.id) != item->data(kTitle, kRowId).toString()) continue;
-    const QString closed =
-        progress_[m].open ? QString() : why_closed(*curriculum(), progress_, module.scenarios.front());
-    briefing_->setText(html_of(module.goal) + "<p><b>" + capitalised(state_of(progress_[m])) + "</b>: " +
-                       progress_line(module, progress_[m]).toHtmlEscaped() + ". " + closed.toHtmlEscaped() + "</p><p>" +
-                       mastery_rule(module).toHtmlEscaped() +
+  } else if (const curricula::Module* module = tree_->module()) {
+    const curricula::ModuleProgress& progress = tree_->progress_of(*module);
+    const QString closed = tree_->why_closed(*curriculum()->find(module->scenarios.front()));
+    heading_->setText(QString::fromStdString(module->title));
+    briefing_->setText(html_of(module->goal) + "<p><b>" + capitalised(state_of(progress)) +
+                       "</b>: " + progress_line(*module, progress).toHtmlEscaped() + ". " + closed.toHtmlEscaped() +
+                       "</p><p>" + mastery_rule(*module).toHtmlEscaped() +
                        " Trials with another kind of device do not count here.</p>");
+  } else {
+    heading_->setText(QString::fromStdString(curriculum()->title));
+    briefing_->setText(course_text(*curriculum()));
   }
 }
 
@@ -363,22 +227,20 @@ void StartPage::show_scenario(const curricula::Scenario& scenario) {
   heading_->setText(QString::fromStdString(scenario.title));
   QString text = html_of(scenario.briefing) + "<p>" + passes_with(scenario).toHtmlEscaped() + "</p>";
   if (const curricula::Module* module = curriculum()->module_of(scenario.id)) {
-    const auto& progress = progress_[static_cast<std::size_t>(module - curriculum()->modules.data())];
     if (!watching())
       text += "<p>" + QString::fromStdString(module->title).toHtmlEscaped() + ": " +
-              progress_line(*module, progress).toHtmlEscaped() + ".</p>";
+              progress_line(*module, tree_->progress_of(*module)).toHtmlEscaped() + ".</p>";
     auto* modes = qobject_cast<QStandardItemModel*>(mode_->model());
-    int allowed = -1;
-    for (int i = mode_->count() - 1; i >= 0; --i) {
-      const auto mode = static_cast<curricula::Mode>(mode_->itemData(i).toInt());
-      const bool may = std::count(module->modes.begin(), module->modes.end(), mode) > 0;
-      modes->item(i)->setEnabled(may);
-      if (may) allowed = i;
-    }
-    if (allowed >= 0 && !modes->item(mode_->currentIndex())->isEnabled()) mode_->setCurrentIndex(allowed);
+    const auto may = [module](curricula::Mode mode) {
+      return std::count(module->modes.begin(), module->modes.end(), mode) > 0;
+    };
+    for (int i = 0; i < mode_->count(); ++i)
+      modes->item(i)->setEnabled(may(static_cast<curricula::Mode>(mode_->itemData(i).toInt())));
+    const curricula::Mode mode = may(mode_wanted_) ? mode_wanted_ : module->modes.front();
+    mode_->setCurrentIndex(mode_->findData(static_cast<int>(mode)));
   }
   briefing_->setText(text);
-  const QString closed = watching() ? QString() : why_closed(*curriculum(), progress_, scenario.id);
+  const QString closed = tree_->why_closed(scenario);
   why_->setText(closed + (closed.isEmpty() ? "" : " A scripted hand can be watched at it before."));
   why_->setVisible(!closed.isEmpty());
   go_->setEnabled(closed.isEmpty());
@@ -471,7 +333,7 @@ bool StartPage::select(const QString& scenario, const QString& device) {
   for (std::size_t c = 0; c < curricula_.size() && !found; ++c) {
     if (curricula_[c].find(scenario.toStdString()) == nullptr) continue;
     curriculum_->setCurrentIndex(static_cast<int>(c));
-    tree_->setCurrentItem(item_of(scenario));
+    tree_->choose(scenario.toStdString());
     found = true;
   }
   const int index = device_->findData(device);
@@ -480,11 +342,14 @@ bool StartPage::select(const QString& scenario, const QString& device) {
 }
 
 Choice StartPage::choice() const {
-  const curricula::Scenario* scenario = chosen_scenario();
+  const curricula::Scenario* scenario = tree_->scenario();
   if (scenario == nullptr) throw std::logic_error("no scenario is chosen");
   const auto mode = watching() ? curricula::Mode::practice : static_cast<curricula::Mode>(mode_->currentData().toInt());
-  return {curriculum()->file, *scenario, patient_->currentData().toString().toStdString(),
-          device_->currentData().toString(), second_->isVisibleTo(this) ? second_->currentData().toString() : QString(),
+  return {curriculum()->file,
+          *scenario,
+          patient_->currentData().toString().toStdString(),
+          device_->currentData().toString(),
+          second_->isVisibleTo(this) ? second_->currentData().toString() : QString(),
           mode};
 }
 

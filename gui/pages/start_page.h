@@ -14,10 +14,10 @@ class QComboBox;
 class QDialog;
 class QLabel;
 class QPushButton;
-class QTreeWidget;
-class QTreeWidgetItem;
 
 namespace vallecula::gui {
+
+class ModuleTree;
 
 struct Choice {
   std::filesystem::path curriculum;
@@ -34,8 +34,9 @@ class StartPage : public QWidget {
   explicit StartPage(QWidget* parent = nullptr);
   /// Replaces the curricula, the first is shown; keeps the last choice where it is still to be had.
   void set_curricula(std::vector<curricula::Curriculum> curricula);
-  /// What whoever sits here has done so far: says what is open and mastered.
-  void set_past(PastResults past);
+  /// What whoever sits here has done so far: says what is open and mastered. `all_open`: an instructor, for whom nothing
+  /// is closed.
+  void set_past(PastResults past, bool all_open = false);
   void add_patient(const std::filesystem::path& package, bool choose);
   /// Offers what is plugged in beside what is always there; what is gone is no longer offered, unless it is chosen.
   void set_found_devices(const std::vector<device::FoundDevice>& devices);
@@ -47,7 +48,7 @@ class StartPage : public QWidget {
   bool select(const QString& scenario, const QString& device);
   /// Throws std::logic_error when no scenario is chosen.
   Choice choice() const;
-  /// What the rows of the curriculum say, for a person who reads on: "Handling the blade: open", one a module.
+  /// What is said of the modules: "Handling the blade: open", one each.
   QStringList states() const;
 
  signals:
@@ -56,29 +57,24 @@ class StartPage : public QWidget {
   void devices_wanted();
 
  private:
-  void show_curriculum(int index);
-  /// Fills the tree anew, with the same row chosen.
+  /// Fills the tree anew.
   void show_modules();
   void show_chosen();
   void show_scenario(const curricula::Scenario& scenario);
-  void add_scenario(QTreeWidgetItem* to, const std::string& id, const std::vector<curricula::PastResult>& past);
-  /// The one where somebody who comes back goes on: open, and not passed yet.
-  QTreeWidgetItem* next_to_do() const;
-  const curricula::Curriculum* curriculum() const;      ///< that is shown; null: there is none
-  const curricula::Scenario* chosen_scenario() const;   ///< null: a module, the course or nothing is chosen
+  const curricula::Curriculum* curriculum() const;  ///< that is shown; null: there is none
   /// Nobody learns by a scripted hand, so it may be watched at anything.
   bool watching() const;
   /// As LogHeader::device_kind, of what is chosen.
   std::string hands() const;
-  QTreeWidgetItem* item_of(const QString& id) const;
   void browse();
   /// Of the chosen device, as it was last found; null: it was not, or has none.
   std::unique_ptr<QDialog> device_settings();
   std::vector<curricula::Curriculum> curricula_;
   std::vector<device::FoundDevice> found_{device::found_mouse()};  ///< looked for elsewhere: it may take seconds
   PastResults past_;
-  std::vector<curricula::ModuleProgress> progress_;  ///< of the curriculum shown
-  QTreeWidget* tree_;
+  bool all_open_ = false;
+  curricula::Mode mode_wanted_ = curricula::Mode::practice;  ///< where the module allows it
+  ModuleTree* tree_;
   QLabel *heading_, *briefing_, *why_, *message_, *second_label_, *mode_label_;
   QComboBox *curriculum_, *patient_, *device_, *second_, *mode_;
   QPushButton* go_;

@@ -11,7 +11,8 @@ namespace {
 const QColor kGrid(0xE3, 0xE3, 0xE3);
 const QColor kPause(0xD0, 0xD0, 0xD0);
 
-/// 1, 2 or 5 times a power of ten: about `count` steps in `span`.
+}  // namespace
+
 double tick_step(double span, int count) {
   const double raw = span / count;
   const double power = std::pow(10.0, std::floor(std::log10(raw)));
@@ -20,8 +21,6 @@ double tick_step(double span, int count) {
   }
   return 10.0 * power;
 }
-
-}  // namespace
 
 QString chart::number(double value, int digits) { return QString::number(value, 'f', digits); }
 

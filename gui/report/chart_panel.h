@@ -25,6 +25,9 @@ const QColor kAttempt(0xF6, 0xF4, 0xEC);
 QString number(double value, int digits);
 }  // namespace chart
 
+/// 1, 2 or 5 times a power of ten: about `count` steps in `span`.
+double tick_step(double span, int count);
+
 struct Series {
   std::vector<double> time_s, value;
 

@@ -47,7 +47,9 @@ class DualTask {
 
  private:
   enum class State { to_come, open, over };
-  const curricula::Distraction& at(int distraction) const { return distractions_[static_cast<std::size_t>(distraction - 1)]; }
+  const curricula::Distraction& at(int distraction) const {
+    return distractions_[static_cast<std::size_t>(distraction - 1)];
+  }
   double open_for_s(int distraction) const;
   void ask(const curricula::LogEvent& event);
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "curricula/records/progress.h"
-#include "gui/session/trial_record.h"
 
 namespace vallecula::gui {
 namespace {
@@ -12,8 +11,7 @@ constexpr int kMostTrials = 20000;  // ten a day for more than five years
 
 }  // namespace
 
-PastResults past_results(const curricula::Who& who) {
-  curricula::Records records(records_location());
+PastResults past_results(curricula::Records& records, const curricula::Who& who) {
   std::vector<curricula::RecordRow> rows =
       who ? curricula::Progress(records).trials(who, who->id(), kMostTrials) : records.newest(kMostTrials);
   std::reverse(rows.begin(), rows.end());

@@ -14,8 +14,8 @@ namespace vallecula::gui {
 using PastResults = std::map<std::string, std::vector<curricula::PastResult>>;
 
 /// The finished trials of whoever is signed in, or those that belong to nobody; a trial that was cut off counts for
-/// nothing. Reads the records: not for the window's thread. Throws std::runtime_error.
-PastResults past_results(const curricula::Who& who);
+/// nothing. Throws RecordsError.
+PastResults past_results(curricula::Records& records, const curricula::Who& who);
 
 /// What counts with these hands: a laryngoscopy that was done with the blade's device alone was done with the same hand
 /// as when the tube has a device of its own. Kinds as LogHeader::device_kind; `hands` is "touch" or "touch+mouse".

@@ -1,12 +1,11 @@
 #include "gui/session/self_rating.h"
 
 #include "curricula/records/ratings.h"
-#include "gui/session/trial_record.h"
 
 namespace vallecula::gui {
 
-void keep_self_rating(const curricula::Who& who, long long record_id, const SelfRating& rating) {
-  curricula::Records records(records_location());
+void keep_self_rating(curricula::Records& records, const curricula::Who& who, long long record_id,
+                      const SelfRating& rating) {
   curricula::Ratings ratings(records);
   const auto add = [&](const char* item, double value) { ratings.add(who, record_id, {"self", item, value}); };
   add(curricula::kGlobalRating, rating.global);

@@ -8,8 +8,6 @@
 
 #include "curricula/trial_log.h"
 #include "engine/haptics/runner.h"
-#include "gui/report/force_chart.h"
-#include "gui/report/report.h"
 #include "gui/session/device_choice.h"
 #include "gui/session/fault_report.h"
 #include "gui/session/files.h"
@@ -20,6 +18,7 @@
 #include "gui/session/scene_from_package.h"
 #include "gui/session/trial_header.h"
 #include "gui/session/trial_record.h"
+#include "gui/session/trial_results.h"
 #include "gui/session/two_hands.h"
 #include "gui/session/user_paths.h"
 
@@ -319,9 +318,7 @@ TrialOutcome TrialSession::Impl::finish(const std::string& how) {
   TrialOutcome outcome{curricula::score_trial(log, scenario), results.log(), results.score_json(), results.report(),
                        results.force_plot(), keep_fault(results.fault_csv()),
                        curricula::rules_of(scenario.attempt.mode).replay, by_person()};
-  write_file_whole(outcome.score_json, curricula::score_to_json(outcome.score, log, scenario) + "\n");
-  write_force_chart(outcome.force_plot, log, scenario, outcome.score);
-  write_report(results.folder(), log, scenario, outcome.score);
+  write_results(results.folder(), log, scenario, outcome.score);
 
   outcome.record_id = add_record(log, outcome.score, outcome.log);
   return outcome;

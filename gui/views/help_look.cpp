@@ -17,9 +17,9 @@
 namespace vallecula::gui {
 namespace {
 
-constexpr double kRestS = 1.5;      // between two rounds of the expert's way
-constexpr double kLineMm = 0.35;    // half the outline's thickness
-constexpr double kHidden = 0.30;    // opacity of what something lies before
+constexpr double kRestS = 1.5;    // between two rounds of the expert's way
+constexpr double kLineMm = 0.35;  // half the outline's thickness
+constexpr double kHidden = 0.30;  // opacity of what something lies before
 // In front of all there is: VTK shifts a fragment's depth by 16e-6 of the whole range a unit.
 constexpr double kBeforeAll = -66000.0;
 

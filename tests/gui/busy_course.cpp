@@ -46,7 +46,8 @@ scenarios:
     title: Busy
     briefing: Press on the block, and answer.
     debriefing: Which answer came late?
-    assistance: { cut_view: false, force_bar: false })" + common + R"(    distractions:
+    assistance: { cut_view: false, force_bar: false })" +
+          common + R"(    distractions:
       - at_s: 0.3
         kind: question
         text: How **long** has it been?
@@ -60,11 +61,13 @@ scenarios:
     briefing: Press on the block.
     debriefing: It gave way.
     variation: { tongue_young_pa: [5000, 7000] }
-    assistance: { ghost_path: true, glottis_highlight: true })" + common + R"(
+    assistance: { ghost_path: true, glottis_highlight: true })" +
+          common + R"(
   - id: later
     title: Later
     briefing: Press on the block.
-    debriefing: It gave way.)" + common;
+    debriefing: It gave way.)" +
+          common;
   write_text(folder / "busy.yaml", text);
   return folder / "busy.yaml";
 }

@@ -180,7 +180,8 @@ TEST_F(DualTaskTrial, HeadlessTheLogSaysWhatWasShownAndTheReplayIsTheSame) {
 
 TEST_F(DualTaskTrial, ThePauseOfADeviceDelaysThem) {
   const std::string down = ",0,0.70710678118654752,-0.70710678118654752,0\n";
-  write_text(box_ / "fails.csv", "# fault communication_lost 0.4 0.4\n0,0,0.005,0.02" + down + "2.5,0,0.005,0.02" + down);
+  write_text(box_ / "fails.csv",
+             "# fault communication_lost 0.4 0.4\n0,0,0.005,0.02" + down + "2.5,0,0.005,0.02" + down);
   TrialSession session(setup("scripted:" + (box_ / "fails.csv").string()));
   const curricula::TrialLog log = run(session, [&] { session.confirm(); });
   ASSERT_EQ(log.events.size(), 3u);
