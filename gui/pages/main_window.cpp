@@ -13,15 +13,19 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "curricula/records/progress.h"
 #include "device/factory.h"
 #include "gui/import/import_wizard.h"
 #include "gui/pages/background.h"
 #include "gui/pages/devices_page.h"
+#include "gui/pages/replay_page.h"
 #include "gui/pages/result_page.h"
+#include "gui/pages/self_rating_page.h"
 #include "gui/pages/trial_page.h"
 #include "gui/records_pages/records_page.h"
 #include "gui/session/builtin_patient.h"
 #include "gui/session/device_choice.h"
+#include "gui/session/past_results.h"
 #include "gui/session/patient_fit.h"
 #include "gui/session/user_paths.h"
 #include "gui/session/user_settings.h"
@@ -51,9 +55,13 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
   import_ = new ImportWizard(pages_);
   prepare_page_ = make_prepare_page();
   trial_ = new TrialPage(pages_);
+  rating_ = new SelfRatingPage(pages_);
   result_ = new ResultPage(pages_);
+  replay_ = new ReplayPage(pages_);
   for (QWidget* page : {static_cast<QWidget*>(start_), static_cast<QWidget*>(devices_), static_cast<QWidget*>(records_),
-                        static_cast<QWidget*>(import_), prepare_page_, static_cast<QWidget*>(trial_), static_cast<QWidget*>(result_)})
+                        static_cast<QWidget*>(import_), prepare_page_, static_cast<QWidget*>(trial_),
+                        static_cast<QWidget*>(rating_), static_cast<QWidget*>(result_),
+                        static_cast<QWidget*>(replay_)})
     pages_->addWidget(page);
   // The page that is seen says how small the window may be, not the largest of them all.
   const auto only_current_counts = [this] {
@@ -74,12 +82,13 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
   column->addWidget(pages_, 1);
   setCentralWidget(whole);
   resize(1280, 800);
-  connect(start_, &StartPage::chosen, this, &MainWindow::prepare_choice);
+  connect(start_, &StartPage::chosen, this, [this](const Choice& choice) { prepare_choice(choice); });
   connect(start_, &StartPage::import_wanted, this, [this] { import_series(); });
   connect(start_, &StartPage::devices_wanted, this, [this] { pages_->setCurrentWidget(devices_); });
   connect(who_, &WhoStrip::records_wanted, this, [this] { pages_->setCurrentWidget(records_); });
   connect(records_, &RecordsPage::left, this, &MainWindow::back_to_start);
   connect(records_, &RecordsPage::trial_wanted, this, &MainWindow::show_trial);
+  connect(&records_->desk(), &RecordsDesk::changed, this, &MainWindow::read_past);
   connect(devices_, &DevicesPage::left, this, &MainWindow::back_to_start);
   connect(devices_, &DevicesPage::found, start_, &StartPage::set_found_devices);
   connect(devices_, &DevicesPage::chosen, this, [this](const device::FoundDevice& device) {
@@ -97,15 +106,30 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
     back_to_start();
   });
   connect(trial_, &TrialPage::finished, this, [this](const TrialOutcome& outcome) {
-    result_->show_outcome(outcome, scenario_, results_, misfits_);
-    pages_->setCurrentWidget(result_);
+    outcome_ = outcome;
+    if (curricula::rules_of(scenario_.attempt.mode).self_rating_before && outcome.by_person) {
+      rating_->ask(scenario_);
+      pages_->setCurrentWidget(rating_);
+    } else {
+      show_result();
+    }
     emit trial_finished(outcome);
   });
   connect(trial_, &TrialPage::failed, this, &MainWindow::show_failure);
   connect(result_, &ResultPage::again, this, [this] {
     if (again_) again_();
   });
+  connect(result_, &ResultPage::same_again, this, [this] {
+    if (same_again_) same_again_();
+  });
+  connect(rating_, &SelfRatingPage::rated, this, &MainWindow::take_self_rating);
   connect(result_, &ResultPage::left, this, &MainWindow::back_to_start);
+  connect(result_, &ResultPage::replay_wanted, this, [this](double at_s) { replay(outcome_.log, at_s); });
+  connect(replay_, &ReplayPage::left, this, &MainWindow::leave_replay);
+  connect(replay_, &ReplayPage::failed, this, [this](const QString& message) {
+    leave_replay();
+    emit replay_failed(message);
+  });
 }
 
 MainWindow::~MainWindow() {
@@ -180,13 +204,14 @@ void MainWindow::import_series(const QString& source) {
   import_->begin(source);
 }
 
-void MainWindow::prepare_choice(const Choice& choice) {
+void MainWindow::prepare_choice(const Choice& choice, std::uint32_t seed) {
   TrialSetup setup;
   setup.curriculum = choice.curriculum;
   setup.scenario = choice.scenario.id;
   setup.device = choice.device.toStdString();
   setup.second = choice.second.toStdString();
   setup.trainee_id = records_->desk().person().id;
+  setup.mode = choice.mode;
   const auto kept = user_settings();
   kept->setValue("scenario", QString::fromStdString(choice.scenario.id));
   kept->setValue("device", choice.device);
@@ -195,7 +220,9 @@ void MainWindow::prepare_choice(const Choice& choice) {
   const std::string moment = QDateTime::currentDateTime().toString("yyyyMMdd-HHmmss").toStdString();
   setup.out = user_data_folder() / "trials" / (moment + "-" + choice.scenario.id);
   // No two attempts are the same; the seed stands in the trial's log, and `vallecula trial` repeats it.
-  if (choice.scenario.variation) setup.attempt_seed = QRandomGenerator::global()->bounded(1u, 0xffffffffu);
+  if (choice.scenario.variation && curricula::rules_of(choice.mode).variation)
+    setup.attempt_seed = seed != 0 ? seed : QRandomGenerator::global()->bounded(1u, 0xffffffffu);
+  same_again_ = [this, choice, drawn = setup.attempt_seed] { prepare_choice(choice, drawn); };
   const auto manikin = curricula::attempt_of(choice.scenario, setup.mode, setup.attempt_seed).manikin;
   const auto chosen = choice.patient;
   prepare(
@@ -209,7 +236,7 @@ void MainWindow::prepare_choice(const Choice& choice) {
 }
 
 void MainWindow::prepare(const TrialSetup& setup, bool start_at_once) {
-  again_ = [this, setup, start_at_once] { prepare(setup, start_at_once); };
+  same_again_ = again_ = [this, setup, start_at_once] { prepare(setup, start_at_once); };
   prepare(
       setup, [patient = setup.patient] { return patient; }, start_at_once);
 }
@@ -256,6 +283,53 @@ void MainWindow::prepare(TrialSetup setup, std::function<std::filesystem::path()
       });
 }
 
+void MainWindow::replay(const std::filesystem::path& trial, double at_s, const std::filesystem::path& patient) {
+  if (worker_) return;
+  QWidget* from = pages_->currentWidget();
+  replay_from_ = from == result_ || from == records_ ? from : nullptr;
+  result_->tell("");
+  start_->set_message("");
+  cancelled_ = false;
+  prepare_stage_->setText("Reading the trial");
+  prepare_bar_->setValue(0);
+  pages_->setCurrentWidget(prepare_page_);
+  const auto failed = [this](const QString& message) {
+    if (replay_from_ == result_)
+      result_->tell(message);
+    else if (replay_from_ == records_)
+      records_->tell(message);
+    else
+      start_->set_message(message);
+    leave_replay();
+    emit replay_failed(message);
+  };
+  worker_ = run_in_background<std::shared_ptr<ReplayTrial>>(
+      this,
+      [this, trial, patient] {
+        return open_replay(trial, patient,
+                           [this](const std::string& stage, double done) { report_progress(stage, done); });
+      },
+      [this, at_s, failed](std::shared_ptr<ReplayTrial> opened) {
+        pages_->setCurrentWidget(replay_);
+        replay_->set_who(records_->desk().who());
+        try {
+          replay_->open(std::move(opened), std::max(0.0, at_s), at_s >= 0.0);
+        } catch (const std::exception& error) {
+          return failed(QString::fromUtf8(error.what()));
+        }
+        emit replay_opened();
+      },
+      [this, failed](const QString& message) { cancelled_ ? leave_replay() : failed(message); });
+}
+
+void MainWindow::leave_replay() {
+  replay_->close_replay();
+  if (replay_from_ != nullptr)
+    pages_->setCurrentWidget(replay_from_);
+  else
+    back_to_start();
+}
+
 void MainWindow::report_progress(const std::string& stage, double fraction) {
   if (cancelled_) throw Cancelled();
   QMetaObject::invokeMethod(
@@ -274,14 +348,42 @@ void MainWindow::show_failure(const QString& message) {
   emit trial_failed(message);
 }
 
-void MainWindow::back_to_start() {
-  if (has_start_)
-    pages_->setCurrentWidget(start_);
-  else
-    close();  // opened for one trial only
+void MainWindow::show_result() {
+  result_->show_outcome(outcome_, scenario_, results_, misfits_);
+  pages_->setCurrentWidget(result_);
 }
 
-void MainWindow::show_trial(const QString& log) {
+void MainWindow::take_self_rating(const SelfRating& rating) {
+  const curricula::Who who = records_->desk().who();
+  records_->desk().ask<bool>(
+      this,
+      [who, trial = outcome_.record_id, rating](curricula::Records& records) {
+        keep_self_rating(records, who, trial, rating);  // before anything of the score is seen
+        return true;
+      },
+      [this](bool) { show_result(); }, [this](const QString& message) { rating_->set_message(message); });
+}
+
+void MainWindow::read_past() {
+  const curricula::Who who = records_->desk().who();
+  records_->desk().ask<PastResults>(
+      this,
+      [who](curricula::Records& records) { return curricula::Progress(records).results(who, who ? who->id() : 0); },
+      [this](PastResults past) { start_->set_past(std::move(past)); },
+      [this](const QString& message) { start_->set_message(message); });
+}
+
+void MainWindow::back_to_start() {
+  if (has_start_) {
+    pages_->setCurrentWidget(start_);
+    read_past();
+  } else {
+    close();  // opened for one trial only
+  }
+}
+
+void MainWindow::show_trial(const QString& log, bool with_replay) {
+  if (with_replay) return replay(log.toStdString());
   const std::filesystem::path folder = std::filesystem::path(log.toStdString()).parent_path();
   std::error_code error;
   const auto report = folder / "report.html";
@@ -297,6 +399,8 @@ QString MainWindow::page_name() const {
          : page == import_       ? "import"
          : page == prepare_page_ ? "prepare"
          : page == trial_        ? "trial"
+         : page == replay_       ? "replay"
+         : page == rating_       ? "rating"
                                  : "result";
 }
 
@@ -304,6 +408,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
   cancelled_ = true;
   import_->stop();
   trial_->close_trial();
+  replay_->close_replay();
   QMainWindow::closeEvent(event);
 }
 

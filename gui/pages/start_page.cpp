@@ -4,22 +4,27 @@
 #include <QFileDialog>
 #include <QFormLayout>
 #include <QHBoxLayout>
+#include <QHeaderView>
 #include <QLabel>
-#include <QListWidget>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QSignalBlocker>
 #include <QStandardItemModel>
+#include <QTreeWidget>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <stdexcept>
 
 #include "device/factory.h"
 #include "device/found_devices.h"
 #include "gui/pages/device_dialog.h"
 #include "gui/pages/devices_page.h"
+#include "gui/pages/module_words.h"
 #include "gui/report/markdown.h"
 #include "gui/session/device_choice.h"
 #include "gui/session/device_rows.h"
 #include "gui/views/capitalised.h"
+#include "gui/views/theme.h"
 
 namespace vallecula::gui {
 namespace {
@@ -50,11 +55,26 @@ QString passes_with(const curricula::Scenario& scenario) {
   if (pass.lowest_heart_per_min) tube << QString("heart rate not below %1").arg(*pass.lowest_heart_per_min);
   if (pass.tube_force_n) tube << QString("at most %1 N along the tube").arg(*pass.tube_force_n);
   if (pass.co2_confirmed) tube << "the place confirmed by CO2";
+  if (pass.depth_neutral) tube << "good depth with the head neutral, too";
+  if (pass.oesophagus_in_time)
+    tube << QString("a tube in the oesophagus recognised within %1 breaths").arg(scenario.intubation->breaths_to_confirm);
+  if (pass.no_severe_desaturation) tube << "no fall of saturation by 20 points in an attempt";
   return text + " The tube: " + tube.join(", ") + ".";
 }
 
 /// Marks an entry that stands for something plugged in.
 constexpr int kPluggedIn = Qt::UserRole + 1;
+
+/// What a row of the tree stands for.
+enum RowKind { kCourseRow, kModuleRow, kScenarioRow };
+constexpr int kRowKind = Qt::UserRole, kRowId = Qt::UserRole + 1;
+constexpr int kTitle = 0, kState = 1;
+
+QString course_text(const curricula::Curriculum& curriculum) {
+  QString text = "<p>Whoever has finished this course can:</p><ul>";
+  for (const auto& goal : curriculum.goals) text += "<li>" + plain_of(goal).toHtmlEscaped() + "</li>";
+  return text + "</ul>";
+}
 
 }  // namespace
 
@@ -67,12 +87,23 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
   curriculum_ = new QComboBox(this);
   curriculum_->setObjectName("curriculum");
   curriculum_->setAccessibleName("Curriculum");
-  list_ = new QListWidget(this);
-  list_->setAccessibleName("Scenarios");
+  tree_ = new QTreeWidget(this);
+  tree_->setAccessibleName("Modules and scenarios");
+  tree_->setColumnCount(2);
+  tree_->setHeaderHidden(true);
+  tree_->header()->setStretchLastSection(false);
+  tree_->header()->setSectionResizeMode(kTitle, QHeaderView::Stretch);
+  tree_->header()->setSectionResizeMode(kState, QHeaderView::ResizeToContents);
+  tree_->setStyleSheet("QTreeView::item { padding: 6px 4px; }");
+  tree_->setIndentation(18);
   briefing_ = new QLabel(this);
   briefing_->setWordWrap(true);
   briefing_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
-  briefing_->setMinimumWidth(380);
+  mode_ = new QComboBox(this);
+  mode_->setObjectName("mode");
+  mode_->addItem("Practice", static_cast<int>(curricula::Mode::practice));
+  mode_->addItem("Assessment: as written, no helps, you rate yourself first, replay locked",
+                 static_cast<int>(curricula::Mode::assessment));
   patient_ = new QComboBox(this);
   patient_->addItem("Built-in manikin, made for the scenario", QString());
   device_ = new QComboBox(this);
@@ -103,7 +134,7 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
 
   auto* left = new QVBoxLayout;
   left->addWidget(curriculum_);
-  left->addWidget(list_, 1);
+  left->addWidget(tree_, 1);
   auto* patient_row = new QHBoxLayout;
   patient_row->setSpacing(8);
   patient_row->addWidget(patient_, 1);
@@ -124,16 +155,30 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
   form->addRow("Device", device_row);
   second_label_ = new QLabel("Tube's hand", this);
   form->addRow(second_label_, second_);
+  mode_label_ = new QLabel("Mode", this);
+  form->addRow(mode_label_, mode_);
   auto* right_panel = new QFrame(this);
   right_panel->setObjectName("panel");
   auto* right = new QVBoxLayout(right_panel);
   right->setContentsMargins(18, 16, 18, 16);
-  auto* briefing_title = new QLabel("Briefing", this);
-  briefing_title->setObjectName("heading");
-  right->addWidget(briefing_title);
-  right->addWidget(briefing_, 1);
+  heading_ = new QLabel(this);
+  heading_->setObjectName("heading");
+  heading_->setWordWrap(true);
+  why_ = new QLabel(this);
+  why_->setWordWrap(true);
+  why_->setStyleSheet(QString("color: %1;").arg(theme::kOver.name()));
+  auto* scrolled = new QScrollArea(this);  // a course's texts are as long as its author likes
+  scrolled->setWidget(briefing_);
+  scrolled->setWidgetResizable(true);
+  scrolled->setFrameShape(QFrame::NoFrame);
+  scrolled->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scrolled->setFocusPolicy(Qt::NoFocus);
+  scrolled->setMinimumWidth(400);
+  right->addWidget(heading_);
+  right->addWidget(scrolled, 1);
   right->addLayout(form);
-  right->addSpacing(12);
+  right->addSpacing(6);
+  right->addWidget(why_);
   right->addWidget(go_);
   auto* columns = new QHBoxLayout;
   columns->setSpacing(14);
@@ -148,13 +193,11 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
   all->addWidget(message_);
 
   connect(curriculum_, qOverload<int>(&QComboBox::currentIndexChanged), this, &StartPage::show_curriculum);
-  connect(device_, qOverload<int>(&QComboBox::currentIndexChanged), this,
-          [this] { show_scenario(list_->currentRow()); });
-  connect(list_, &QListWidget::currentRowChanged, this, &StartPage::show_scenario);
-  connect(list_, &QListWidget::itemActivated, this, [this] { go_->click(); });
-  connect(go_, &QPushButton::clicked, this, [this] {
-    if (list_->currentRow() >= 0) emit chosen(choice());
-  });
+  for (QComboBox* hand : {device_, second_})
+    connect(hand, qOverload<int>(&QComboBox::currentIndexChanged), this, &StartPage::show_modules);
+  connect(tree_, &QTreeWidget::currentItemChanged, this, &StartPage::show_chosen);
+  connect(tree_, &QTreeWidget::itemActivated, this, [this] { go_->click(); });
+  connect(go_, &QPushButton::clicked, this, [this] { emit chosen(choice()); });
   go_->setEnabled(false);
 }
 
@@ -171,33 +214,182 @@ void StartPage::set_curricula(std::vector<curricula::Curriculum> curricula) {
   show_curriculum(curriculum_->currentIndex());
 }
 
-void StartPage::show_curriculum(int index) {
-  const int row = std::max(0, list_->currentRow());
-  list_->clear();
-  if (index >= 0)
-    for (const auto& scenario : curricula_[static_cast<std::size_t>(index)].scenarios)
-      list_->addItem(QString::fromStdString(scenario.title));
-  if (list_->count() > 0) list_->setCurrentRow(std::min(row, list_->count() - 1));
-  go_->setEnabled(list_->count() > 0);
+void StartPage::set_past(PastResults past) {
+  past_ = std::move(past);
+  show_modules();
 }
 
-const curricula::Scenario* StartPage::scenario_at(int row) const {
-  if (curriculum_->currentIndex() < 0) return nullptr;
-  const auto& scenarios = curricula_[static_cast<std::size_t>(curriculum_->currentIndex())].scenarios;
-  return row >= 0 && row < static_cast<int>(scenarios.size()) ? &scenarios[static_cast<std::size_t>(row)] : nullptr;
+const curricula::Curriculum* StartPage::curriculum() const {
+  return curriculum_->currentIndex() < 0 ? nullptr
+                                         : &curricula_[static_cast<std::size_t>(curriculum_->currentIndex())];
 }
 
-void StartPage::show_scenario(int row) {
-  const curricula::Scenario* scenario = scenario_at(row);
-  if (scenario == nullptr) return;
-  briefing_->setText(html_of(scenario->briefing) + "<p>" + passes_with(*scenario).toHtmlEscaped() + "</p>");
-  const bool tube = scenario->intubation.has_value();
+const curricula::Scenario* StartPage::chosen_scenario() const {
+  const QTreeWidgetItem* item = tree_->currentItem();
+  if (curriculum() == nullptr || item == nullptr || item->data(kTitle, kRowKind).toInt() != kScenarioRow) return nullptr;
+  return curriculum()->find(item->data(kTitle, kRowId).toString().toStdString());
+}
+
+bool StartPage::watching() const { return is_scripted(device_->currentData().toString().toStdString()); }
+
+std::string StartPage::hands() const {
+  const auto kind = [](const QComboBox* box) {
+    return box->currentData().toString().section(':', 0, 0).toStdString();
+  };
+  const std::string blade = kind(device_), tube = kind(second_);
+  return watching() || blade == "mouse" || tube.empty() ? blade : blade + "+" + tube;
+}
+
+void StartPage::show_curriculum(int) {
+  {
+    const QSignalBlocker quiet(tree_);
+    tree_->clear();  // what was chosen was another curriculum's
+  }
+  show_modules();
+}
+
+void StartPage::add_scenario(QTreeWidgetItem* to, const std::string& id,
+                             const std::vector<curricula::PastResult>& past) {
+  auto* row = new QTreeWidgetItem(to);
+  row->setText(kTitle, QString::fromStdString(curriculum()->find(id)->title));
+  row->setData(kTitle, kRowKind, kScenarioRow);
+  row->setData(kTitle, kRowId, QString::fromStdString(id));
+  const bool passed = std::any_of(past.begin(), past.end(), [&](const curricula::PastResult& result) {
+    return result.scenario_id == id && result.device_kind == hands() && result.passed;
+  });
+  row->setText(kState, passed ? "passed" : "");
+  row->setForeground(kState, theme::kWithin.lighter(130));
+  if (!watching() && !why_closed(*curriculum(), progress_, id).isEmpty()) row->setForeground(kTitle, theme::kFaint);
+}
+
+void StartPage::show_modules() {
+  const QTreeWidgetItem* before = tree_->currentItem();
+  const QString chosen = before != nullptr ? before->data(kTitle, kRowId).toString() : QString();
+  const QSignalBlocker quiet(tree_);
+  tree_->clear();
+  progress_.clear();
+  if (curriculum() != nullptr) {
+    const auto past = with_hands(past_[curriculum()->id], *curriculum(), hands());
+    progress_ = curricula::progress_of(*curriculum(), past, hands());
+    if (!curriculum()->goals.empty()) {
+      auto* course = new QTreeWidgetItem(tree_->invisibleRootItem());
+      course->setText(kTitle, "About this course");
+      course->setData(kTitle, kRowKind, kCourseRow);
+      course->setData(kTitle, kRowId, ":course");
+      course->setForeground(kTitle, theme::kFaint);
+    }
+    const bool one = curriculum()->modules.size() == 1;  // its only module needs no row of its own
+    for (std::size_t m = 0; m < curriculum()->modules.size(); ++m) {
+      const curricula::Module& module = curriculum()->modules[m];
+      QTreeWidgetItem* row = tree_->invisibleRootItem();
+      if (!one) {
+        row = new QTreeWidgetItem(tree_->invisibleRootItem());
+        QFont font = row->font(kTitle);
+        font.setBold(true);
+        row->setFont(kTitle, font);
+        row->setText(kTitle, QString("%1  %2").arg(m + 1).arg(QString::fromStdString(module.title)));
+        row->setData(kTitle, kRowKind, kModuleRow);
+        row->setData(kTitle, kRowId, ":" + QString::fromStdString(module.id));
+        row->setText(kState, state_of(progress_[m]));
+        row->setForeground(kState, progress_[m].mastered ? theme::kWithin.lighter(130)
+                                   : progress_[m].open   ? theme::kText
+                                                         : theme::kFaint);
+      }
+      for (const std::string& id : module.scenarios) add_scenario(row, id, past);
+      if (!one) row->setExpanded(progress_[m].open && !progress_[m].mastered);
+    }
+  }
+  QTreeWidgetItem* now = chosen.isEmpty() ? nullptr : item_of(chosen);
+  tree_->setCurrentItem(now != nullptr ? now : next_to_do());
+  show_chosen();
+}
+
+QTreeWidgetItem* StartPage::item_of(const QString& id) const {
+  for (QTreeWidgetItemIterator it(tree_); *it != nullptr; ++it)
+    if ((*it)->data(kTitle, kRowId).toString() == id) return *it;
+  return nullptr;
+}
+
+QTreeWidgetItem* StartPage::next_to_do() const {
+  QTreeWidgetItem* first = nullptr;
+  for (QTreeWidgetItemIterator it(tree_); *it != nullptr; ++it) {
+    if ((*it)->data(kTitle, kRowKind).toInt() != kScenarioRow) continue;
+    if (first == nullptr) first = *it;
+    const std::string id = (*it)->data(kTitle, kRowId).toString().toStdString();
+    if ((*it)->text(kState).isEmpty() && why_closed(*curriculum(), progress_, id).isEmpty()) return *it;
+  }
+  return first;
+}
+
+QStringList StartPage::states() const {
+  QStringList states;
+  for (std::size_t m = 0; m < progress_.size(); ++m)
+    states << QString::fromStdString(curriculum()->modules[m].title) + ": " + state_of(progress_[m]);
+  return states;
+}
+
+void StartPage::show_chosen() {
+  why_->clear();
+  why_->hide();
+  go_->setEnabled(false);
+  const QTreeWidgetItem* item = tree_->currentItem();
+  if (curriculum() == nullptr || item == nullptr) {
+    heading_->clear();
+    briefing_->clear();
+    return;
+  }
+  if (const curricula::Scenario* scenario = chosen_scenario()) {
+    show_scenario(*scenario);
+    return;
+  }
+  heading_->setText(item->text(kTitle));
+  if (item->data(kTitle, kRowKind).toInt() == kCourseRow) {
+    briefing_->setText(course_text(*curriculum()));
+    return;
+  }
+  for (std::size_t m = 0; m < curriculum()->modules.size(); ++m) {
+    const curricula::Module& module = curriculum()->modules[m];
+    if (":" + QString::fromStdString(module.id) != item->data(kTitle, kRowId).toString()) continue;
+    const QString closed =
+        progress_[m].open ? QString() : why_closed(*curriculum(), progress_, module.scenarios.front());
+    briefing_->setText(html_of(module.goal) + "<p><b>" + capitalised(state_of(progress_[m])) + "</b>: " +
+                       progress_line(module, progress_[m]).toHtmlEscaped() + ". " + closed.toHtmlEscaped() + "</p><p>" +
+                       mastery_rule(module).toHtmlEscaped() +
+                       " Trials with another kind of device do not count here.</p>");
+  }
+}
+
+void StartPage::show_scenario(const curricula::Scenario& scenario) {
+  heading_->setText(QString::fromStdString(scenario.title));
+  QString text = html_of(scenario.briefing) + "<p>" + passes_with(scenario).toHtmlEscaped() + "</p>";
+  if (const curricula::Module* module = curriculum()->module_of(scenario.id)) {
+    const auto& progress = progress_[static_cast<std::size_t>(module - curriculum()->modules.data())];
+    if (!watching())
+      text += "<p>" + QString::fromStdString(module->title).toHtmlEscaped() + ": " +
+              progress_line(*module, progress).toHtmlEscaped() + ".</p>";
+    auto* modes = qobject_cast<QStandardItemModel*>(mode_->model());
+    int allowed = -1;
+    for (int i = mode_->count() - 1; i >= 0; --i) {
+      const auto mode = static_cast<curricula::Mode>(mode_->itemData(i).toInt());
+      const bool may = std::count(module->modes.begin(), module->modes.end(), mode) > 0;
+      modes->item(i)->setEnabled(may);
+      if (may) allowed = i;
+    }
+    if (allowed >= 0 && !modes->item(mode_->currentIndex())->isEnabled()) mode_->setCurrentIndex(allowed);
+  }
+  briefing_->setText(text);
+  const QString closed = watching() ? QString() : why_closed(*curriculum(), progress_, scenario.id);
+  why_->setText(closed + (closed.isEmpty() ? "" : " A scripted hand can be watched at it before."));
+  why_->setVisible(!closed.isEmpty());
+  go_->setEnabled(closed.isEmpty());
+  mode_->setVisible(!watching());
+  mode_label_->setVisible(!watching());
+  const bool tube = scenario.intubation.has_value();
   // A scripted novice lifts and levers, but has no tube.
   const int novice = device_->findData(kWatchNovice);
   if (auto* model = qobject_cast<QStandardItemModel*>(device_->model())) model->item(novice)->setEnabled(!tube);
   if (tube && device_->currentIndex() == novice) device_->setCurrentIndex(device_->findData(kWatchExpert));
-  const QString device = device_->currentData().toString();
-  const bool choice = tube && !is_scripted(device.toStdString()) && device != "mouse";
+  const bool choice = tube && !watching() && device_->currentData().toString() != "mouse";
   second_->setVisible(choice);
   second_label_->setVisible(choice);
 }
@@ -276,23 +468,24 @@ void StartPage::set_message(const QString& message) { message_->setText(message)
 
 bool StartPage::select(const QString& scenario, const QString& device) {
   bool found = false;
-  for (std::size_t c = 0; c < curricula_.size() && !found; ++c)
-    for (std::size_t i = 0; i < curricula_[c].scenarios.size() && !found; ++i) {
-      if (curricula_[c].scenarios[i].id != scenario.toStdString()) continue;
-      curriculum_->setCurrentIndex(static_cast<int>(c));
-      list_->setCurrentRow(static_cast<int>(i));
-      found = true;
-    }
+  for (std::size_t c = 0; c < curricula_.size() && !found; ++c) {
+    if (curricula_[c].find(scenario.toStdString()) == nullptr) continue;
+    curriculum_->setCurrentIndex(static_cast<int>(c));
+    tree_->setCurrentItem(item_of(scenario));
+    found = true;
+  }
   const int index = device_->findData(device);
   if (index >= 0) device_->setCurrentIndex(index);
   return found && index >= 0;
 }
 
 Choice StartPage::choice() const {
-  const auto& curriculum = curricula_.at(static_cast<std::size_t>(std::max(0, curriculum_->currentIndex())));
-  return {curriculum.file, curriculum.scenarios.at(static_cast<std::size_t>(std::max(0, list_->currentRow()))),
-          patient_->currentData().toString().toStdString(), device_->currentData().toString(),
-          second_->isVisibleTo(this) ? second_->currentData().toString() : QString()};
+  const curricula::Scenario* scenario = chosen_scenario();
+  if (scenario == nullptr) throw std::logic_error("no scenario is chosen");
+  const auto mode = watching() ? curricula::Mode::practice : static_cast<curricula::Mode>(mode_->currentData().toInt());
+  return {curriculum()->file, *scenario, patient_->currentData().toString().toStdString(),
+          device_->currentData().toString(), second_->isVisibleTo(this) ? second_->currentData().toString() : QString(),
+          mode};
 }
 
 }  // namespace vallecula::gui

@@ -359,10 +359,11 @@ void ProgressTab::choose_trial(int row) {
 
 void ProgressTab::open_trial(int row) {
   if (row < 0 || row >= static_cast<int>(rows_.size())) return;
-  const std::string& log = rows_[static_cast<std::size_t>(row)].trial_path;
+  const RecordRow& trial = rows_[static_cast<std::size_t>(row)];
   std::error_code error;
-  if (std::filesystem::exists(log, error)) {
-    emit trial_wanted(QString::fromStdString(log));
+  if (std::filesystem::exists(trial.trial_path, error)) {
+    emit trial_wanted(QString::fromStdString(trial.trial_path),
+                      desk_.instructor() || curricula::rules_of(trial.mode).replay);
     return;
   }
   message_->setText("This trial's files are not on this computer: they are on the station it was done at, or were moved.");

@@ -114,9 +114,14 @@ void RecordsPage::refresh() {
 }
 
 void RecordsPage::show_trouble(const QString& message) {
+  tell(message);
+  again_->show();
+}
+
+void RecordsPage::tell(const QString& message) {
   trouble_->setText(message);
   trouble_->show();
-  again_->show();
+  again_->hide();
 }
 
 WhoStrip::WhoStrip(RecordsDesk& desk, QWidget* parent) : QWidget(parent), desk_(desk) {

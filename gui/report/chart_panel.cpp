@@ -142,6 +142,11 @@ void draw_legend(QPainter& painter, const QRectF& row, double em, const std::vec
   }
 }
 
+TimeAxis chart_time_axis(int width, int height, double last_s) {
+  const double em = chart_em(width, height);
+  return {7.0 * em, width - 1.5 * em, std::max(1.0, last_s)};
+}
+
 double chart_em(int width, int height) { return std::max(10.0, std::min(width / 80.0, height / 45.0)); }
 
 void begin_chart(QPainter& painter, double em, double left, double right, const QString& title) {

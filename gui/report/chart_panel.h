@@ -74,6 +74,17 @@ struct LegendEntry {
 };
 void draw_legend(QPainter& painter, const QRectF& row, double em, const std::vector<LegendEntry>& entries);
 
+/// Where the panels of a trial's chart lie, for whoever lays something over it.
+struct TimeAxis {
+  double left = 0.0, right = 1.0;  ///< pixels
+  double end_s = 1.0;              ///< at the right
+
+  double x(double time_s) const { return left + (right - left) * time_s / end_s; }
+  double time_s(double x) const { return (x - left) / (right - left) * end_s; }
+};
+/// Of a chart of this size of a trial whose last tick is at `last_s`.
+TimeAxis chart_time_axis(int width, int height, double last_s);
+
 /// The letters' height for a picture of this size.
 double chart_em(int width, int height);
 /// Sets the chart's font and writes its title over the panels from `left` to `right`.

@@ -91,6 +91,8 @@ bool is_scripted(const std::string& name) {
   return kind == kScripted || kind == kRecorded;
 }
 
+bool answers_distractions(const std::string& name) { return is_scripted_pair(split(name)); }
+
 void check_device_name(const std::string& name) {
   const DeviceName given = split(name);
   if (is_scripted_hand(given)) return;

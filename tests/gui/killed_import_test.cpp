@@ -27,7 +27,7 @@ TEST(KilledImport, LeavesAWholePackageOrNone) {
   fs::create_directory(box / "temporary");
   const std::vector<std::string> environment{"TMPDIR=" + (box / "temporary").string()};
   const auto package = box / "a.patient";
-  const std::vector<std::string> arguments{"import", (box / "ct").string(), "--out", package.string(), "--replace"};
+  const std::vector<std::string> arguments{"import", (box / "ct").string(), "--out", package.string(), "--replace", "--tets", "1000"};
   const auto start = std::chrono::steady_clock::now();
   ASSERT_EQ(box.run(arguments, environment).exit_code, 0);
   const double whole = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -186,6 +186,7 @@ TEST_F(WindowRecords, FromTheFirstInstructorToATraineesOwnProgress) {
     std::ofstream(log) << "a log";
     RecordRow last = row(kiwi, 15, true);
     last.trial_path = log.string();
+    last.mode = curricula::Mode::assessment;
     records.add(last);
   }
   show_tab("My account");
@@ -215,7 +216,11 @@ TEST_F(WindowRecords, FromTheFirstInstructorToATraineesOwnProgress) {
     EXPECT_FALSE(curricula::find_figure(figure->itemData(i).toString().toStdString())->for_researchers);
   QString wanted;
   QObject::disconnect(&page(), &RecordsPage::trial_wanted, window_.get(), nullptr);
-  QObject::connect(&page(), &RecordsPage::trial_wanted, [&](const QString& path) { wanted = path; });
+  bool with_replay = true;
+  QObject::connect(&page(), &RecordsPage::trial_wanted, [&](const QString& path, bool replay) {
+    wanted = path;
+    with_replay = replay;
+  });
   auto* chart = progress->findChildren<TrialChart*>().first();
   click_at(chart, chart->position(0));
   EXPECT_EQ(trials->currentRow(), 13);
@@ -226,6 +231,7 @@ TEST_F(WindowRecords, FromTheFirstInstructorToATraineesOwnProgress) {
   EXPECT_EQ(trials->currentRow(), 0);
   press(trials, Qt::Key_Return);
   EXPECT_EQ(wanted.toStdString(), log.string());
+  EXPECT_FALSE(with_replay) << "an assessment's replay stays locked for the trainee";
   keep_picture(*window_, "records-5-another-figure.png");
 
   click(&page(), "Back");
