@@ -62,7 +62,8 @@ AccountTab::AccountTab(RecordsDesk& desk, QWidget* parent) : QWidget(parent), de
 QWidget* AccountTab::make_sign_in() {
   auto* half = new QWidget(this);
   auto* say = new QLabel(
-      "Sign in to have your trials counted as yours. Nobody needs to: without signing in one practises all the same, and "
+      "Sign in to have your trials counted as yours. Nobody needs to: without signing in one practises all the same, "
+      "and "
       "the trials belong to nobody.",
       half);
   say->setWordWrap(true);

@@ -40,8 +40,8 @@ PeopleTab::PeopleTab(RecordsDesk& desk, QWidget* parent) : QWidget(parent), desk
   audit_ = new_table(this, "Audit trail", {"When (UTC)", "Who", "Did", "With"});
   auto* heading = new QLabel("Audit trail", this);
   heading->setObjectName("heading");
-  auto* about = new QLabel("Kept by numbers; a name is shown where the person is still here. Nothing in it can be changed.",
-                           this);
+  auto* about = new QLabel(
+      "Kept by numbers; a name is shown where the person is still here. Nothing in it can be changed.", this);
   about->setObjectName("faint");
   message_ = new QLabel(this);
   message_->setObjectName("people_message");
@@ -106,8 +106,7 @@ void PeopleTab::show_people(std::vector<Person> people, const std::vector<curric
   for (std::size_t i = 0; i < people_.size(); ++i) {
     const Person& person = people_[i];
     names[person.id] = QString::fromStdString(person.name);
-    fill_row(table_, static_cast<int>(i),
-             {names[person.id], words_of(person.role), for_people(person.created_utc)});
+    fill_row(table_, static_cast<int>(i), {names[person.id], words_of(person.role), for_people(person.created_utc)});
     if (person.id == kept) table_->selectRow(static_cast<int>(i));
   }
   const auto name_of = [&names](long long id) {

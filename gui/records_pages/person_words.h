@@ -10,8 +10,8 @@ class QWidget;
 
 namespace vallecula::gui {
 
-QString words_of(curricula::Role role);              ///< "trainee"
-QString words_of(const curricula::Person& person);   ///< "Kiwi (trainee)"
+QString words_of(curricula::Role role);                 ///< "trainee"
+QString words_of(const curricula::Person& person);      ///< "Kiwi (trainee)"
 QString words_of(const curricula::Deletion& deletion);  ///< what is gone, and what is not yet
 
 /// The plain warning before somebody is deleted; `delete_them` when that is confirmed. `whom`: "you", a name.

@@ -78,7 +78,9 @@ RecordsPage::RecordsPage(QWidget* parent) : QWidget(parent) {
     tabs_->setCurrentWidget(progress_);
   };
   connect(cohort_, &CohortTab::curve_wanted, this, open_progress);
-  connect(people_, &PeopleTab::progress_wanted, this, [open_progress](long long id) { open_progress({id, {}, {}, {}}); });
+  connect(people_, &PeopleTab::progress_wanted, this, [open_progress](long long id) {
+    open_progress({id, {}, {}, {}});
+  });
   show_tabs();
 }
 

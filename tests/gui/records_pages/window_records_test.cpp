@@ -90,7 +90,9 @@ class WindowRecords : public Screen {
       }
     ADD_FAILURE() << "no tab " << title.toStdString();
   }
-  void settle() { ASSERT_TRUE(wait_for([&] { return !seen_waiting(); }, 20000)); }
+  void settle() {
+    ASSERT_TRUE(wait_for([&] { return !seen_waiting(); }, 20000));
+  }
   bool seen_waiting() {
     for (QLabel* label : page().findChildren<QLabel*>())
       if (label->text() == "Asking the records ..." && label->isVisible()) return true;
