@@ -1,6 +1,5 @@
 #include "gui/records_pages/people_tab.h"
 
-#include <QDateTime>
 #include <QFileDialog>
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -206,7 +205,7 @@ void PeopleTab::export_chosen(const QString& folder) {
   if (person == nullptr) return;
   const curricula::SignedIn who = *desk_.who();
   const long long id = person->id;
-  const QString made = folder + "/vallecula-export-" + QDateTime::currentDateTime().toString("yyyyMMdd-HHmmss");
+  const QString name = new_export_name(), made = folder + "/" + name;
   message_->setText("Exporting ...");
   desk_.ask<bool>(
       this,
@@ -214,7 +213,7 @@ void PeopleTab::export_chosen(const QString& folder) {
         curricula::export_person(records, who, id, made.toStdString());
         return true;
       },
-      [this, made](bool) { done("All that is kept of this person is in " + made + "."); },
+      [this, name](bool) { done("All that is kept of this person is in " + name + ", in the folder you chose."); },
       [this](const QString& message) { message_->setText(message); });
 }
 

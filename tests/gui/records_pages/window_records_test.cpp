@@ -393,6 +393,22 @@ TEST_F(WindowRecords, ATraineeChangesThePinTakesTheDataAlongAndIsDeleted) {
   EXPECT_TRUE(People(records).list().empty());
 }
 
+TEST_F(WindowRecords, AnswersComeInOrderToThoseWhoStillWaitForThem) {
+  RecordsDesk desk;
+  std::vector<int> answers;
+  QObject stays;
+  auto goes = std::make_unique<QObject>();
+  const auto ask = [&](QObject* receiver, int number) {
+    desk.ask<int>(
+        receiver, [number](Records&) { return number; }, [&answers](int answer) { answers.push_back(answer); });
+  };
+  for (int number = 1; number <= 3; ++number) ask(number == 2 ? goes.get() : &stays, number);
+  goes.reset();
+  ask(&stays, 4);
+  ASSERT_TRUE(wait_for([&] { return answers.size() == 3; }, 10000));
+  EXPECT_EQ(answers, (std::vector<int>{1, 3, 4}));
+}
+
 /// Another program writes to the file and does not let go.
 TEST_F(WindowRecords, ALockedDatabaseIsOneMessageWithATryAgainAndTheWindowNeverWaits) {
   { Records records(records_location()); }
