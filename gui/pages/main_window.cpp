@@ -1,18 +1,19 @@
 #include "gui/pages/main_window.h"
 
 #include <QCloseEvent>
-#include <QDesktopServices>
 #include <QDateTime>
+#include <QDesktopServices>
 #include <QLabel>
 #include <QProgressBar>
-#include <QRandomGenerator>
 #include <QPushButton>
+#include <QRandomGenerator>
 #include <QStackedWidget>
 #include <QUrl>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <stdexcept>
 
+#include "curricula/records/progress.h"
 #include "device/factory.h"
 #include "gui/import/import_wizard.h"
 #include "gui/pages/background.h"
@@ -59,8 +60,7 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
   replay_ = new ReplayPage(pages_);
   for (QWidget* page : {static_cast<QWidget*>(start_), static_cast<QWidget*>(devices_), static_cast<QWidget*>(records_),
                         static_cast<QWidget*>(import_), prepare_page_, static_cast<QWidget*>(trial_),
-                        static_cast<QWidget*>(rating_), static_cast<QWidget*>(result_),
-                        static_cast<QWidget*>(replay_)})
+                        static_cast<QWidget*>(rating_), static_cast<QWidget*>(result_), static_cast<QWidget*>(replay_)})
     pages_->addWidget(page);
   // The page that is seen says how small the window may be, not the largest of them all.
   const auto only_current_counts = [this] {
@@ -85,9 +85,9 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
   connect(start_, &StartPage::import_wanted, this, [this] { import_series(); });
   connect(start_, &StartPage::devices_wanted, this, [this] { pages_->setCurrentWidget(devices_); });
   connect(who_, &WhoStrip::records_wanted, this, [this] { pages_->setCurrentWidget(records_); });
-  connect(&records_->desk(), &RecordsDesk::changed, this, &MainWindow::read_past);
   connect(records_, &RecordsPage::left, this, &MainWindow::back_to_start);
   connect(records_, &RecordsPage::trial_wanted, this, &MainWindow::show_trial);
+  connect(&records_->desk(), &RecordsDesk::changed, this, &MainWindow::read_past);
   connect(devices_, &DevicesPage::left, this, &MainWindow::back_to_start);
   connect(devices_, &DevicesPage::found, start_, &StartPage::set_found_devices);
   connect(devices_, &DevicesPage::chosen, this, [this](const device::FoundDevice& device) {
@@ -284,7 +284,8 @@ void MainWindow::prepare(TrialSetup setup, std::function<std::filesystem::path()
 
 void MainWindow::replay(const std::filesystem::path& trial, double at_s, const std::filesystem::path& patient) {
   if (worker_) return;
-  replay_from_result_ = pages_->currentWidget() == result_;
+  QWidget* from = pages_->currentWidget();
+  replay_from_ = from == result_ || from == records_ ? from : nullptr;
   result_->tell("");
   start_->set_message("");
   cancelled_ = false;
@@ -292,8 +293,10 @@ void MainWindow::replay(const std::filesystem::path& trial, double at_s, const s
   prepare_bar_->setValue(0);
   pages_->setCurrentWidget(prepare_page_);
   const auto failed = [this](const QString& message) {
-    if (replay_from_result_)
+    if (replay_from_ == result_)
       result_->tell(message);
+    else if (replay_from_ == records_)
+      records_->tell(message);
     else
       start_->set_message(message);
     leave_replay();
@@ -307,6 +310,7 @@ void MainWindow::replay(const std::filesystem::path& trial, double at_s, const s
       },
       [this, at_s, failed](std::shared_ptr<ReplayTrial> opened) {
         pages_->setCurrentWidget(replay_);
+        replay_->set_who(records_->desk().who());
         try {
           replay_->open(std::move(opened), std::max(0.0, at_s), at_s >= 0.0);
         } catch (const std::exception& error) {
@@ -319,8 +323,8 @@ void MainWindow::replay(const std::filesystem::path& trial, double at_s, const s
 
 void MainWindow::leave_replay() {
   replay_->close_replay();
-  if (replay_from_result_)
-    pages_->setCurrentWidget(result_);
+  if (replay_from_ != nullptr)
+    pages_->setCurrentWidget(replay_from_);
   else
     back_to_start();
 }
@@ -349,21 +353,21 @@ void MainWindow::show_result() {
 }
 
 void MainWindow::take_self_rating(const SelfRating& rating) {
-  RecordsDesk& desk = records_->desk();
-  desk.ask<bool>(
+  const curricula::Who who = records_->desk().who();
+  records_->desk().ask<bool>(
       this,
-      [who = desk.who(), trial = outcome_.record_id, rating](curricula::Records& records) {
-        keep_self_rating(records, who, trial, rating);
+      [who, trial = outcome_.record_id, rating](curricula::Records& records) {
+        keep_self_rating(records, who, trial, rating);  // before anything of the score is seen
         return true;
       },
-      [this](bool) { show_result(); },  // kept before anything of the score is seen
-      [this](const QString& message) { rating_->set_message(message); });
+      [this](bool) { show_result(); }, [this](const QString& message) { rating_->set_message(message); });
 }
 
 void MainWindow::read_past() {
-  RecordsDesk& desk = records_->desk();
-  desk.ask<PastResults>(
-      this, [who = desk.who()](curricula::Records& records) { return past_results(records, who); },
+  const curricula::Who who = records_->desk().who();
+  records_->desk().ask<PastResults>(
+      this,
+      [who](curricula::Records& records) { return curricula::Progress(records).results(who, who ? who->id() : 0); },
       [this](PastResults past) { start_->set_past(std::move(past), records_->desk().instructor()); },
       [this](const QString& message) { start_->set_message(message); });
 }
@@ -377,7 +381,8 @@ void MainWindow::back_to_start() {
   }
 }
 
-void MainWindow::show_trial(const QString& log) {
+void MainWindow::show_trial(const QString& log, bool with_replay) {
+  if (with_replay) return replay(log.toStdString());
   const std::filesystem::path folder = std::filesystem::path(log.toStdString()).parent_path();
   std::error_code error;
   const auto report = folder / "report.html";

@@ -73,8 +73,9 @@ class MainWindow : public QMainWindow {
   void read_past();
   void show_failure(const QString& message);
   void back_to_start();
+  /// In the replay, or where that stays locked as its report.
+  void show_trial(const QString& log, bool with_replay);
   void leave_replay();
-  void show_trial(const QString& log);
   void add_imported_patients();
   void choose_last_device(const QString& name);
   QWidget* make_prepare_page();
@@ -97,7 +98,7 @@ class MainWindow : public QMainWindow {
   curricula::Scenario scenario_;
   std::vector<std::string> misfits_;  ///< of the patient and this scenario
   std::filesystem::path results_;
-  bool replay_from_result_ = false;
+  QWidget* replay_from_ = nullptr;  ///< the page to go back to; null: the first
   TrialOutcome outcome_;
   std::function<void()> again_, same_again_;
   bool has_start_ = false;

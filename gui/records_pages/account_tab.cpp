@@ -1,7 +1,6 @@
 #include "gui/records_pages/account_tab.h"
 
 #include <QComboBox>
-#include <QDateTime>
 #include <QFileDialog>
 #include <QFormLayout>
 #include <QHBoxLayout>
@@ -62,7 +61,8 @@ AccountTab::AccountTab(RecordsDesk& desk, QWidget* parent) : QWidget(parent), de
 QWidget* AccountTab::make_sign_in() {
   auto* half = new QWidget(this);
   auto* say = new QLabel(
-      "Sign in to have your trials counted as yours. Nobody needs to: without signing in one practises all the same, and "
+      "Sign in to have your trials counted as yours. Nobody needs to: without signing in one practises all the same, "
+      "and "
       "the trials belong to nobody.",
       half);
   say->setWordWrap(true);
@@ -288,8 +288,7 @@ void AccountTab::change_pin() {
 
 void AccountTab::export_own(const QString& folder) {
   const curricula::SignedIn who = *desk_.who();
-  // No name in it: file names name nobody.
-  const QString made = folder + "/vallecula-export-" + QDateTime::currentDateTime().toString("yyyyMMdd-HHmmss");
+  const QString name = new_export_name(), made = folder + "/" + name;
   done_->setText("Exporting ...");
   desk_.ask<bool>(
       this,
@@ -297,7 +296,7 @@ void AccountTab::export_own(const QString& folder) {
         curricula::export_person(records, who, who.id(), made.toStdString());
         return true;
       },
-      [this, made](bool) { done_->setText("All that is kept of you is in " + made + "."); },
+      [this, name](bool) { done_->setText("All that is kept of you is in " + name + ", in the folder you chose."); },
       [this](const QString& message) { done_->setText(message); });
 }
 

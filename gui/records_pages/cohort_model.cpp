@@ -18,8 +18,9 @@ constexpr Heading kHeadings[CohortModel::kColumns] = {
     {"Trials", "whole ones"},
     {"Passed", "within two attempts; no pass mark is validated"},
     {"In a row", "successes up to the last trial"},
-    {"CUSUM", "the last verdict of the cumulative sum by the published rule: 80 % success within two attempts "
-              "(PMC8290971), its other numbers assumed"},
+    {"CUSUM",
+     "the last verdict of the cumulative sum by the published rule: 80 % success within two attempts "
+     "(PMC8290971), its other numbers assumed"},
     {"Cut off", "interrupted trials: in no other figure"},
     {"Last (UTC)", "when the last trial ended"}};
 

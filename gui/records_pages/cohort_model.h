@@ -13,7 +13,19 @@ namespace vallecula::gui {
 class CohortModel : public QAbstractTableModel {
   Q_OBJECT
  public:
-  enum Column { kTrainee, kCourse, kScenario, kDevice, kTrials, kPassed, kInARow, kCusum, kInterrupted, kLast, kColumns };
+  enum Column {
+    kTrainee,
+    kCourse,
+    kScenario,
+    kDevice,
+    kTrials,
+    kPassed,
+    kInARow,
+    kCusum,
+    kInterrupted,
+    kLast,
+    kColumns
+  };
   static constexpr int kSortRole = Qt::UserRole;  ///< numbers as numbers
 
   CohortModel(const KnownCourses& courses, QObject* parent) : QAbstractTableModel(parent), courses_(courses) {}

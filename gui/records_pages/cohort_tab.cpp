@@ -26,9 +26,9 @@ CohortTab::CohortTab(RecordsDesk& desk, const KnownCourses& courses, QWidget* pa
   name_->setAccessibleName("Part of the trainee's name");
   name_->setClearButtonEnabled(true);
   row->addWidget(name_, 2);
-  for (const auto& [name, column] : {std::pair("Any course", CohortModel::kCourse),
-                                     std::pair("Any scenario", CohortModel::kScenario),
-                                     std::pair("Any device", CohortModel::kDevice)})
+  for (const auto& [name, column] :
+       {std::pair("Any course", CohortModel::kCourse), std::pair("Any scenario", CohortModel::kScenario),
+        std::pair("Any device", CohortModel::kDevice)})
     row->addWidget(filter(name, column), 2);
   period_ = new QComboBox(this);
   period_->setAccessibleName("Period");
@@ -50,9 +50,8 @@ CohortTab::CohortTab(RecordsDesk& desk, const KnownCourses& courses, QWidget* pa
   all->addWidget(count_);
   connect(name_, &QLineEdit::textChanged, shown_, &CohortFilterModel::set_name_contains);
   connect(period_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, &CohortTab::refresh);
-  connect(table_, &QTableView::activated, this, [this](const QModelIndex& index) {
-    emit curve_wanted(model_->curve(shown_->mapToSource(index).row()).key);
-  });
+  connect(table_, &QTableView::activated, this,
+          [this](const QModelIndex& index) { emit curve_wanted(model_->curve(shown_->mapToSource(index).row()).key); });
   for (const auto signal : {&QAbstractItemModel::rowsInserted, &QAbstractItemModel::rowsRemoved})
     connect(shown_, signal, this, &CohortTab::show_count);
   connect(shown_, &QAbstractItemModel::modelReset, this, &CohortTab::show_count);
@@ -75,8 +74,7 @@ void CohortTab::refresh() {
   if (const int days = period_->currentData().toInt(); days > 0)
     period.since_utc = QDateTime::currentDateTimeUtc().addDays(-days).toString(Qt::ISODate).toStdString();
   desk_.ask<std::vector<curricula::CurveSummary>>(
-      this,
-      [who, period](curricula::Records& records) { return curricula::Progress(records).cohort(who, period); },
+      this, [who, period](curricula::Records& records) { return curricula::Progress(records).cohort(who, period); },
       [this](std::vector<curricula::CurveSummary> curves) {
         model_->set_curves(std::move(curves));
         fill_filters();
@@ -109,10 +107,11 @@ void CohortTab::show_count() {
                           "belong to nobody and are not shown here.");
     return;
   }
-  count_->setText(QString("%1 of %2 curves. Enter or a double click opens one. Kinds of device are never pooled; no pass "
-                          "mark is validated.")
-                      .arg(shown_->rowCount())
-                      .arg(model_->rowCount()));
+  count_->setText(
+      QString("%1 of %2 curves. Enter or a double click opens one. Kinds of device are never pooled; no pass "
+              "mark is validated.")
+          .arg(shown_->rowCount())
+          .arg(model_->rowCount()));
 }
 
 }  // namespace vallecula::gui

@@ -48,7 +48,8 @@ CurveReading read_curve(const std::vector<curricula::RecordRow>& rows, const cur
         "By the rule of the module \"" + module->title + "\" (" + module->mastery.source + "), on this scenario alone.";
   } else {
     reading.rule_in_words =
-        "By the published rule: 80 % success within two attempts (PMC8290971); unacceptable rate and risks are assumed.";
+        "By the published rule: 80 % success within two attempts (PMC8290971); unacceptable rate and risks are "
+        "assumed.";
   }
   for (const curricula::RecordRow& row : rows) {
     if (!row.score.complete) {

@@ -1,6 +1,5 @@
 #include "gui/records_pages/people_tab.h"
 
-#include <QDateTime>
 #include <QFileDialog>
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -40,8 +39,8 @@ PeopleTab::PeopleTab(RecordsDesk& desk, QWidget* parent) : QWidget(parent), desk
   audit_ = new_table(this, "Audit trail", {"When (UTC)", "Who", "Did", "With"});
   auto* heading = new QLabel("Audit trail", this);
   heading->setObjectName("heading");
-  auto* about = new QLabel("Kept by numbers; a name is shown where the person is still here. Nothing in it can be changed.",
-                           this);
+  auto* about = new QLabel(
+      "Kept by numbers; a name is shown where the person is still here. Nothing in it can be changed.", this);
   about->setObjectName("faint");
   message_ = new QLabel(this);
   message_->setObjectName("people_message");
@@ -106,8 +105,7 @@ void PeopleTab::show_people(std::vector<Person> people, const std::vector<curric
   for (std::size_t i = 0; i < people_.size(); ++i) {
     const Person& person = people_[i];
     names[person.id] = QString::fromStdString(person.name);
-    fill_row(table_, static_cast<int>(i),
-             {names[person.id], words_of(person.role), for_people(person.created_utc)});
+    fill_row(table_, static_cast<int>(i), {names[person.id], words_of(person.role), for_people(person.created_utc)});
     if (person.id == kept) table_->selectRow(static_cast<int>(i));
   }
   const auto name_of = [&names](long long id) {
@@ -207,7 +205,7 @@ void PeopleTab::export_chosen(const QString& folder) {
   if (person == nullptr) return;
   const curricula::SignedIn who = *desk_.who();
   const long long id = person->id;
-  const QString made = folder + "/vallecula-export-" + QDateTime::currentDateTime().toString("yyyyMMdd-HHmmss");
+  const QString name = new_export_name(), made = folder + "/" + name;
   message_->setText("Exporting ...");
   desk_.ask<bool>(
       this,
@@ -215,7 +213,7 @@ void PeopleTab::export_chosen(const QString& folder) {
         curricula::export_person(records, who, id, made.toStdString());
         return true;
       },
-      [this, made](bool) { done("All that is kept of this person is in " + made + "."); },
+      [this, name](bool) { done("All that is kept of this person is in " + name + ", in the folder you chose."); },
       [this](const QString& message) { message_->setText(message); });
 }
 

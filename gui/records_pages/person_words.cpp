@@ -1,5 +1,6 @@
 #include "gui/records_pages/person_words.h"
 
+#include <QDateTime>
 #include <QMessageBox>
 #include <QPushButton>
 
@@ -19,6 +20,8 @@ QString words_of(const curricula::Deletion& deletion) {
   for (const std::string& left : deletion.left) text += "\nStill to be deleted: " + QString::fromStdString(left);
   return text;
 }
+
+QString new_export_name() { return "vallecula-export-" + QDateTime::currentDateTime().toString("yyyyMMdd-HHmmss"); }
 
 void warn_before_deleting(QWidget* parent, const QString& title, const QString& whom,
                           const std::function<void()>& delete_them) {

@@ -10,9 +10,12 @@ class QWidget;
 
 namespace vallecula::gui {
 
-QString words_of(curricula::Role role);              ///< "trainee"
-QString words_of(const curricula::Person& person);   ///< "Kiwi (trainee)"
+QString words_of(curricula::Role role);                 ///< "trainee"
+QString words_of(const curricula::Person& person);      ///< "Kiwi (trainee)"
 QString words_of(const curricula::Deletion& deletion);  ///< what is gone, and what is not yet
+
+/// Of the folder that an export makes, by the time: file names name nobody.
+QString new_export_name();
 
 /// The plain warning before somebody is deleted; `delete_them` when that is confirmed. `whom`: "you", a name.
 void warn_before_deleting(QWidget* parent, const QString& title, const QString& whom,

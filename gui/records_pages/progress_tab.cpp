@@ -11,6 +11,7 @@
 #include <filesystem>
 
 #include "curricula/score/figures.h"
+#include "gui/records_pages/curve_charts.h"
 #include "gui/records_pages/person_words.h"
 #include "gui/records_pages/records_desk.h"
 #include "gui/records_pages/tables.h"
@@ -30,19 +31,6 @@ constexpr char kFirstFigure[] = "peak_tongue_force_n";
 bool same(const CurveKey& a, const CurveKey& b) {
   return a.trainee_id == b.trainee_id && a.curriculum_id == b.curriculum_id && a.scenario_id == b.scenario_id &&
          a.device_kind == b.device_kind;
-}
-
-QString with_unit(const Figure& figure) {
-  return QString(figure.label) + (*figure.unit == '\0' ? QString() : QString(" (%1)").arg(figure.unit));
-}
-
-std::optional<double> value_of(const RecordRow& row, const Figure& figure) {
-  const auto found = row.figures.find(figure.name);
-  return found == row.figures.end() ? std::nullopt : std::optional(found->second);
-}
-
-QString result_of(const RecordRow& row) {
-  return !row.score.complete ? "interrupted" : row.score.passed ? "passed" : "not passed";
 }
 
 QString so_many(int trials) { return trials == 1 ? QString("1 trial") : QString("%1 trials").arg(trials); }
@@ -210,7 +198,8 @@ void ProgressTab::show_subject(Subject subject) {
     for (std::size_t i = 0; i < curves_.size(); ++i) {
       const CurveSummary& curve = curves_[i];
       list_->addItem(courses_.title(curve.key.curriculum_id, curve.key.scenario_id) + "\n" +
-                     QString("%1 · %2 of %3 passed").arg(QString::fromStdString(curve.key.device_kind))
+                     QString("%1 · %2 of %3 passed")
+                         .arg(QString::fromStdString(curve.key.device_kind))
                          .arg(curve.passed)
                          .arg(curve.trials) +
                      (curve.interrupted > 0 ? QString(" · %1 cut off").arg(curve.interrupted) : QString()));
@@ -256,7 +245,8 @@ void ProgressTab::ask_curve() {
       [this, key, asker = desk_.person().id](std::vector<RecordRow> rows) {
         if (desk_.person().id != asker) return;
         const int now = list_->currentRow();
-        if (now < 0 || now >= static_cast<int>(curves_.size()) || !same(curves_[static_cast<std::size_t>(now)].key, key))
+        if (now < 0 || now >= static_cast<int>(curves_.size()) ||
+            !same(curves_[static_cast<std::size_t>(now)].key, key))
           return;  // another was chosen meanwhile
         rows_ = std::move(rows);
         show_curve();
@@ -275,24 +265,7 @@ void ProgressTab::empty_curve(const QString& say) {
 
 void ProgressTab::show_curve() {
   reading_ = read_curve(rows_, courses_.find(rows_.empty() ? std::string() : rows_.front().curriculum_id));
-  const curricula::CusumLines lines = curricula::cusum_lines(reading_.rule);
-  TrialChart::Content sum{"Cumulative sum (CUSUM) over whole trials", {}, {}, "No whole trial yet."};
-  for (std::size_t i = 0; i < reading_.cusum.size(); ++i) {
-    const curricula::CusumPoint& point = reading_.cusum[i];
-    const bool begins = i == 0 || reading_.cusum[i - 1].verdict != curricula::CusumVerdict::undecided;
-    const auto mark = point.verdict == curricula::CusumVerdict::competent   ? TrialChart::Mark::good
-                      : point.verdict == curricula::CusumVerdict::deficient ? TrialChart::Mark::bad
-                                                                            : TrialChart::Mark::neutral;
-    sum.points.push_back({point.sum, mark, begins,
-                          QString("trial %1: %2, sum %3, %4")
-                              .arg(i + 1)
-                              .arg(reading_.successes[i] ? "success" : "failure")
-                              .arg(point.sum, 0, 'f', 2)
-                              .arg(name_of(point.verdict))});
-  }
-  if (!sum.points.empty())
-    sum.levels = {{lines.lower, theme::kWithin, "competent below", true}, {lines.upper, theme::kOver, "not competent above", false}};
-  sum_->show_content(std::move(sum));
+  sum_->show_content(cusum_chart(reading_));
   mastery_->setText(QString("Three in a row: %1.  CUSUM competent: %2.  Now: %3, %4 in a row.%5")
                         .arg(after_trials(reading_.to_three_in_a_row), after_trials(reading_.to_competent),
                              QString::fromStdString(verdict_in_words(reading_.cusum)))
@@ -308,30 +281,8 @@ void ProgressTab::show_curve() {
 void ProgressTab::show_figure() {
   const Figure* figure = curricula::find_figure(figure_->currentData().toString().toStdString());
   if (figure == nullptr || rows_.empty()) return;
-  TrialChart::Content content{with_unit(*figure), {}, {}, "No trial yet."};
-  int number = 0;
-  for (const RecordRow& row : rows_) {
-    TrialChart::Point point;
-    point.value = value_of(row, *figure);
-    point.mark = !row.score.complete ? TrialChart::Mark::interrupted
-                 : row.score.passed  ? TrialChart::Mark::good
-                                     : TrialChart::Mark::bad;
-    if (!row.score.complete) point.value.reset();  // of a part of a trial: comparable with nothing
-    point.tip = QString("trial %1, %2: %3%4")
-                    .arg(++number)
-                    .arg(for_people(row.finished_utc), result_of(row),
-                         point.value ? QString(", %1 %2").arg(*point.value, 0, 'g', 4).arg(figure->unit) : QString());
-    content.points.push_back(point);
-  }
-  const curricula::Scenario* scenario = courses_.find(rows_.front().curriculum_id, rows_.front().scenario_id);
-  if (scenario != nullptr) {
-    const bool more = figure->better > 0;
-    if (const auto target = training_target(*scenario, figure->name))
-      content.levels.push_back({*target, theme::kTarget.darker(130), "target", true});
-    if (const auto limit = pass_limit(*scenario, figure->name))
-      content.levels.push_back({*limit, theme::kOver, more ? "passed from here up" : "passed up to here", !more ? false : true});
-  }
-  learning_->show_content(std::move(content));
+  learning_->show_content(
+      learning_chart(rows_, *figure, courses_.find(rows_.front().curriculum_id, rows_.front().scenario_id)));
 }
 
 void ProgressTab::show_trials() {
@@ -359,13 +310,15 @@ void ProgressTab::choose_trial(int row) {
 
 void ProgressTab::open_trial(int row) {
   if (row < 0 || row >= static_cast<int>(rows_.size())) return;
-  const std::string& log = rows_[static_cast<std::size_t>(row)].trial_path;
+  const RecordRow& trial = rows_[static_cast<std::size_t>(row)];
   std::error_code error;
-  if (std::filesystem::exists(log, error)) {
-    emit trial_wanted(QString::fromStdString(log));
+  if (std::filesystem::exists(trial.trial_path, error)) {
+    emit trial_wanted(QString::fromStdString(trial.trial_path),
+                      desk_.instructor() || curricula::rules_of(trial.mode).replay);
     return;
   }
-  message_->setText("This trial's files are not on this computer: they are on the station it was done at, or were moved.");
+  message_->setText(
+      "This trial's files are not on this computer: they are on the station it was done at, or were moved.");
 }
 
 }  // namespace vallecula::gui

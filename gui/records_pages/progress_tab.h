@@ -28,8 +28,8 @@ class ProgressTab : public QWidget {
   void show_progress_of(const curricula::CurveKey& key);
 
  signals:
-  /// The log of a trial that is on this computer.
-  void trial_wanted(const QString& log);
+  /// The log of a trial that is on this computer. Of an assessment only an instructor gets the replay.
+  void trial_wanted(const QString& log, bool with_replay);
 
  private:
   struct Subject {

@@ -14,7 +14,8 @@ constexpr double kPatienceS = 3.0;  ///< somebody sits there and waits
 RecordsDesk::RecordsDesk(QObject* parent) : QObject(parent), there_(std::make_unique<QObject>()) {
   there_->moveToThread(&thread_);
   // A connection belongs to the thread that made it.
-  connect(&thread_, &QThread::finished, there_.get(), [this] { records_.reset(); }, Qt::DirectConnection);
+  connect(
+      &thread_, &QThread::finished, there_.get(), [this] { records_.reset(); }, Qt::DirectConnection);
   thread_.start();
 }
 

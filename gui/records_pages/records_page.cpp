@@ -78,7 +78,9 @@ RecordsPage::RecordsPage(QWidget* parent) : QWidget(parent) {
     tabs_->setCurrentWidget(progress_);
   };
   connect(cohort_, &CohortTab::curve_wanted, this, open_progress);
-  connect(people_, &PeopleTab::progress_wanted, this, [open_progress](long long id) { open_progress({id, {}, {}, {}}); });
+  connect(people_, &PeopleTab::progress_wanted, this, [open_progress](long long id) {
+    open_progress({id, {}, {}, {}});
+  });
   show_tabs();
 }
 
@@ -114,9 +116,14 @@ void RecordsPage::refresh() {
 }
 
 void RecordsPage::show_trouble(const QString& message) {
+  tell(message);
+  again_->show();
+}
+
+void RecordsPage::tell(const QString& message) {
   trouble_->setText(message);
   trouble_->show();
-  again_->show();
+  again_->hide();
 }
 
 WhoStrip::WhoStrip(RecordsDesk& desk, QWidget* parent) : QWidget(parent), desk_(desk) {

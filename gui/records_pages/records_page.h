@@ -24,10 +24,11 @@ class RecordsPage : public QWidget {
   explicit RecordsPage(QWidget* parent = nullptr);
   void set_curricula(std::vector<curricula::Curriculum> curricula) { courses_.set(std::move(curricula)); }
   RecordsDesk& desk() { return desk_; }
+  void tell(const QString& message);  ///< what went wrong with something that was opened from here
 
  signals:
   void left();
-  void trial_wanted(const QString& log);
+  void trial_wanted(const QString& log, bool with_replay);
 
  protected:
   void showEvent(QShowEvent* event) override;

@@ -57,8 +57,7 @@ void TrialChart::show_content(Content content) {
   high_ = 0.0;
   for (const Point& point : content_.points)
     if (point.value) low_ = std::min(low_, *point.value), high_ = std::max(high_, *point.value);
-  for (const Level& level : content_.levels)
-    low_ = std::min(low_, level.value), high_ = std::max(high_, level.value);
+  for (const Level& level : content_.levels) low_ = std::min(low_, level.value), high_ = std::max(high_, level.value);
   if (high_ - low_ <= 0.0) high_ = low_ + 1.0;
   const double room = 0.1 * (high_ - low_);
   if (low_ < 0.0) low_ -= room;

@@ -40,8 +40,8 @@ class TrialChart : public QWidget {
   QPointF position(int index) const;
 
  signals:
-  void pointed_at(int index);    ///< clicked
-  void wanted(int index);        ///< double-clicked
+  void pointed_at(int index);  ///< clicked
+  void wanted(int index);      ///< double-clicked
 
  protected:
   void paintEvent(QPaintEvent* event) override;

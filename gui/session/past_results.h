@@ -6,16 +6,12 @@
 #include <vector>
 
 #include "curricula/progress/progress.h"
-#include "curricula/records/people.h"
+#include "curricula/scenario.h"
 
 namespace vallecula::gui {
 
-/// By curriculum id, oldest first.
+/// By curriculum id, oldest first, as Progress::results gives them.
 using PastResults = std::map<std::string, std::vector<curricula::PastResult>>;
-
-/// The finished trials of whoever is signed in, or those that belong to nobody; a trial that was cut off counts for
-/// nothing. Throws RecordsError.
-PastResults past_results(curricula::Records& records, const curricula::Who& who);
 
 /// What counts with these hands: a laryngoscopy that was done with the blade's device alone was done with the same hand
 /// as when the tube has a device of its own. Kinds as LogHeader::device_kind; `hands` is "touch" or "touch+mouse".

@@ -17,7 +17,7 @@ struct SelfRating {
 };
 
 /// Adds it to the trial's record; durable when it returns. The same once more is no error: the first try's answer may
-/// have been lost. Throws RecordsError.
+/// have been lost. Not for the window's thread. Throws RecordsError.
 void keep_self_rating(curricula::Records& records, const curricula::Who& who, long long record_id,
                       const SelfRating& rating);
 

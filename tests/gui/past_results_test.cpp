@@ -1,4 +1,5 @@
 // What somebody has done so far, as the records have it, and what the start page says of it.
+#include "curricula/records/progress.h"
 #include "gui/session/past_results.h"
 
 #include <gtest/gtest.h>
@@ -31,7 +32,7 @@ class PastResultsTest : public ::testing::Test {
 TEST_F(PastResultsTest, OldestFirstWithModeAndDevice) {
   {
     curricula::Records records(records_location());
-    EXPECT_TRUE(past_results(records, {}).empty());
+    EXPECT_TRUE(curricula::Progress(records).results({}, 0).empty());
   }
   TrialSetup setup;
   setup.patient = write_block_patient(box_.folder());
@@ -50,7 +51,7 @@ TEST_F(PastResultsTest, OldestFirstWithModeAndDevice) {
     EXPECT_FALSE(outcome.by_person);
   }
   curricula::Records records(records_location());
-  const PastResults results = past_results(records, {});
+  const PastResults results = curricula::Progress(records).results({}, 0);
   ASSERT_EQ(results.size(), 1u);
   const auto& past = results.at("busy-course");
   ASSERT_EQ(past.size(), 2u);

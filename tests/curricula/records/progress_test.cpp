@@ -85,7 +85,9 @@ TEST_P(AnyRecords, WhatCountsTowardsMasteryIsOldestFirstAndWhole) {
   records.add(row);
   row.curriculum_id = "another";
   records.add(row);
-  const auto results = Progress(records).results(std::nullopt, 0, "first-steps");
+  const auto all = Progress(records).results(std::nullopt, 0);
+  EXPECT_EQ(all.size(), 2u);
+  const auto& results = all.at("first-steps");
   ASSERT_EQ(results.size(), 2u);
   EXPECT_EQ(results[0].mode, Mode::assessment);
   EXPECT_EQ(results[0].device_kind, "mouse");

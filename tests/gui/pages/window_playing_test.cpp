@@ -157,7 +157,7 @@ TEST_F(WindowPlaying, ShowsHelpsInPracticeAndNoneInAssessmentWhereTheOwnRatingCo
   EXPECT_EQ(window.page_name(), "rating") << "nothing is chosen yet";
   press(*rating, Qt::Key_4);
   press(*rating, Qt::Key_Return);
-  EXPECT_TRUE(wait_for([&] { return window.page_name() == "result"; }, 10000));
+  EXPECT_TRUE(wait_for([&] { return window.page_name() == "result"; }, 10000)) << "once the records have it";
   EXPECT_TRUE(shows(*window.findChild<ResultPage*>(), "replay stays locked"));
   curricula::Records records(box_.home() / "records.sqlite");
   const auto ratings = curricula::Ratings(records).of_trial({}, outcome.record_id);

@@ -40,7 +40,8 @@ TEST_F(Cohort, EveryColumnHasItsHeadingAndItsCell) {
     EXPECT_NE(model_.index(0, column).data(Qt::DisplayRole).toString(), "") << column;
   }
   EXPECT_EQ(model_.index(0, CohortModel::kCusum).data(Qt::DisplayRole).toString(), "competent (trial 8)");
-  EXPECT_EQ(model_.index(0, CohortModel::kScenario).data(Qt::DisplayRole).toString(), "term") << "not known here: its id";
+  EXPECT_EQ(model_.index(0, CohortModel::kScenario).data(Qt::DisplayRole).toString(), "term")
+      << "not known here: its id";
 }
 
 TEST_F(Cohort, NumbersSortAsNumbersAndNamesWithoutRegardToCapitals) {

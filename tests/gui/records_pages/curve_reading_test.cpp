@@ -49,8 +49,8 @@ TEST(CurveReading, CountsWholeTrialsAndNamesTheInterrupted) {
   EXPECT_NE(reading.rule_in_words.find("PMC8290971"), std::string::npos);
 }
 
-/// By hand, for p0 = 0.2, p1 = 0.4, alpha = beta = 0.1: P = ln 2, Q = ln(0.8 / 0.6), s = 0.29330, h0 = ln 9 / (P + Q) = 2.24013:
-/// the eighth success in a row takes the sum to -2.3464.
+/// By hand, for p0 = 0.2, p1 = 0.4, alpha = beta = 0.1: P = ln 2, Q = ln(0.8 / 0.6), s = 0.29330, h0 = ln 9 / (P + Q)
+/// = 2.24013: the eighth success in a row takes the sum to -2.3464.
 TEST(CurveReading, SaysAfterHowManyTrialsTheSumIsCompetentByThePublishedRule) {
   EXPECT_EQ(read_curve(trials("+++++++"), nullptr).to_competent, -1);
   EXPECT_EQ(read_curve(trials("++++++++"), nullptr).to_competent, 8);
