@@ -195,7 +195,7 @@ TEST_F(WindowReplay, ShowsForcesPathAndLetsTheEyeGoRound) {
   EXPECT_EQ(page.operator_marks().path_points_shown(), 0u);
   key(page, Qt::Key_P);
   settle();
-  EXPECT_EQ(page.operator_marks().path_points_shown(), 31u) << "each 20 ms until 0.6 s";
+  EXPECT_EQ(page.operator_marks().path_points_shown(), 30u) << "each 20 ms until the frame of 0.594 s";
   EXPECT_GT(difference(view.picture(), without).pixels, 20);
   key(page, Qt::Key_P);
 
@@ -213,10 +213,11 @@ TEST_F(WindowReplay, ShowsForcesPathAndLetsTheEyeGoRound) {
   key(page, Qt::Key_Left, Qt::ShiftModifier);
   settle();
   EXPECT_GT(difference(view.picture(), turned).pixels, 200) << "by keys as well";
-  page.seek(0.61);
   const QImage before = view.picture();
+  page.seek(0.9);
+  EXPECT_GT(difference(view.picture(), before).pixels, 0);
   page.seek(0.6);
-  EXPECT_LT(difference(view.picture(), before).pixels, before.width() * before.height() / 50) << "it stays where it was put";
+  EXPECT_LT(difference(view.picture(), before).pixels, 20) << "it stays where it was put";
   key(page, Qt::Key_F);
   settle();
   EXPECT_LT(difference(view.picture(), without).pixels, 20) << "back at the operator's eye";
