@@ -91,8 +91,8 @@ void NotesPanel::remove() {
 
 void NotesPanel::ask(std::function<void(curricula::Notes&, long long)> change) {
   using Answer = std::optional<std::vector<curricula::Note>>;
+  const bool written = static_cast<bool>(change), writing = text_->hasFocus();
   allow(false);
-  const bool written = static_cast<bool>(change);
   working_ = run_in_background<Answer>(
       this,
       [who = who_, log = log_file_, change = std::move(change)]() -> Answer {
@@ -103,13 +103,14 @@ void NotesPanel::ask(std::function<void(curricula::Notes&, long long)> change) {
         if (change) change(notes, trial);
         return notes.of_trial(who, trial);
       },
-      [this, written, of = opened_](const Answer& notes) {
+      [this, written, writing, of = opened_](const Answer& notes) {
         if (of != opened_) return;
         allow(notes.has_value());
         told_->setText(notes ? QString()
                              : QString("This trial is in no record of this station, so notes have no place to be kept."));
         show_notes(notes.value_or(std::vector<curricula::Note>()));
         if (written) text_->clear();
+        if (writing) text_->setFocus();  // the next one
       },
       [this, written, of = opened_](const QString& message) {
         if (of != opened_) return;

@@ -64,10 +64,9 @@ void ReplayPage::open(std::shared_ptr<ReplayTrial> trial, double at_s, bool mark
   expert_->setToolTip(planned ? "X: the way a scripted expert's tip takes in this patient, in white"
                               : "The scripted expert has no plan for this patient");
   free_->setChecked(false);
-  half_->setChecked(false);
   legend_->setText(QString("Tip's path: <span style='color:%1'>&#9644;</span> below half the target force on the tongue "
                            "<span style='color:%2'>&#9644;</span> up to it (%4 N) <span style='color:%3'>&#9644;</span> "
-                           "over it")
+                           "over it; in white the expert's")
                        .arg(theme::kDevice.name(), theme::kTarget.name(), theme::kBad.name())
                        .arg(trial_->scenario.targets.tongue_force_n, 0, 'f', 1));
   bars_->set_marks({trial_->scenario.targets.tongue_force_n, trial_->scenario.targets.gum_force_n,

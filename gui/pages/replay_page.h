@@ -81,6 +81,7 @@ class ReplayPage : public QWidget {
   QWidget* make_head();
   QWidget* make_pictures();
   QWidget* make_side();
+  QLayout* make_now();
   QWidget* make_foot();
   void show_lists();
   void show_charts();

@@ -67,7 +67,8 @@ void ReplayPage::keyPressEvent(QKeyEvent* event) {
     case Qt::Key_F:
       return free_->toggle();
     case Qt::Key_H:
-      return half_->toggle();
+      if (half_->isEnabled()) half_->toggle();
+      return;
     case Qt::Key_N:
       lists_->setCurrentWidget(notes_);
       return notes_->write();

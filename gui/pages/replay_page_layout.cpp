@@ -32,12 +32,14 @@ ReplayPage::ReplayPage(QWidget* parent)
   across->setStretchFactor(0, 17);
   across->setStretchFactor(1, 10);
   across->setChildrenCollapsible(false);
+  across->setSizes({780, 470});
   auto* all = new QVBoxLayout(this);
   all->setContentsMargins(10, 8, 10, 8);
   all->setSpacing(6);
   all->addWidget(make_head());
   all->addWidget(across, 1);
   timeline_ = new Timeline(this);
+  all->addLayout(make_now());
   all->addWidget(timeline_);
   all->addWidget(make_foot());
   connect(timeline_, &Timeline::wanted, this, &ReplayPage::seek);
@@ -80,7 +82,8 @@ QWidget* ReplayPage::make_head() {
   expert_ = box("Expert's path", "expert", "", false);
   free_ = box("Free camera", "free", "F: drag turns the view, Shift-drag moves it, the wheel goes nearer; Shift and arrow "
                                      "keys turn it too", false);
-  half_ = box("Half head", "half", "H: without the skin of the patient's left half, for a look from the side", false);
+  half_ = box("Half head", "half", "H: with the free camera, without the skin of the patient's left half, for a look from the side", false);
+  half_->setEnabled(false);
   connect(arrows_, &QCheckBox::toggled, this, [this](bool on) {
     for (const auto& marks : {marks_.get(), cut_marks_.get()}) marks->show_arrows(on);
     dirty_ = true;
@@ -96,6 +99,8 @@ QWidget* ReplayPage::make_head() {
   });
   connect(free_, &QCheckBox::toggled, this, [this](bool on) {
     operator_view_->set_free_camera(on);
+    half_->setEnabled(on);
+    if (!on) half_->setChecked(false);  // the operator's eye sees whole heads
     dirty_ = true;
   });
   connect(half_, &QCheckBox::toggled, this, [this](bool on) {
@@ -111,24 +116,31 @@ QWidget* ReplayPage::make_pictures() {
   operator_view_ = new OperatorView(top);
   operator_view_->setMinimumSize(400, 220);
   legend_ = new QLabel(top);
-  legend_->setObjectName("faint");
+  legend_->setMargin(5);
+  legend_->setStyleSheet("background: rgba(16, 20, 25, 200);");
+  legend_->setAttribute(Qt::WA_TransparentForMouseEvents);
   legend_->hide();
   monitor_ = new MonitorPanel(top);
   auto* column = new QVBoxLayout(top);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(4);
-  column->addWidget(operator_view_, 1);
-  column->addWidget(legend_);
+  auto* picture = new QGridLayout;  // the legend lies over the view
+  picture->addWidget(operator_view_, 0, 0);
+  picture->addWidget(legend_, 0, 0, Qt::AlignBottom | Qt::AlignLeft);
+  column->addLayout(picture, 1);
   column->addWidget(monitor_);
   charts_ = new QTabWidget(splitter);
+  charts_->setObjectName("charts");
   charts_->setFocusPolicy(Qt::NoFocus);
   force_chart_ = new LinkedChart("Force over time", charts_);
+  force_chart_->setObjectName("force_chart");
   monitor_chart_ = new LinkedChart("Saturation and heart rate over time", charts_);
   charts_->addTab(force_chart_, "Force");
   charts_->addTab(monitor_chart_, "Monitor");
   charts_->setTabPosition(QTabWidget::West);
   splitter->addWidget(top);
   splitter->addWidget(charts_);
+  splitter->setSizes({470, 210});
   splitter->setStretchFactor(0, 1);
   splitter->setStretchFactor(1, 0);
   splitter->setChildrenCollapsible(false);
@@ -147,6 +159,7 @@ QWidget* ReplayPage::make_side() {
   bars_panel->setObjectName("panel");
   (new QVBoxLayout(bars_panel))->addWidget(bars_);
   lists_ = new QTabWidget(side);
+  lists_->setObjectName("lists");
   reasons_ = new TimedList("What was judged", lists_);
   events_ = new TimedList("What happened", lists_);
   notes_ = new NotesPanel(lists_);
@@ -162,6 +175,24 @@ QWidget* ReplayPage::make_side() {
   return side;
 }
 
+QLayout* ReplayPage::make_now() {
+  auto* row = new QHBoxLayout;
+  clock_ = new QLabel(this);
+  QFont bold = clock_->font();
+  bold.setBold(true);
+  clock_->setFont(bold);
+  figures_ = new QLabel(this);
+  told_ = new QLabel(this);
+  told_->setObjectName("faint");
+  told_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  told_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // its whole text is its tooltip
+  row->addWidget(clock_);
+  row->addSpacing(14);
+  row->addWidget(figures_);
+  row->addWidget(told_, 1);
+  return row;
+}
+
 QWidget* ReplayPage::make_foot() {
   auto* foot = new QWidget(this);
   auto* row = new QHBoxLayout(foot);
@@ -174,13 +205,13 @@ QWidget* ReplayPage::make_foot() {
     row->addWidget(made);
     return made;
   };
-  auto* back = button(QString::fromUtf8("\u23ee"), "Previous event", "PgUp");
-  auto* frame_back = button(QString::fromUtf8("\u2039"), "A frame back", "Left");
+  auto* back = button(QString::fromUtf8("\u00ab Event"), "Previous event", "PgUp");
+  auto* frame_back = button(QString::fromUtf8("\u2039 Frame"), "A frame back", "Left");
   play_ = button("Play", "Play or pause", "Space");
   play_->setObjectName("primary");
   play_->setMinimumWidth(84);
-  auto* frame_on = button(QString::fromUtf8("\u203a"), "A frame on", "Right");
-  auto* on = button(QString::fromUtf8("\u23ed"), "Next event", "PgDn");
+  auto* frame_on = button(QString::fromUtf8("Frame \u203a"), "A frame on", "Right");
+  auto* on = button(QString::fromUtf8("Event \u00bb"), "Next event", "PgDn");
   rate_ = new QComboBox(foot);
   rate_->setAccessibleName("Speed");
   rate_->setToolTip("+ and -");
@@ -188,19 +219,7 @@ QWidget* ReplayPage::make_foot() {
   for (const double rate : {0.25, 0.5, 1.0, 2.0, 4.0}) rate_->addItem(QString::fromUtf8("%1\u00d7").arg(rate), rate);
   rate_->setCurrentIndex(2);
   row->addWidget(rate_);
-  clock_ = new QLabel(foot);
-  clock_->setMinimumWidth(130);
-  QFont figures = clock_->font();
-  figures.setBold(true);
-  clock_->setFont(figures);
-  row->addWidget(clock_);
-  figures_ = new QLabel(foot);
-  figures_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-  row->addWidget(figures_, 3);
-  told_ = new QLabel(foot);
-  told_->setObjectName("faint");
-  told_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-  row->addWidget(told_, 2);
+  row->addStretch(1);
   progress_ = new QProgressBar(foot);
   progress_->setRange(0, 1000);
   progress_->setTextVisible(false);

@@ -77,7 +77,7 @@ QImage draw_force_chart(const curricula::TrialLog& log, const curricula::Scenari
     view.span(from_s, to_s, chart::kAttempt);
   }
   force.axes(QStringLiteral("force (N)"), 8, false);
-  view.axes(QStringLiteral("glottis seen (%)"), 2, true);
+  view.axes(sight_height < 8.0 * em ? QStringLiteral("seen (%)") : QStringLiteral("glottis seen (%)"), 2, true);
 
   force.line(gum, QPen(kGum, em * 0.16));
   force.line(tongue, QPen(kTongue, em * 0.18));

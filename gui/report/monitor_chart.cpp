@@ -87,9 +87,10 @@ QImage draw_monitor_chart(const curricula::TrialLog& log, const curricula::Scena
     for (const auto& [from_s, to_s] : attempt_spans(score)) panel->span(from_s, to_s, chart::kAttempt);
     for (const auto& [from_s, to_s] : recorded.oesophagus_s) panel->span(from_s, to_s, kOesophagus);
   }
-  saturation.axes(QStringLiteral("SpO2 (%)"), 6, false);
-  heart.axes(QStringLiteral("heart (per minute)"), 5, false);
-  view.axes(QStringLiteral("glottis seen (%)"), 2, true);
+  saturation.axes(QStringLiteral("SpO2 (%)"), bottom.height() < 8.0 * em ? 2 : 6, false);
+  const bool small = bottom.height() < 8.0 * em;  // on a page of a small window
+  heart.axes(small ? QStringLiteral("heart") : QStringLiteral("heart (per minute)"), small ? 2 : 5, false);
+  view.axes(small ? QStringLiteral("seen (%)") : QStringLiteral("glottis seen (%)"), small ? 1 : 2, true);
 
   saturation.line(recorded.sao2, QPen(kSao2, em * 0.1, Qt::DotLine));
   saturation.line(recorded.spo2, QPen(kSpo2, em * 0.18));

@@ -42,36 +42,44 @@ TEST(FilmPlan, GivesThirtyFramesASecondOrAsManyAsFit) {
   EXPECT_EQ(plan_film(0, 0.001, 60000, kFilmBytes).frames, 0u);
 }
 
-/// A trial of 1.2 s on the block, as fast as it goes.
-class Film : public ::testing::Test {
+/// A trial of 1.2 s on the block, as fast as it goes: one for all.
+class ReplayedTrial : public ::testing::Test {
  protected:
-  Film() {
-    ::setenv("VALLECULA_HOME", box_.home().c_str(), 1);
+  static void SetUpTestSuite() {
+    application_ = std::make_unique<HeadlessApplication>();
+    box_ = std::make_unique<Sandbox>();
+    ::setenv("VALLECULA_HOME", box_->home().c_str(), 1);
     TrialSetup setup;
-    setup.patient = write_block_patient(box_.folder());
-    setup.curriculum = write_curriculum(box_.folder());
+    setup.patient = write_block_patient(box_->folder());
+    setup.curriculum = write_curriculum(box_->folder());
     setup.scenario = "plain";
-    setup.device = "scripted:" + write_press(box_.folder()).string();
-    setup.out = box_ / "out";
+    setup.device = "scripted:" + write_press(box_->folder()).string();
+    setup.out = folder();
     setup.realtime = false;
     TrialSession session(setup);
     session.start();
     for (int i = 0; i < 6000 && !session.finished(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(10));
     session.finish("ended");
-    log_ = std::make_shared<const curricula::TrialLog>(curricula::read_trial_log(box_ / "out"));
+    log_ = std::make_shared<const curricula::TrialLog>(curricula::read_trial_log(folder()));
   }
-  engine::SceneDescription scene() const { return recorded_scene(*log_, box_ / "out", {}).description; }
+  static void TearDownTestSuite() {
+    log_.reset();
+    box_.reset();
+    application_.reset();
+  }
+  static fs::path folder() { return *box_ / "out"; }
+  static engine::SceneDescription scene() { return recorded_scene(*log_, folder(), {}).description; }
   static bool wait(const ReplayFilm& film) {
     for (int i = 0; i < 3000 && !film.finished(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(10));
     return film.finished();
   }
 
-  HeadlessApplication application_;
-  Sandbox box_;
-  std::shared_ptr<const curricula::TrialLog> log_;
+  static inline std::unique_ptr<HeadlessApplication> application_;
+  static inline std::unique_ptr<Sandbox> box_;
+  static inline std::shared_ptr<const curricula::TrialLog> log_;
 };
 
-TEST_F(Film, ShowsWhatWasRecordedAndTheShapesThatAReplayGives) {
+TEST_F(ReplayedTrial, ShowsWhatWasRecordedAndTheShapesThatAReplayGives) {
   const ReplayFilm film(log_, scene());
   ASSERT_TRUE(wait(film));
   EXPECT_EQ(film.remark(), "") << "bit-identical throughout";
@@ -106,7 +114,7 @@ TEST_F(Film, ShowsWhatWasRecordedAndTheShapesThatAReplayGives) {
   EXPECT_EQ(film.frame(film.plan().frames), nullptr);
 }
 
-TEST_F(Film, OfLittleMemoryHasFewerFramesAndSaysWhere) {
+TEST_F(ReplayedTrial, OfLittleMemoryHasFewerFramesAndSaysWhere) {
   const ReplayFilm film(log_, scene(), std::size_t{64} << 10);
   ASSERT_TRUE(wait(film));
   EXPECT_LE(film.plan().bytes, std::size_t{64} << 10);
@@ -118,7 +126,7 @@ TEST_F(Film, OfLittleMemoryHasFewerFramesAndSaysWhere) {
   }
 }
 
-TEST_F(Film, IsStoppedAtOnceAndKeepsWhatThereIs) {
+TEST_F(ReplayedTrial, IsStoppedAtOnceAndKeepsWhatThereIs) {
   ReplayFilm film(log_, scene());
   while (film.computed() < 2) std::this_thread::yield();
   film.stop();
@@ -130,7 +138,7 @@ TEST_F(Film, IsStoppedAtOnceAndKeepsWhatThereIs) {
   EXPECT_EQ(film.remark(), "stopped before its end");
 }
 
-TEST_F(Film, OfALogThatWasChangedSaysFromWhereItDiffers) {
+TEST_F(ReplayedTrial, OfALogThatWasChangedSaysFromWhereItDiffers) {
   auto changed = std::make_shared<curricula::TrialLog>(*log_);
   changed->ticks[700].model_force_n[2] += 0.25;
   const ReplayFilm film(changed, scene());
@@ -140,13 +148,13 @@ TEST_F(Film, OfALogThatWasChangedSaysFromWhereItDiffers) {
   EXPECT_EQ(film.computed(), film.plan().frames) << "it is shown all the same";
 }
 
-TEST_F(Film, IsOpenedWithEverythingThatLeadsToASecond) {
+TEST_F(ReplayedTrial, IsOpenedWithEverythingThatLeadsToASecond) {
   std::vector<double> shares;
   const auto opened =
-      open_replay(box_ / "out", {}, [&](const std::string&, double share) { shares.push_back(share); });
+      open_replay(folder(), {}, [&](const std::string&, double share) { shares.push_back(share); });
   EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
   EXPECT_EQ(shares.back(), 1.0);
-  EXPECT_EQ(opened->log_file, box_ / "out" / "trial.vtrial");
+  EXPECT_EQ(opened->log_file, folder() / "trial.vtrial");
   EXPECT_NEAR(opened->end_s(), 1.2, 0.01);
   EXPECT_EQ(opened->tick_at(0.5).tick, 500);
   EXPECT_EQ(opened->tick_at(99.0).tick, opened->log->ticks.back().tick);
@@ -159,17 +167,18 @@ TEST_F(Film, IsOpenedWithEverythingThatLeadsToASecond) {
   EXPECT_EQ(peak->at_s, opened->score.time_of_peak_tongue_force_s);
 }
 
-TEST_F(Film, OfAMissingPatientIsRefusedInOneSentence) {
+TEST_F(ReplayedTrial, OfAMissingPatientIsRefusedInOneSentence) {
   const auto none = [](const std::string&, double) {};
-  fs::rename(box_ / "block.patient", box_ / "elsewhere");
+  fs::rename(*box_ / "block.patient", *box_ / "elsewhere");
   try {
-    open_replay(box_ / "out", {}, none);
+    open_replay(folder(), {}, none);
     FAIL() << "without its package";
   } catch (const std::runtime_error& error) {
     EXPECT_NE(std::string(error.what()).find("block.patient"), std::string::npos) << error.what();
     EXPECT_NE(std::string(error.what()).find("--patient"), std::string::npos) << error.what();
   }
-  EXPECT_NO_THROW(open_replay(box_ / "out", box_ / "elsewhere", none));
+  EXPECT_NO_THROW(open_replay(folder(), *box_ / "elsewhere", none));
+  fs::rename(*box_ / "elsewhere", *box_ / "block.patient");
 }
 
 TEST(ReplayRefusal, IsOfAssessmentsAlone) {
