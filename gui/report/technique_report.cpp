@@ -32,7 +32,7 @@ void add_force(const curricula::ForceFigures& force, std::vector<Row>& rows) {
                         number(force.tongue_contact_s, 1) + " s",
                     "", ""});
   if (const auto& pressed = force.tongue_pressure_pa)
-    rows.push_back({"Pressure on the tongue, mean over the contact, at most",
+    rows.push_back({"Peak pressure on the tongue, over the contact",
                     number(1e-3 * pressed->value, 1) + " kPa" + at(pressed->at_s), "", ""});
   if (!force.lift_share) return;
   std::string levered = number(100.0 * *force.lift_share, 0) + " % lifted";
