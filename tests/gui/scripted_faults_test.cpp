@@ -1,5 +1,6 @@
-// Hands told apart by their scores: an expert, a novice and five typical faults on one infant of a coarse mesh. Each fault
-// shows in its own figure beyond what expert and novice show; in the other faults' figures it stays where these two are.
+// Hands told apart by their scores: an expert, a novice and five typical faults on one infant of a coarse mesh. Each
+// fault shows in its own figure beyond what expert and novice show; in the other faults' figures it stays where these
+// two are.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -52,7 +53,8 @@ constexpr double kOthers = 1.1;
 class ScriptedFaults : public ::testing::Test {
  protected:
   /// Figures by name of the trial that this hand does.
-  static std::map<std::string, double> figures_of(const Sandbox& box, const fs::path& patient, const std::string& hand) {
+  static std::map<std::string, double> figures_of(const Sandbox& box, const fs::path& patient,
+                                                  const std::string& hand) {
     const std::string out = (box / hand).string();
     const Outcome trial =
         box.run({"trial", "--patient", patient.string(), "--scenario", (box / "hands.yaml").string() + ":view",
@@ -90,7 +92,8 @@ TEST_F(ScriptedFaults, EachIsToldByItsOwnFigure) {
   EXPECT_GT(hands["expert"]["glottis_visible_max_percent"], 50.0);
   EXPECT_LT(hands["novice"]["glottis_visible_max_percent"], 25.0);
   EXPECT_GT(hands["expert"]["lift_share_percent"], 90.0);
-  // The novice levers as well, and with as much of the load: the fault presses harder, and nothing else is wrong with it.
+  // The novice levers as well, and with as much of the load: the fault presses harder, and nothing else is wrong with
+  // it.
   for (const char* hand : {"novice", "levers"}) EXPECT_LT(hands[hand]["lift_share_percent"], 60.0) << hand;
   for (const Fault& fault : kFaults) {
     const double usual = std::max(hands["expert"].at(fault.figure), hands["novice"].at(fault.figure));
