@@ -24,7 +24,9 @@ BladeFigures measure_blade(const TrialLog& log, const std::vector<Stay>& attempt
       if (paused(tick) || !std::isfinite(magnitude(tip))) continue;
       const Point from_vallecula = plus(tip, vallecula, -1.0);
       const double away_m = magnitude(from_vallecula), beyond_m = dot(from_vallecula, mouth->axis);
-      const auto to_left = [&] { return has_midline ? std::optional<double>(dot(from_vallecula, left)) : std::nullopt; };
+      const auto to_left = [&] {
+        return has_midline ? std::optional<double>(dot(from_vallecula, left)) : std::nullopt;
+      };
       if (!figures.to_vallecula_m) figures.entry_left_m = to_left();
       if (!figures.to_vallecula_m || away_m < *figures.to_vallecula_m) {
         figures.to_vallecula_m = away_m;

@@ -26,7 +26,8 @@ Item not_seen(const char* id, const char* text, const std::string& sentence) {
 
 Item blade_entry(const Score& score) {
   const char *id = "blade_in_right_or_middle", *text = "Blade in at the right corner of the mouth or over the middle";
-  if (!score.blade.entry_left_m) return not_seen(id, text, "The blade was never in the mouth, or its midline is unknown");
+  if (!score.blade.entry_left_m)
+    return not_seen(id, text, "The blade was never in the mouth, or its midline is unknown");
   const double left_m = *score.blade.entry_left_m;
   return item(id, text, left_m <= kStillMiddleM, score.attempt_start_s,
               "The tip came in " + millimetres(std::fabs(left_m)) + " to the " + (left_m > 0.0 ? "left" : "right") +
@@ -119,7 +120,8 @@ Item ventilated_between(const std::vector<Attempt>& attempts) {
 
 Item confirmed(const IntubationScore& tube, const Scenario& scenario) {
   const char *id = "co2_confirmed", *text = "Place confirmed by the CO2 detector";
-  if (tube.breaths_in_place == 0) return item(id, text, false, -1.0, "No breath was given through a tube past the cords");
+  if (tube.breaths_in_place == 0)
+    return item(id, text, false, -1.0, "No breath was given through a tube past the cords");
   if (!tube.co2_confirmed)
     return item(id, text, false, -1.0, "Not yellow after " + std::to_string(tube.breaths_in_place) + " breaths");
   return item(id, text, *tube.co2_breaths <= scenario.intubation->breaths_to_confirm, -1.0,
@@ -135,7 +137,8 @@ void add_tube(const Score& score, const TrialLog& log, const Scenario& scenario,
   if (scenario.intubation->stylet) items.push_back(stylet_out(log));
   items.push_back(confirmed(tube, scenario));
   const double end_s = log.ticks.empty() ? -1.0 : log.ticks.back().time_s;
-  items.push_back(item("depth_good", "Tip at a good depth", tube.outcome == Outcome::good_depth, end_s, outcome_in_words(tube)));
+  items.push_back(
+      item("depth_good", "Tip at a good depth", tube.outcome == Outcome::good_depth, end_s, outcome_in_words(tube)));
   if (tube.oesophagus_breaths > 0)
     items.push_back(item("oesophagus_recognised", "Tube in the oesophagus recognised in time", !tube.recognised_late,
                          tube.recognised_late ? tube.recognised_late_at_s : -1.0,
@@ -152,8 +155,8 @@ const char* name_of(ChecklistItem::Done done) {
 std::vector<ChecklistItem> checklist_of(const Score& score, const TrialLog& log, const Scenario& scenario) {
   const std::string instructor = "No log can tell";
   std::vector<Item> items = {not_seen("equipment_checked", "Tube, blade, light and suction checked before", instructor),
-                             not_seen("handle_in_left_hand", "Handle in the left hand", instructor),
-                             blade_entry(score), vallecula(score), lift(score, scenario)};
+                             not_seen("handle_in_left_hand", "Handle in the left hand", instructor), blade_entry(score),
+                             vallecula(score), lift(score, scenario)};
   if (score.intubation) add_tube(score, log, scenario, items);
   items.push_back(not_seen("team_told", "Told the team what was seen and done", instructor));
   return items;

@@ -49,10 +49,14 @@ QJsonObject blade_to_json(const BladeFigures& blade) {
 
 const char* name_of(Reaction::Result result) {
   switch (result) {
-    case Reaction::Result::right: return "right";
-    case Reaction::Result::wrong: return "wrong";
-    case Reaction::Result::missed: return "missed";
-    case Reaction::Result::open: break;
+    case Reaction::Result::right:
+      return "right";
+    case Reaction::Result::wrong:
+      return "wrong";
+    case Reaction::Result::missed:
+      return "missed";
+    case Reaction::Result::open:
+      break;
   }
   return "open";
 }

@@ -13,7 +13,8 @@ namespace {
 constexpr double kLeastForSmoothnessS = 1.0;
 
 /// Means over blocks of `block_s` of the working ticks from..to, where `pose` is a number.
-std::vector<Point> means(const TrialLog& log, std::size_t from, std::size_t to, double block_s, LogPose LogTick::*pose) {
+std::vector<Point> means(const TrialLog& log, std::size_t from, std::size_t to, double block_s,
+                         LogPose LogTick::*pose) {
   const auto ticks = std::max<long>(1, std::lround(block_s / log.header.servo_period_s));
   std::vector<Point> all;
   Point sum{};

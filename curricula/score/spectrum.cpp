@@ -92,7 +92,8 @@ std::optional<double> band_variance(const std::vector<double>& signal, double ra
   for (std::size_t from = 0; from + segment <= signal.size(); from += segment / 2, ++segments) {
     Spectrum x = windowed(signal, from, segment);
     fourier(x);
-    for (std::size_t bin = low; bin < high; ++bin) sum += 2.0 * std::norm(x[bin]) / (window * static_cast<double>(segment));
+    for (std::size_t bin = low; bin < high; ++bin)
+      sum += 2.0 * std::norm(x[bin]) / (window * static_cast<double>(segment));
   }
   return sum / segments;
 }

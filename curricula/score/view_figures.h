@@ -13,8 +13,9 @@ struct Stay;
 
 /// Of the sight samples (every 20 steps, kept until the next one) with the blade in the mouth, less pauses.
 struct ViewFigures {
-  std::optional<double> mean_percent;  ///< of the glottis, over the time in which any of it was in sight; never: nothing
-  double in_sight_s = 0.0;             ///< with scenario.sight_percent or more of it
+  std::optional<double>
+      mean_percent;         ///< of the glottis, over the time in which any of it was in sight; never: nothing
+  double in_sight_s = 0.0;  ///< with scenario.sight_percent or more of it
   /// From the start of the first attempt that has one to the begin of the first kStableViewS in one piece with
   /// scenario.sight_percent or more.
   std::optional<double> time_to_stable_s;

@@ -18,11 +18,13 @@ std::string side(double left_m) {
 void add_view(const curricula::Score& score, std::vector<Row>& rows) {
   const curricula::ViewFigures& view = score.view;
   const auto grade = curricula::cormack_lehane(score.glottis_visible_max_percent);
-  rows.push_back({"Cormack-Lehane grade at best", grade ? std::to_string(*grade) : "3 or 4: nothing of the glottis seen", "", ""});
+  rows.push_back(
+      {"Cormack-Lehane grade at best", grade ? std::to_string(*grade) : "3 or 4: nothing of the glottis seen", "", ""});
   rows.push_back({"Glottis seen on average, while in sight",
                   view.mean_percent ? number(*view.mean_percent, 0) + " %" : "never", "", ""});
   rows.push_back({"Time to a stable view (" + number(curricula::kStableViewS, 0) + " s in one piece)",
-                  view.time_to_stable_s ? number(*view.time_to_stable_s, 1) + " s" + at(view.stable_at_s) : "never", "", ""});
+                  view.time_to_stable_s ? number(*view.time_to_stable_s, 1) + " s" + at(view.stable_at_s) : "never", "",
+                  ""});
 }
 
 void add_force(const curricula::ForceFigures& force, std::vector<Row>& rows) {
@@ -32,7 +34,7 @@ void add_force(const curricula::ForceFigures& force, std::vector<Row>& rows) {
                         number(force.tongue_contact_s, 1) + " s",
                     "", ""});
   if (const auto& pressed = force.tongue_pressure_pa)
-    rows.push_back({"Pressure on the tongue, mean over the contact, at most",
+    rows.push_back({"Peak pressure on the tongue, over the contact",
                     number(1e-3 * pressed->value, 1) + " kPa" + at(pressed->at_s), "", ""});
   if (!force.lift_share) return;
   std::string levered = number(100.0 * *force.lift_share, 0) + " % lifted";
@@ -50,9 +52,10 @@ void add_blade(const curricula::Score& score, std::vector<Row>& rows) {
                       (blade.vallecula_reached ? ": reached" : ": not reached"),
                   "", ""});
   if (blade.left_m) rows.push_back({"Blade's tip then, from the midline", side(*blade.left_m), "", ""});
-  rows.push_back({"Blade's tip beyond the vallecula",
-                  blade.past_vallecula_m > 0.0 ? millimetres(blade.past_vallecula_m) + at(blade.past_vallecula_at_s) : "never",
-                  "", ""});
+  rows.push_back(
+      {"Blade's tip beyond the vallecula",
+       blade.past_vallecula_m > 0.0 ? millimetres(blade.past_vallecula_m) + at(blade.past_vallecula_at_s) : "never", "",
+       ""});
   rows.push_back({"Way of the blade's tip", number(1e2 * score.motion.tip_path_m, 0) + " cm", "", ""});
 }
 
@@ -92,7 +95,9 @@ std::string checklist_html(const curricula::Score& score) {
     html += "<tr><td>" + escaped(one.text) + "</td><td class=\"" + shade + "\">" + name_of(one.done) + "</td><td>" +
             when(one.at_s) + "</td><td>" + escaped(one.sentence) + "</td></tr>\n";
   }
-  html += "</table>\n<p class=\"foot\">What the log has not seen is left to the instructor. The items are not validated.</p>\n";
+  html +=
+      "</table>\n<p class=\"foot\">What the log has not seen is left to the instructor. The items are not "
+      "validated.</p>\n";
   html += "<p>Global rating, by a person:";
   for (std::size_t i = 0; i < curricula::kGlobalRatingWords.size(); ++i)
     html += " &#9744; " + std::to_string(i + 1) + " " + escaped(curricula::kGlobalRatingWords[i]);
@@ -106,8 +111,8 @@ std::string points_html(const curricula::Score& score, const curricula::Scenario
   std::string lines;
   for (const curricula::MarkPoints& one : points) {
     earned += one.earned;
-    lines += "<tr><td class=\"figure\">" + number(one.earned, 1) + " of " + number(one.of, 1) + "</td><td>" + when(one.at_s) +
-             "</td><td>" + escaped(one.sentence) + "</td><td>" + escaped(one.source) + "</td></tr>\n";
+    lines += "<tr><td class=\"figure\">" + number(one.earned, 1) + " of " + number(one.of, 1) + "</td><td>" +
+             when(one.at_s) + "</td><td>" + escaped(one.sentence) + "</td><td>" + escaped(one.source) + "</td></tr>\n";
   }
   return "<h2>Points: " + number(earned, 0) +
          " of 100</h2>\n<table>\n<tr><th>Points</th><th>At</th><th>Why</th><th>Limit by</th></tr>\n" + lines +

@@ -1,9 +1,9 @@
 // The contact area against shapes whose area is known: a plate's own, and Hertz' circle under a ball.
 #include "engine/contact/contact_area.h"
 
-#include <cmath>
-
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 #include "engine/lab/experiment.h"
 #include "engine/scene_data.h"
@@ -17,7 +17,8 @@ constexpr double kHeight = 0.020, kWidth = 0.040;
 /// Mean area over the last 50 ms of 0.15 s in which the tool's lowest point, `lowest` below its origin, is brought over
 /// (x, y) to each depth in turn. Block of 40 x 40 x 20 mm, E 6000 Pa, nu 0.3, fixed at its base.
 std::vector<double> areas(const TriangleMesh& tool, double lowest, const std::array<int, 3>& cells,
-                          const std::vector<double>& depths, double x, double y, Collision collision = Collision::aist) {
+                          const std::vector<double>& depths, double x, double y,
+                          Collision collision = Collision::aist) {
   constexpr double kEach = 0.15, kWay = 0.08, kMean = 0.05;
   SceneDescription d;
   d.soft = testing::box_body(Vec3(kWidth, kWidth, kHeight), cells, {6000.0, 0.3, 1040.0});
@@ -26,10 +27,13 @@ std::vector<double> areas(const TriangleMesh& tool, double lowest, const std::ar
   const auto scene = build_scene(d);
   ExperimentSettings settings;
   settings.duration_s = kEach * static_cast<double>(depths.size()) - d.step_s;
-  const auto depth_of = [&](double t) { return std::min(depths.size() - 1, static_cast<std::size_t>(t / kEach + 1e-9)); };
+  const auto depth_of = [&](double t) {
+    return std::min(depths.size() - 1, static_cast<std::size_t>(t / kEach + 1e-9));
+  };
   const auto pose = [&](double t) {
     const std::size_t n = depth_of(t);
-    const double from = n == 0 ? -0.001 : depths[n - 1], share = std::min(1.0, (t - kEach * static_cast<double>(n)) / kWay);
+    const double from = n == 0 ? -0.001 : depths[n - 1],
+                 share = std::min(1.0, (t - kEach * static_cast<double>(n)) / kWay);
     Pose p;
     p.position = Vec3(x, y, kHeight + lowest - from - (depths[n] - from) * share);
     return p;
@@ -58,8 +62,8 @@ TEST(ContactArea, UnderAPlateItIsThePlates) {
     }
 }
 
-// a^2 = R d. The circle's edge, as the plate's, is known to half a cell; it was found a quarter of one too far out, for a
-// vertex counts whole. How the area grows with depth does not suffer from that.
+// a^2 = R d. The circle's edge, as the plate's, is known to half a cell; it was found a quarter of one too far out, for
+// a vertex counts whole. How the area grows with depth does not suffer from that.
 TEST(ContactArea, UnderABallItIsHertzCircle) {
   constexpr double kRadius = 0.020, kCell = kWidth / 14;
   const std::vector<double> depths = {0.0012, 0.0024};

@@ -36,9 +36,10 @@ Scenario with_stylet() {
 
 TEST(Checklist, AGoodIntubationIsAllYesButForWhatNoLogKnows) {
   const Score score = score_of(good([](LogTick& t) {
-    if (t.time_s < 15) t.intubation.in_hand = LoggedInHand::tube_with_stylet;
-    t.intubation.secretions_ml = 0;
-  }), with_stylet());
+                                 if (t.time_s < 15) t.intubation.in_hand = LoggedInHand::tube_with_stylet;
+                                 t.intubation.secretions_ml = 0;
+                               }),
+                               with_stylet());
   for (const ChecklistItem& one : score.checklist) {
     const bool unknown = one.id == "equipment_checked" || one.id == "handle_in_left_hand" || one.id == "team_told";
     EXPECT_EQ(one.done, unknown ? Done::not_seen : Done::yes) << one.id << ": " << one.sentence;
@@ -92,9 +93,10 @@ TEST(Checklist, EachMistakeSaysNoToItsOwnItemAlone) {
   };
   for (const auto& one : cases) {
     const Score score = score_of(good([&](LogTick& t) {
-      t.intubation.secretions_ml = 0;
-      one.change(t);
-    }), with_stylet());
+                                   t.intubation.secretions_ml = 0;
+                                   one.change(t);
+                                 }),
+                                 with_stylet());
     for (const ChecklistItem& item : score.checklist) {
       if (item.id == one.id) {
         EXPECT_EQ(item.done, Done::no) << one.id << ": " << item.sentence;

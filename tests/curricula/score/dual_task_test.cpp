@@ -59,7 +59,8 @@ TEST(DualTask, LateAndNeverAreMissed) {
   EXPECT_EQ(d.missed, 2);
   EXPECT_EQ(d.right + d.wrong + d.false_answers, 0) << "late is missed, and no error on top";
   EXPECT_FALSE(d.mean_reaction_s);
-  EXPECT_EQ(of({event(6, Kind::shown, 1), event(11.0, Kind::answered, 1, 2)}).right, 1) << "5 s to the tick are in time";
+  EXPECT_EQ(of({event(6, Kind::shown, 1), event(11.0, Kind::answered, 1, 2)}).right, 1)
+      << "5 s to the tick are in time";
 }
 
 TEST(DualTask, APauseStopsTheReactionsClock) {

@@ -84,7 +84,7 @@ TEST(ForceFigures, PressureIsForceByArea) {
     if (between(t, 6, 7)) t.loads[kTongue] = {{0, 0, -2}, {}, 9, 80e-6};
     if (between(t, 7, 8)) t.loads[kTongue] = {{0, 0, -3}, {}, 9, 150e-6};
     if (between(t, 8, 9)) t.loads[kTongue] = {{0, 0, -0.4}, {}, 1, 1e-6};  // too little to tell
-    if (between(t, 9, 10)) t.loads[kTongue] = {{0, 0, -4}, {}, 9, 0.0};     // its area is not known
+    if (between(t, 9, 10)) t.loads[kTongue] = {{0, 0, -4}, {}, 9, 0.0};    // its area is not known
   };
   const ForceFigures f = of(change);
   ASSERT_TRUE(f.tongue_pressure_pa);

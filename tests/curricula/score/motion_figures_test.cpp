@@ -24,8 +24,8 @@ std::vector<double> one_reach() {
   return speed;
 }
 
-// Reference values: the authors' published formula (Balasubramanian 2015: padding 4, 10 Hz, threshold 0.05) written down
-// in Python with a direct Fourier sum in double precision, on the same samples.
+// Reference values: the authors' published formula (Balasubramanian 2015: padding 4, 10 Hz, threshold 0.05) written
+// down in Python with a direct Fourier sum in double precision, on the same samples.
 TEST(SpectralArcLength, EqualsTheAuthorsFormula) {
   std::vector<double> speed = one_reach();
   EXPECT_NEAR(*spectral_arc_length(speed, kRate), -1.405829243890256, 1e-9);
@@ -47,9 +47,8 @@ TEST(SpectralArcLength, OfNothingIsNothing) {
 
 TEST(MotionFigures, AReachIsAsSmoothInTheLogAsOnPaper) {
   // The measure does not depend on how long a movement takes: 15 s here, 2 s in the reference.
-  const MotionFigures m = of([](LogTick& t) {
-    t.device_pose.position_m[1] = 0.1 * reach(std::clamp((t.time_s - 5.0) / 15.0, 0.0, 1.0));
-  });
+  const MotionFigures m =
+      of([](LogTick& t) { t.device_pose.position_m[1] = 0.1 * reach(std::clamp((t.time_s - 5.0) / 15.0, 0.0, 1.0)); });
   EXPECT_NEAR(*m.smoothness, -1.4025053055360275, 1e-9) << "the reference's on 20 ms means of the same reach";
   EXPECT_NEAR(*m.smoothness, *spectral_arc_length(one_reach(), kRate), 0.005);
   EXPECT_LT(*m.tremor_m, 2e-6) << "a slow reach has no tremor";
