@@ -323,7 +323,7 @@ TEST_F(Views, TheGlottisIsPointedOutAndTheExpertsWayGoesRound) {
   EXPECT_LT(difference(view.picture(), begin).pixels, 5) << "and begins again after 1.5 s";
   view.show_patient(make_patient_look(patient()), plain_blade());
   view.update_from(at_rest(patient(), {0, 0, 5}));
-  EXPECT_EQ(find_pixels(settled(), yellow).pixels, find_pixels(plain, yellow).pixels) << "gone with the patient";
+  EXPECT_LE(find_pixels(settled(), yellow).pixels, find_pixels(plain, yellow).pixels + 5) << "gone with the patient";
 }
 
 }  // namespace
