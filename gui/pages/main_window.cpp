@@ -20,6 +20,7 @@
 #include "gui/session/builtin_patient.h"
 #include "gui/session/device_choice.h"
 #include "gui/session/patient_fit.h"
+#include "gui/session/statement_delivery.h"
 #include "gui/session/user_paths.h"
 #include "gui/session/user_settings.h"
 #include "gui/views/patient_look.h"
@@ -87,6 +88,9 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
     emit trial_finished(outcome);
   });
   connect(trial_, &TrialPage::failed, this, &MainWindow::show_failure);
+  auto* delivery = new StatementDelivery(this);
+  connect(this, &MainWindow::trial_finished, delivery, &StatementDelivery::wake);
+  connect(delivery, &StatementDelivery::told, this, &MainWindow::statements_told);
   connect(result_, &ResultPage::again, this, [this] {
     if (again_) again_();
   });

@@ -44,6 +44,7 @@ class MainWindow : public QMainWindow {
   void prepared();
   void trial_finished(const vallecula::gui::TrialOutcome& outcome);
   void trial_failed(const QString& message);
+  void statements_told(const QString& line);  ///< what became of the statements for the learning record store
 
  protected:
   void closeEvent(QCloseEvent* event) override;

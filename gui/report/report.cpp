@@ -48,8 +48,10 @@ std::vector<Row> figures(const curricula::Score& score, const curricula::TrialLo
   };
 }
 
-std::vector<Row> rows_of(const curricula::Score& score, const curricula::TrialLog& log,
-                         const curricula::Scenario& scenario) {
+}  // namespace
+
+std::vector<Row> report_rows(const curricula::Score& score, const curricula::TrialLog& log,
+                             const curricula::Scenario& scenario) {
   std::vector<Row> rows = figures(score, log, scenario);
   if (score.intubation) {
     const std::vector<Row> tube = intubation_rows(score, scenario);
@@ -59,6 +61,8 @@ std::vector<Row> rows_of(const curricula::Score& score, const curricula::TrialLo
     rows.push_back({"Paused, which counts for nothing", number(score.paused_s, 1) + " s", pauses_in_words(score), ""});
   return rows;
 }
+
+namespace {
 
 std::string picture(const std::string& png, const std::string& what) {
   const std::string base64 = QByteArray::fromRawData(png.data(), static_cast<int>(png.size())).toBase64().toStdString();
@@ -135,7 +139,7 @@ void write_report(const fs::path& folder, const curricula::TrialLog& log, const 
     for (const std::string& reason : score.reasons) html += "<li>" + escaped(reason) + "</li>\n";
     html += "</ul>\n";
   }
-  html += "<h2>Figures</h2>\n" + table(rows_of(score, log, scenario));
+  html += "<h2>Figures</h2>\n" + table(report_rows(score, log, scenario));
   if (score.intubation) {
     html += attempts_html(score);
     html += "<h2>The monitor</h2>\n" + picture(png_of(draw_monitor_chart(log, scenario, score)),
