@@ -69,21 +69,64 @@ void settle_rubric(YAML::Node& scenario, const YAML::Node& for_all) {
   }
 }
 
-/// Checked, and of the newest schema whatever the file's.
-YAML::Node checked_document(const std::filesystem::path& file, int& schema) {
-  YAML::Node document = parse_safely(read_yaml_file(file), file.string());
-  const Validator newest(curriculum_schema_2(), file.string());
+/// The schema of the document, 1 or 2. Throws CurriculumError for one of the future.
+int schema_of(const YAML::Node& document, const Validator& newest) {
   const YAML::Node given = document.IsMap() ? document["schema"] : YAML::Node();
   double version = 2.0;
   if (given && yaml_number(given, version) && version > 2.0)
     newest.fail(given, "schema", "1 or 2; a newer Vallecula wrote this file: update the program");
-  schema = version == 1.0 ? 1 : 2;
+  return version == 1.0 ? 1 : 2;
+}
+
+/// Checked, and of the newest schema whatever the file's.
+YAML::Node checked_document(const std::filesystem::path& file, int& schema) {
+  YAML::Node document = parse_safely(read_yaml_file(file), file.string());
+  const Validator newest(curriculum_schema_2(), file.string());
+  schema = schema_of(document, newest);
   if (schema == 1) {
     Validator(curriculum_schema_1(), file.string()).check(document, "curriculum", "");
     migrate_1_to_2(document);
   }
   newest.check(document, "curriculum", "");
   return document;
+}
+
+/// Of a document that its schema lets pass. With `problems` a scenario's mistake is put there and the next one read,
+/// else thrown.
+Curriculum read_curriculum(const YAML::Node& document, const Validator& rules, std::vector<Problem>* problems) {
+  Curriculum curriculum;
+  const auto one = [problems](const auto& reading) {
+    try {
+      reading();
+    } catch (const CurriculumError& error) {
+      if (problems == nullptr) throw;
+      problems->push_back(error.problem());
+    }
+  };
+  read(document["id"], curriculum.id);
+  read(document["title"], curriculum.title);
+  read(document["goals"], curriculum.goals);
+  std::vector<WeightRow> blades, tubes;
+  one([&] { blades = read_rows(document["blades_by_weight"], rules, "blades_by_weight", "blade"); });
+  one([&] { tubes = read_rows(document["tubes_by_weight"], rules, "tubes_by_weight", "tube"); });
+  std::set<std::string> ids;
+  const YAML::Node scenarios = document["scenarios"];
+  for (std::size_t i = 0; i < scenarios.size(); ++i) one([&] {
+      const std::string path = "scenarios[" + std::to_string(i) + "].";
+      YAML::Node node = scenarios[i];
+      if (node["attempt"]) rules.fail(node["attempt"], path + "attempt", "none: a trial writes it into its log");
+      settle_sizes(node, blades, tubes, rules, path);
+      settle_rubric(node, document["rubric"]);
+      Scenario scenario = read_scenario(node, rules, path);
+      if (!ids.insert(scenario.id).second)
+        rules.fail(node["id"], path + "id", "an id no other scenario of the file has");
+      scenario.yaml = YAML::Dump(node) + "\n";
+      curriculum.scenarios.push_back(std::move(scenario));
+    });
+  // A module's scenarios are looked for among all: one that is wrong in itself would be missed in its module as well.
+  if (problems == nullptr || problems->empty())
+    one([&] { curriculum.modules = read_modules(document, curriculum.scenarios, rules); });
+  return curriculum;
 }
 
 }  // namespace
@@ -101,30 +144,29 @@ const Module* Curriculum::module_of(const std::string& scenario_id) const {
 }
 
 Curriculum load_curriculum(const std::filesystem::path& file) {
-  Curriculum curriculum;
-  const YAML::Node document = checked_document(file, curriculum.schema);
-  const Validator rules(curriculum_schema_2(), file.string());
-  read(document["id"], curriculum.id);
-  read(document["title"], curriculum.title);
-  read(document["goals"], curriculum.goals);
+  int schema = 0;
+  const YAML::Node document = checked_document(file, schema);
+  Curriculum curriculum = read_curriculum(document, Validator(curriculum_schema_2(), file.string()), nullptr);
+  curriculum.schema = schema;
   curriculum.file = file;
-  const auto blades = read_rows(document["blades_by_weight"], rules, "blades_by_weight", "blade");
-  const auto tubes = read_rows(document["tubes_by_weight"], rules, "tubes_by_weight", "tube");
-  std::set<std::string> ids;
-  const YAML::Node scenarios = document["scenarios"];
-  for (std::size_t i = 0; i < scenarios.size(); ++i) {
-    const std::string path = "scenarios[" + std::to_string(i) + "].";
-    YAML::Node node = scenarios[i];
-    if (node["attempt"]) rules.fail(node["attempt"], path + "attempt", "none: a trial writes it into its log");
-    settle_sizes(node, blades, tubes, rules, path);
-    settle_rubric(node, document["rubric"]);
-    Scenario scenario = read_scenario(node, rules, path);
-    if (!ids.insert(scenario.id).second) rules.fail(node["id"], path + "id", "an id no other scenario of the file has");
-    scenario.yaml = YAML::Dump(node) + "\n";
-    curriculum.scenarios.push_back(std::move(scenario));
-  }
-  curriculum.modules = read_modules(document, curriculum.scenarios, rules);
   return curriculum;
+}
+
+std::vector<Problem> problems_of(const std::string& text) {
+  try {
+    YAML::Node document = parse_safely(text, "the text");
+    const Validator newest(curriculum_schema_2(), "the text");
+    const bool old = schema_of(document, newest) == 1;
+    std::vector<Problem> problems = (old ? Validator(curriculum_schema_1(), "the text") : newest).problems(document, "curriculum");
+    if (problems.empty() && old) {
+      migrate_1_to_2(document);
+      problems = newest.problems(document, "curriculum");
+    }
+    if (problems.empty()) read_curriculum(document, newest, &problems);
+    return problems;
+  } catch (const CurriculumError& error) {
+    return {error.problem()};
+  }
 }
 
 Scenario parse_scenario(const std::string& yaml, const std::string& name_for_errors) {

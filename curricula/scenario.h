@@ -17,10 +17,24 @@
 
 namespace vallecula::curricula {
 
+/// One mistake in a curriculum's text.
+struct Problem {
+  int line = 0;                        ///< from 1; 0: of the whole text
+  std::string field, value, allowed;   ///< empty where the text is no YAML
+  std::string message;                 ///< a sentence, without the file's name
+};
+
 /// file, line, field, value, what was expected.
 class CurriculumError : public std::runtime_error {
  public:
-  using std::runtime_error::runtime_error;
+  explicit CurriculumError(const std::string& message, Problem problem = {})
+      : std::runtime_error(message), problem_(std::move(problem)) {
+    if (problem_.message.empty()) problem_.message = message;
+  }
+  const Problem& problem() const { return problem_; }
+
+ private:
+  Problem problem_;
 };
 
 /// The manikin a scenario asks for when no other patient is chosen.
@@ -124,6 +138,9 @@ struct Curriculum {
 };
 
 Curriculum load_curriculum(const std::filesystem::path& file);      ///< throws CurriculumError
+/// Everything that is wrong with a curriculum's text, in the file's order; empty: it loads. What two fields have to do
+/// with each other is looked at once each by itself is right.
+std::vector<Problem> problems_of(const std::string& text);
 Scenario parse_scenario(const std::string& yaml, const std::string& name_for_errors);  ///< throws CurriculumError
 
 /// One attempt at a scenario: what its variation leaves open is drawn from `seed`, the same for the same seed on every

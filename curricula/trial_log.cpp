@@ -81,7 +81,7 @@ struct TrialLogWriter::Impl : OpenPart {
   using OpenPart::OpenPart;
   std::uint32_t blocks = 0;
   std::int64_t ticks = 0;
-  bool events = false, intubation = false;  ///< of the trial, by its header
+  bool events = false, intubation = false, areas = false;  ///< of the trial, by its header
   std::string pending;      ///< encoded ticks of the block being filled
 
   void flush_ticks() {
@@ -102,7 +102,8 @@ TrialLogWriter::TrialLogWriter(const fs::path& path, const LogHeader& header) : 
   }
   impl_->events = header.has_events;
   impl_->intubation = header.has_intubation;
-  impl_->pending.reserve(kTicksPerBlock * tick_bytes(header.has_intubation));
+  impl_->areas = header.has_contact_areas;
+  impl_->pending.reserve(kTicksPerBlock * tick_bytes(header.has_intubation, header.has_contact_areas));
   impl_->descriptor = ::open(impl_->part.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0644);
   if (impl_->descriptor < 0) impl_->fail("cannot be created", "check that its folder exists and may be written to");
   if (!impl_->lock()) impl_->fail("is being written by another trial", "choose another folder");
@@ -128,9 +129,9 @@ void TrialLogWriter::append(const LogTick& tick) {
                         (impl_->intubation ? " lacks the intubation its header names"
                                            : " has an intubation that its header does not name"));
   }
-  put_tick(impl_->pending, tick);
+  put_tick(impl_->pending, tick, impl_->areas);
   ++impl_->ticks;
-  if (impl_->pending.size() >= kTicksPerBlock * tick_bytes(impl_->intubation)) impl_->flush_ticks();
+  if (impl_->pending.size() >= kTicksPerBlock * tick_bytes(impl_->intubation, impl_->areas)) impl_->flush_ticks();
 }
 
 void TrialLogWriter::append(const LogEvent& event) {
@@ -180,6 +181,7 @@ Reading read_blocks(const fs::path& path) {
   std::uint32_t& number = reading.blocks;
   std::string& problem = reading.problem;
   reading.bytes = head.size();
+  std::size_t bytes_of_tick = 1;  // by the header, which comes first
   bool footer_seen = false;
   try {
     while (problem.empty() && !footer_seen) {
@@ -190,9 +192,11 @@ Reading read_blocks(const fs::path& path) {
         problem = "its header is missing or stands twice";
       } else if (block.kind == "HEAD") {
         log.header = header_from_json(block.payload);
-      } else if (block.kind == "TICK" && block.payload.size() % tick_bytes(log.header.has_intubation) == 0) {
-        for (std::size_t at = 0; at < block.payload.size(); at += tick_bytes(log.header.has_intubation)) {
-          log.ticks.push_back(get_tick(block.payload.data() + at, log.header.has_intubation));
+        bytes_of_tick = tick_bytes(log.header.has_intubation, log.header.has_contact_areas);
+      } else if (block.kind == "TICK" && block.payload.size() % bytes_of_tick == 0) {
+        for (std::size_t at = 0; at < block.payload.size(); at += bytes_of_tick) {
+          log.ticks.push_back(
+              get_tick(block.payload.data() + at, log.header.has_intubation, log.header.has_contact_areas));
         }
       } else if (block.kind == "EVNT" && log.header.has_events) {
         const LogEvent event = event_from_json(block.payload);

@@ -27,6 +27,7 @@ struct LogLoad {
   std::array<double, 3> force_n{};    ///< on the tool, world axes
   std::array<double, 3> centre_m{};   ///< of the contacts, world
   std::int32_t contacts = 0;
+  double area_m2 = 0.0;  ///< of the tissue's surface at rest that they stand for; 0: none, or not known (rigid anatomy)
 };
 
 /// What the second hand holds, and where its tip is. `larynx`: from the inlet to the cricoid.
@@ -102,6 +103,7 @@ struct LogTick {
   std::array<double, 3> model_torque_nm{};
   std::array<double, 3> displayed_force_n{};
   std::array<LogLoad, kStructures> loads{};
+  bool has_areas = false;  ///< of the trial: the loads' areas are known; not in logs of a schema below 4
   bool has_sight = false;
   double glottis_visible = 0.0;
   std::uint32_t faults = 0;
@@ -126,7 +128,7 @@ constexpr char kHeadExtension[] = "head_extension_deg";
 
 /// Everything that must be known to understand and to repeat the trial. No identity of patient or trainee.
 struct LogHeader {
-  int schema = 1;  ///< as read; written: 4 with events, 3 with an intubation, 2 with a tool of its own, which
+  int schema = 1;  ///< as read; written: 4 with events or contact areas, 3 with an intubation, 2 with a tool of its own, which
                    ///< older readers must not miss
   std::string software_version;
   std::string build_hash;              ///< of the program that wrote it
@@ -140,6 +142,7 @@ struct LogHeader {
   std::string scenario_sha256;
   std::string tool_sha256;             ///< of tool.ply beside the log; empty: the scenario's blade
   bool has_events = false;             ///< of the scenario's distractions; without it there can be none
+  bool has_contact_areas = false;      ///< its ticks have the areas of their loads
   bool has_intubation = false;         ///< its ticks have the second half; settings then hold kCordsToCarina
   std::string device_kind;             ///< scores are never pooled across kinds
   double servo_period_s = 0.001;

@@ -170,7 +170,7 @@ std::string block(const char kind[4], std::uint32_t number, const std::string& p
   return bytes;
 }
 
-void put_tick(std::string& out, const LogTick& tick) {
+void put_tick(std::string& out, const LogTick& tick, bool areas) {
   put(out, tick.tick);
   put(out, tick.time_s);
   put(out, tick.device_pose);
@@ -192,9 +192,11 @@ void put_tick(std::string& out, const LogTick& tick) {
   put(out, tick.glottis_visible);
   put(out, tick.faults);
   if (tick.has_intubation) put_intubation(out, tick.intubation);
+  if (!areas) return;
+  for (const LogLoad& load : tick.loads) put(out, load.area_m2);
 }
 
-LogTick get_tick(const char* bytes, bool intubation) {
+LogTick get_tick(const char* bytes, bool intubation, bool areas) {
   LogTick tick;
   std::uint8_t state = 0;
   Cursor c{bytes};
@@ -222,6 +224,9 @@ LogTick get_tick(const char* bytes, bool intubation) {
       static_cast<LoggedState>(known(state, static_cast<std::uint8_t>(LoggedState::recovering), "state", tick.tick));
   tick.has_intubation = intubation;
   if (intubation) tick.intubation = get_intubation(c, tick.tick);
+  tick.has_areas = areas;
+  if (areas)
+    for (LogLoad& load : tick.loads) c.get(load.area_m2);
   return tick;
 }
 

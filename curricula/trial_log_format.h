@@ -4,9 +4,10 @@
 //   blocks:  kind (4 letters)  u32 number (0, 1, 2, ...)  u32 payload bytes  payload  u32 CRC-32 of all that
 //     HEAD   JSON, the first block
 //     TICK   whole ticks of tick_bytes() each: LogTick's fields in their order; where the header says that there is an
-//            intubation (schema 3, or the field of schema 4) those of LogIntubation follow, in theirs. Enumerations and truth values are one byte, counts and bits four,
-//            tick and steps eight.
-//     EVNT   JSON, one event; only where the header's schema is 4
+//            intubation (schema 3, or the field of schema 4) those of LogIntubation follow, in theirs; where it says that
+//            there are contact areas (a field of schema 4), those of the loads come last. Enumerations and truth values
+//            are one byte, counts and bits four, tick and steps eight.
+//     EVNT   JSON, one event; only where the header says that there are events (a field of schema 4)
 //     FOOT   JSON with the number of ticks, the last block
 //
 // Doubles are stored as their 64 bits, so a log gives back exactly what was measured, NaN included.
@@ -34,7 +35,11 @@ constexpr std::size_t kTickBytes =
 constexpr std::size_t kIntubationBytes = kPoseBytes + 1 + 1 + 2 * kVectorBytes + 1 + 1 + 3 * 8 + 2 * kVectorBytes +
                                          kTubeLoads * 8 + 8 + 1 + 8 + 1 + 8 + 2 * 8 + 8 + 1 + 4 + 8 + 4;
 
-constexpr std::size_t tick_bytes(bool intubation) { return kTickBytes + (intubation ? kIntubationBytes : 0); }
+constexpr std::size_t kAreaBytes = kStructures * 8;
+
+constexpr std::size_t tick_bytes(bool intubation, bool areas) {
+  return kTickBytes + (intubation ? kIntubationBytes : 0) + (areas ? kAreaBytes : 0);
+}
 
 /// CRC-32 of IEEE 802.3 (the one of zlib, PNG and Ethernet).
 std::uint32_t crc32(const char* data, std::size_t size) noexcept;
@@ -45,10 +50,11 @@ std::uint32_t get_u32(const char* bytes) noexcept;
 std::string file_head();
 std::string block(const char kind[4], std::uint32_t number, const std::string& payload);
 
-void put_tick(std::string& out, const LogTick& tick);
-/// `bytes` holds tick_bytes(intubation). Throws TrialLogError (without the file's name) on a state or place that does
+/// `areas`: of the trial, by its header.
+void put_tick(std::string& out, const LogTick& tick, bool areas);
+/// `bytes` holds tick_bytes(intubation, areas). Throws TrialLogError (without the file's name) on a state or place that does
 /// not exist.
-LogTick get_tick(const char* bytes, bool intubation);
+LogTick get_tick(const char* bytes, bool intubation, bool areas);
 
 /// JSON texts. The getters throw TrialLogError (without the file's name) naming the field that is missing or wrong.
 std::string header_to_json(const LogHeader& header);

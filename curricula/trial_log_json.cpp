@@ -56,8 +56,13 @@ void check_depth_is_known(const LogHeader& header) {
 
 std::string header_to_json(const LogHeader& header) {
   QJsonObject o;
-  o["schema"] = header.has_events ? 4 : header.has_intubation ? 3 : header.tool_sha256.empty() ? 1 : 2;
-  if (header.has_events) o["has_intubation"] = header.has_intubation;
+  const bool fourth = header.has_events || header.has_contact_areas;
+  o["schema"] = fourth ? 4 : header.has_intubation ? 3 : header.tool_sha256.empty() ? 1 : 2;
+  if (fourth) {
+    o["has_events"] = header.has_events;
+    o["has_contact_areas"] = header.has_contact_areas;
+    o["has_intubation"] = header.has_intubation;
+  }
   o["software_version"] = text(header.software_version);
   o["build_hash"] = text(header.build_hash);
   o["instruction_set"] = text(header.instruction_set);
@@ -95,8 +100,10 @@ LogHeader header_from_json(const std::string& json) {
     throw TrialLogError("its schema is " + std::to_string(header.schema) +
                         ", this version reads 1 to 4; use the newer Vallecula");
   }
-  header.has_events = header.schema == 4;
-  header.has_intubation = header.schema == 3 || (header.has_events && get_bool(o, "has_intubation"));
+  const auto in_fourth = [&](const char* name) { return header.schema == 4 && get_bool(o, name); };
+  header.has_events = in_fourth("has_events");
+  header.has_contact_areas = in_fourth("has_contact_areas");
+  header.has_intubation = header.schema == 3 || in_fourth("has_intubation");
   header.software_version = get_text(o, "software_version");
   header.build_hash = get_text(o, "build_hash");
   header.instruction_set = get_text(o, "instruction_set");

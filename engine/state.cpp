@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/contact/contact_area.h"
 #include "engine/contact/response.h"
 #include "engine/tube/secretions.h"
 
@@ -31,6 +32,7 @@ void collect_tissue_load(const Scene& scene, SceneState& state, std::array<Struc
   state.tissue_wrench = Wrench{};
   state.tissue_stiffness.setZero();
   std::array<double, kLoadedStructures> weight{};
+  std::array<ContactArea, kLoadedStructures> area{};
   for (int i = 0; i < state.contacts.count; ++i) {
     const ContactConstraint& c = state.contacts.constraints[i];
     if (!(c.multiplier > 0)) continue;
@@ -52,7 +54,12 @@ void collect_tissue_load(const Scene& scene, SceneState& state, std::array<Struc
     load.centre_m += c.multiplier * at;
     weight[structure] += c.multiplier;
     ++load.contacts;
+    if (state.contacts.of_spheres)
+      area[structure].add(c, scene.tree);
+    else
+      area[structure].add(c, scene.triangles);
   }
+  for (int s = 0; s < kLoadedStructures; ++s) loads[s].area_m2 = area[s].m2();
   for (int s = 0; s < kLoadedStructures; ++s)
     if (weight[s] > 0) loads[s].centre_m /= weight[s];
 }

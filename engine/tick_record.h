@@ -7,11 +7,13 @@
 namespace vallecula::engine {
 
 /// Load on one kind of structure: the force the tool receives from it (N, world), where (force-weighted centre of
-/// the contacts, m, world; zero when nothing touches) and by how many contacts.
+/// the contacts, m, world; zero when nothing touches), by how many contacts and, of soft tissue, over which area of its
+/// surface at rest (contact/contact_area.h; 0: nothing touches, or not known, as of rigid anatomy).
 struct StructureLoad {
   Vec3 force_n = Vec3::Zero();
   Vec3 centre_m = Vec3::Zero();
   std::int32_t contacts = 0;
+  double area_m2 = 0.0;
 };
 
 /// Named faults of a tick, bits of TickRecord::faults.

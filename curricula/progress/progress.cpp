@@ -14,27 +14,21 @@ bool succeeded(const PastResult& result, const MasteryRule& rule) {
   return result.passed && result.attempts <= rule.attempts;
 }
 
-bool mastered_by_cusum(const Module& module, const std::vector<PastResult>& counted,
-                       const std::vector<CusumPoint>& points) {
-  const bool competent = std::any_of(points.begin(), points.end(),
-                                     [](const CusumPoint& p) { return p.verdict == CusumVerdict::competent; });
-  return competent && std::all_of(module.scenarios.begin(), module.scenarios.end(), [&](const std::string& id) {
-           return std::any_of(counted.begin(), counted.end(),
-                              [&](const PastResult& r) { return r.scenario_id == id && succeeded(r, module.mastery); });
-         });
+/// What the rule asks of each scenario: a success at some time, or so many running, whatever was done between.
+bool scenario_done(const std::string& id, const MasteryRule& rule, const std::vector<PastResult>& counted) {
+  const int passes = rule.by_cusum ? 1 : rule.passes;
+  int running = 0;
+  for (const PastResult& result : counted) {
+    if (result.scenario_id != id) continue;
+    running = succeeded(result, rule) ? running + 1 : 0;
+    if (running == passes) return true;
+  }
+  return false;
 }
 
-/// Each scenario at some time so often running, whatever was done between.
-bool mastered_by_passes(const Module& module, const std::vector<PastResult>& counted) {
-  return std::all_of(module.scenarios.begin(), module.scenarios.end(), [&](const std::string& id) {
-    int running = 0;
-    for (const PastResult& result : counted) {
-      if (result.scenario_id != id) continue;
-      running = succeeded(result, module.mastery) ? running + 1 : 0;
-      if (running == module.mastery.passes) return true;
-    }
-    return false;
-  });
+bool competent(const std::vector<CusumPoint>& points) {
+  return std::any_of(points.begin(), points.end(),
+                     [](const CusumPoint& p) { return p.verdict == CusumVerdict::competent; });
 }
 
 }  // namespace
@@ -55,8 +49,13 @@ std::vector<ModuleProgress> progress_of(const Curriculum& curriculum, const std:
     ModuleProgress progress;
     progress.module_id = module.id;
     if (module.mastery.by_cusum) progress.cusum = cusum(module.mastery.cusum, successes);
-    progress.mastered = module.mastery.by_cusum ? mastered_by_cusum(module, counted, progress.cusum)
-                                                : mastered_by_passes(module, counted);
+    progress.trials = static_cast<int>(counted.size());
+    progress.succeeded = static_cast<int>(std::count(successes.begin(), successes.end(), true));
+    progress.scenarios_done = static_cast<int>(
+        std::count_if(module.scenarios.begin(), module.scenarios.end(),
+                      [&](const std::string& id) { return scenario_done(id, module.mastery, counted); }));
+    progress.mastered = progress.scenarios_done == static_cast<int>(module.scenarios.size()) &&
+                        (!module.mastery.by_cusum || competent(progress.cusum));
     if (progress.mastered) mastered.insert(module.id);
     all.push_back(std::move(progress));
   }

@@ -21,6 +21,8 @@ struct ModuleProgress {
   std::string module_id;
   bool open = false;                        ///< every module it comes after is mastered
   bool mastered = false;                    ///< once reached it stays
+  int trials = 0, succeeded = 0;            ///< that count
+  int scenarios_done = 0;                   ///< that did what the rule asks of each scenario
   std::vector<std::string> open_scenarios;  ///< in order; none while the module is closed
   std::vector<CusumPoint> cusum;            ///< one point for each trial that counts; empty under another rule
 };

@@ -69,6 +69,17 @@ std::vector<Note> Notes::of_trial(const Who& who, long long trial_id) const {
   return notes;
 }
 
+long long Notes::trial_of_log(const std::string& sha256) const {
+  if (sha256.empty()) return 0;  // as in rows older than the column
+  long long id = 0;
+  records_.connection().read([&] {
+    QSqlQuery query = records_.connection().run("SELECT id FROM trials WHERE log_sha256 = ? ORDER BY id DESC LIMIT 1",
+                                                {bound(sha256)}, Connection::kCannotBeRead);
+    id = query.next() ? query.value(0).toLongLong() : 0;
+  });
+  return id;
+}
+
 void Notes::remove(const Who& who, long long note_id) {
   Connection& connection = records_.connection();
   connection.write([&] {

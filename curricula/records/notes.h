@@ -26,6 +26,8 @@ class Notes {
   /// text: 1 to 10,000 bytes of UTF-8; at_s: not negative, within 24 h.
   long long add(const Who& who, long long trial_id, double at_s, const std::string& text);
   std::vector<Note> of_trial(const Who& who, long long trial_id) const;  ///< by time in the trial
+  /// The newest record of the trial whose log has this hash (log_sha256()); 0: it is in no record, and has no notes.
+  long long trial_of_log(const std::string& sha256) const;
   void remove(const Who& who, long long note_id);                        ///< one's own note; an instructor any
 
  private:

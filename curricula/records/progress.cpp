@@ -94,20 +94,19 @@ std::vector<RecordRow> Progress::trials(const Who& who, long long trainee_id, in
   return rows;
 }
 
-std::vector<PastResult> Progress::results(const Who& who, long long trainee_id,
-                                          const std::string& curriculum_id) const {
+std::map<std::string, std::vector<PastResult>> Progress::results(const Who& who, long long trainee_id) const {
   Connection& connection = records_.connection();
   std::vector<RecordRow> rows;
   connection.read([&] {
     require_own_or_instructor(connection, who, trainee_id);
     QVariantList values;
     const QString whose = of_trainee(trainee_id, values);
-    values << bound(curriculum_id);
-    rows = trial_rows(connection, whose + " AND curriculum_id = ? AND complete <> 0 ORDER BY id", values);
+    rows = trial_rows(connection, whose + " AND complete <> 0 ORDER BY id", values);
   });
-  std::vector<PastResult> results;
+  std::map<std::string, std::vector<PastResult>> results;
   for (const RecordRow& row : rows)
-    results.push_back({row.scenario_id, row.device_kind, row.mode, row.score.passed, std::max(1, row.attempts)});
+    results[row.curriculum_id].push_back(
+        {row.scenario_id, row.device_kind, row.mode, row.score.passed, std::max(1, row.attempts)});
   return results;
 }
 

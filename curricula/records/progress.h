@@ -1,6 +1,7 @@
 // Learning curves and cohorts out of the records. Nothing is ever pooled across device kinds.
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -54,8 +55,9 @@ class Progress {
   std::vector<RecordRow> curve(const Who& who, const CurveKey& key) const;
   /// The newest `count` of all their trials, newest first.
   std::vector<RecordRow> trials(const Who& who, long long trainee_id, int count) const;
-  /// What counts towards the mastery of a curriculum's modules, oldest first, for progress_of(); without interrupted ones.
-  std::vector<PastResult> results(const Who& who, long long trainee_id, const std::string& curriculum_id) const;
+  /// What counts towards the mastery of a curriculum's modules, oldest first, for progress_of(), by the curriculum's id;
+  /// without interrupted ones.
+  std::map<std::string, std::vector<PastResult>> results(const Who& who, long long trainee_id) const;
   std::vector<Day> calendar(const Who& who, long long trainee_id) const;  ///< days with trials, by date
   /// Every trainee's curves, by name; instructors only.
   std::vector<CurveSummary> cohort(const SignedIn& instructor, const CohortFilter& filter) const;

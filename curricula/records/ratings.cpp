@@ -17,8 +17,8 @@ void check(const Rating& rating) {
   const bool good = rating.item == kGlobalRating ? rating.value >= kLowestGlobal && rating.value <= kHighestGlobal
                                                  : rating.value == 0.0 || rating.value == 1.0;
   if (!good)
-    throw RecordsError("the rating of '" + rating.item + "' is " + std::to_string(rating.value) + "; allowed: " +
-                       (rating.item == kGlobalRating ? "1 to 5" : "0 (not done) or 1 (done)"));
+    throw RecordsError("the rating of '" + rating.item + "' is " + std::to_string(rating.value) +
+                       "; allowed: " + (rating.item == kGlobalRating ? "1 to 5" : "0 (not done) or 1 (done)"));
 }
 
 /// The trial and whose it is.
@@ -34,9 +34,9 @@ void add_self(Connection& connection, const Who& who, long long trial_id, const 
     if (known.value(0).toDouble() == rating.value) return;  // the answer to the first try was lost
     throw RecordsError("the own rating of this trial has been given already, before its score was seen; it stays");
   }
-  connection.run("INSERT INTO ratings (trial_id, rater, author_id, item, value, at_utc) VALUES (?, 'self', ?, ?, ?, ?)",
-                 {bound_id(trial_id), bound_id(who ? who->id() : 0), bound(rating.item), rating.value,
-                  connection.now_utc()});
+  connection.run(
+      "INSERT INTO ratings (trial_id, rater, author_id, item, value, at_utc) VALUES (?, 'self', ?, ?, ?, ?)",
+      {bound_id(trial_id), bound_id(who ? who->id() : 0), bound(rating.item), rating.value, connection.now_utc()});
 }
 
 void add_instructors(Connection& connection, const SignedIn& who, const Rated& trial, const Rating& rating) {
@@ -50,8 +50,8 @@ void add_instructors(Connection& connection, const SignedIn& who, const Rated& t
 }
 
 Rated trial_by(Connection& connection, const char* column, const QVariant& value, const QString& held) {
-  QSqlQuery query = connection.run(QString("SELECT id, trainee_id FROM trials WHERE %1 = ?").arg(column) + held, {value},
-                                   Connection::kCannotBeRead);
+  QSqlQuery query = connection.run(QString("SELECT id, trainee_id FROM trials WHERE %1 = ?").arg(column) + held,
+                                   {value}, Connection::kCannotBeRead);
   if (!query.next()) throw RecordsError("there is no such trial in the records; it may have been deleted");
   return {query.value(0).toLongLong(), query.value(1).toLongLong()};
 }

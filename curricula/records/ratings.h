@@ -12,8 +12,9 @@ constexpr char kGlobalRating[] = "global";
 constexpr double kLowestGlobal = 1.0, kHighestGlobal = 5.0;
 
 struct Rating {
-  std::string by;    ///< "self" or "instructor"
-  std::string item;  ///< kGlobalRating (kLowestGlobal to kHighestGlobal), else a checklist item's name: 0 not done, 1 done
+  std::string by;  ///< "self" or "instructor"
+  std::string
+      item;  ///< kGlobalRating (kLowestGlobal to kHighestGlobal), else a checklist item's name: 0 not done, 1 done
   double value = 0.0;
   std::string at_utc{};     ///< given by add()
   long long author_id = 0;  ///< given by add(); 0: nobody was signed in, or the author has been deleted

@@ -40,7 +40,7 @@ class Guard final : public YAML::EventHandler {
 
  private:
   [[noreturn]] void fail(const YAML::Mark& mark, const std::string& what) const {
-    throw CurriculumError(name_ + ":" + std::to_string(mark.line + 1) + ": " + what);
+    throw CurriculumError(name_ + ":" + std::to_string(mark.line + 1) + ": " + what, {mark.line + 1, "", "", "", what});
   }
   void refuse_anchor(const YAML::Mark& mark, YAML::anchor_t anchor) const {
     if (anchor != YAML::NullAnchor)
@@ -81,22 +81,23 @@ std::string read_yaml_file(const std::filesystem::path& file) {
 }
 
 YAML::Node parse_safely(const std::string& text, const std::string& name) {
-  if (text.size() > kLargestYaml)
-    throw CurriculumError(name + ": is larger than 1 MB; a curriculum is a few pages of text");
-  if (!is_utf8_text(text)) throw CurriculumError(name + ": is not UTF-8 text; save it as UTF-8");
+  const auto fail = [&name](const std::string& what, int line = 0) {
+    const std::string where = line > 0 ? ":" + std::to_string(line) : "";
+    throw CurriculumError(name + where + ": " + what, {line, "", "", "", what});
+  };
+  if (text.size() > kLargestYaml) fail("is larger than 1 MB; a curriculum is a few pages of text");
+  if (!is_utf8_text(text)) fail("is not UTF-8 text; save it as UTF-8");
   try {
     Guard guard(name);
     std::istringstream stream(text);
     YAML::Parser parser(stream);
-    if (!parser.HandleNextDocument(guard))
-      throw CurriculumError(name + ":1: the file is empty; allowed: one curriculum");
-    if (parser.HandleNextDocument(guard))
-      throw CurriculumError(name + ": holds more than one document ('---'); allowed: one");
+    if (!parser.HandleNextDocument(guard)) fail("the file is empty; allowed: one curriculum", 1);
+    if (parser.HandleNextDocument(guard)) fail("holds more than one document ('---'); allowed: one");
     return YAML::Load(text);
   } catch (const YAML::Exception& error) {
-    throw CurriculumError(name + ":" + std::to_string(error.mark.line + 1) + ": broken YAML: " + error.msg +
-                          "; check indentation, colons and quotes around this line");
+    fail("broken YAML: " + error.msg + "; check indentation, colons and quotes around this line", error.mark.line + 1);
   }
+  return {};  // not reached: fail throws
 }
 
 }  // namespace vallecula::curricula

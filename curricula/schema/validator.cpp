@@ -3,6 +3,7 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QRegularExpression>
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -161,8 +162,8 @@ Validator::Validator(const char* schema_json, std::string file) : file_(std::mov
 }
 
 void Validator::fail(int line, const std::string& path, const std::string& value, const std::string& allowed) const {
-  throw CurriculumError(file_ + ":" + std::to_string(line) + ": " + (path.empty() ? "the document" : path) + " is " +
-                        value + "; allowed: " + allowed);
+  const std::string message = (path.empty() ? "the document" : path) + " is " + value + "; allowed: " + allowed;
+  throw CurriculumError(file_ + ":" + std::to_string(line) + ": " + message, {line, path, value, allowed, message});
 }
 
 void Validator::fail(const YAML::Node& node, const std::string& path, const std::string& allowed) const {
@@ -175,6 +176,25 @@ void Validator::fail_missing(const YAML::Node& map, const std::string& path, con
 
 void Validator::check(const YAML::Node& node, const std::string& definition, const std::string& path) const {
   check(node, schema_.value("$defs").toObject().value(QString::fromStdString(definition)).toObject(), path, 1);
+}
+
+std::vector<Problem> Validator::problems(const YAML::Node& node, const std::string& definition) const {
+  std::vector<Problem> found;
+  collected_ = &found;
+  one([&] { check(node, definition, ""); });
+  collected_ = nullptr;
+  std::stable_sort(found.begin(), found.end(), [](const Problem& a, const Problem& b) { return a.line < b.line; });
+  return found;
+}
+
+template <class Check>
+void Validator::one(const Check& check) const {
+  try {
+    check();
+  } catch (const CurriculumError& error) {
+    if (collected_ == nullptr) throw;
+    collected_->push_back(error.problem());
+  }
 }
 
 QJsonObject resolved_schema(const QJsonObject& document, const QJsonObject& given) {
@@ -207,33 +227,37 @@ void Validator::check(const YAML::Node& node, const QJsonObject& given, const st
   }
 }
 
+void Validator::check_field(const YAML::Node& key_node, const YAML::Node& value, const QJsonObject& schema,
+                            const std::string& path, int line, std::set<std::string>& seen) const {
+  const QJsonObject properties = schema.value("properties").toObject();
+  const int key_line = line_of(key_node, line);
+  if (!key_node.IsScalar()) fail(key_line, path, "not named by a word", allowed_by(schema));
+  const std::string key = key_node.Scalar(), name = child_path(path, key);
+  const auto property = properties.find(QString::fromStdString(key));
+  if (property == properties.end() && schema.value("additionalProperties").isObject()) {
+    // Fields of one kind whose names are free, like the texts by language.
+    const QJsonObject names = schema.value("propertyNames").toObject();
+    if (!matches(names.value("pattern").toString(), QString::fromStdString(key)))
+      fail(key_line, child_path(path, key.substr(0, kShownValue)),
+           "an unknown field with the value " + shown(value), text_of(names.value("description")));
+    if (!seen.insert(key).second) fail(key_line, name, "given twice", "once");
+    check(value, schema.value("additionalProperties").toObject(), name, key_line);
+    return;
+  }
+  if (property == properties.end()) {
+    fail(key_line, child_path(path, key.substr(0, kShownValue)), "an unknown field with the value " + shown(value),
+         "the fields " + joined(properties.keys()));
+  }
+  if (!seen.insert(key).second)
+    fail(key_line, name, "given twice, here with the value " + shown(value), "once");
+  check(value, property.value().toObject(), name, key_line);
+}
+
 void Validator::check_map(const YAML::Node& node, const QJsonObject& schema, const std::string& path, int line) const {
   if (!node.IsMap()) fail(line, path, shown(node), allowed_by(schema));
   const QJsonObject properties = schema.value("properties").toObject();
   std::set<std::string> seen;
-  for (const auto& entry : node) {
-    const int key_line = line_of(entry.first, line);
-    if (!entry.first.IsScalar()) fail(key_line, path, "not named by a word", allowed_by(schema));
-    const std::string key = entry.first.Scalar(), name = child_path(path, key);
-    const auto property = properties.find(QString::fromStdString(key));
-    if (property == properties.end() && schema.value("additionalProperties").isObject()) {
-      // Fields of one kind whose names are free, like the texts by language.
-      const QJsonObject names = schema.value("propertyNames").toObject();
-      if (!matches(names.value("pattern").toString(), QString::fromStdString(key)))
-        fail(key_line, child_path(path, key.substr(0, kShownValue)),
-             "an unknown field with the value " + shown(entry.second), text_of(names.value("description")));
-      if (!seen.insert(key).second) fail(key_line, name, "given twice", "once");
-      check(entry.second, schema.value("additionalProperties").toObject(), name, key_line);
-      continue;
-    }
-    if (property == properties.end()) {
-      fail(key_line, child_path(path, key.substr(0, kShownValue)),
-           "an unknown field with the value " + shown(entry.second), "the fields " + joined(properties.keys()));
-    }
-    if (!seen.insert(key).second)
-      fail(key_line, name, "given twice, here with the value " + shown(entry.second), "once");
-    check(entry.second, property.value().toObject(), name, key_line);
-  }
+  for (const auto& entry : node) one([&] { check_field(entry.first, entry.second, schema, path, line, seen); });
   for (const QJsonValue& required : schema.value("required").toArray()) {
     const std::string key = text_of(required);
     if (seen.count(key) != 0) continue;
@@ -241,7 +265,7 @@ void Validator::check_map(const YAML::Node& node, const QJsonObject& schema, con
     const bool of_one_kind = property.isEmpty() && schema.value("additionalProperties").isObject();
     const QJsonObject missing =
         resolved_schema(schema_, of_one_kind ? schema.value("additionalProperties").toObject() : property);
-    fail(line, child_path(path, key), "missing", allowed_by(missing));
+    one([&] { fail(line, child_path(path, key), "missing", allowed_by(missing)); });
   }
 }
 
@@ -252,7 +276,7 @@ void Validator::check_list(const YAML::Node& node, const QJsonObject& schema, co
     fail(line, path, "a list of " + number_text(count), allowed_by(schema));
   }
   for (std::size_t i = 0; i < node.size(); ++i) {
-    check(node[i], schema.value("items").toObject(), path + "[" + std::to_string(i) + "]", line);
+    one([&] { check(node[i], schema.value("items").toObject(), path + "[" + std::to_string(i) + "]", line); });
   }
 }
 

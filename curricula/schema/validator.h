@@ -5,7 +5,11 @@
 #include <yaml-cpp/yaml.h>
 
 #include <QJsonObject>
+#include <set>
 #include <string>
+#include <vector>
+
+#include "curricula/scenario.h"
 
 namespace vallecula::curricula {
 
@@ -22,6 +26,9 @@ class Validator {
   /// allowed.
   void check(const YAML::Node& node, const std::string& definition, const std::string& path) const;
 
+  /// The same, but goes on after a mistake; all of them, by line.
+  std::vector<Problem> problems(const YAML::Node& node, const std::string& definition) const;
+
   /// Throws CurriculumError in the same form, for rules no schema can say.
   [[noreturn]] void fail(const YAML::Node& node, const std::string& path, const std::string& allowed) const;
   /// The same for a field that `map` should hold and does not.
@@ -30,14 +37,22 @@ class Validator {
  private:
   void check(const YAML::Node& node, const QJsonObject& schema, const std::string& path, int line) const;
   void check_map(const YAML::Node& node, const QJsonObject& schema, const std::string& path, int line) const;
+  /// One entry of a group; `seen`: the names before it.
+  void check_field(const YAML::Node& key_node, const YAML::Node& value, const QJsonObject& schema,
+                   const std::string& path, int line, std::set<std::string>& seen) const;
   void check_list(const YAML::Node& node, const QJsonObject& schema, const std::string& path, int line) const;
   void check_number(const YAML::Node& node, const QJsonObject& schema, const std::string& path, int line) const;
   void check_string(const YAML::Node& node, const QJsonObject& schema, const std::string& path, int line) const;
   void check_boolean(const YAML::Node& node, const QJsonObject& schema, const std::string& path, int line) const;
   [[noreturn]] void fail(int line, const std::string& path, const std::string& value, const std::string& allowed) const;
 
+  /// Runs one check; what it throws is thrown on, or put with the others.
+  template <class Check>
+  void one(const Check& check) const;
+
   QJsonObject schema_;
   std::string file_;
+  mutable std::vector<Problem>* collected_ = nullptr;  ///< null: the first mistake is thrown
 };
 
 /// A YAML number as JSON Schema means it: an unquoted decimal number, finite. The point is a point in every locale.

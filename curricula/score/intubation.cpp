@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "curricula/score/attempts.h"
+#include "curricula/score/vectors.h"
 
 namespace vallecula::curricula {
 namespace {
@@ -35,13 +36,7 @@ struct Course {
   double worked_s = 0.0;          ///< of the trial, less pauses
 };
 
-double magnitude(const std::array<double, 3>& v) { return std::hypot(std::hypot(v[0], v[1]), v[2]); }
-
 bool cords_closed(const LogIntubation& i) { return i.spasm || i.glottis_opening < kClosedOpening; }
-
-void raise(Peak& peak, double value, double at_s) {
-  if (std::isfinite(value) && value > peak.value) peak = {value, at_s};
-}
 
 bool forces_finite(const LogIntubation& i) {
   return std::isfinite(magnitude(i.model_force_n)) && std::isfinite(magnitude(i.displayed_force_n)) &&
@@ -53,10 +48,10 @@ void measure_forces(const LogTick& tick, IntubationScore& score) {
   const LogIntubation& i = tick.intubation;
   if (i.in_hand == LoggedInHand::catheter) return;
   if (std::isfinite(i.tip_load_n) && i.tip_load_n > score.tip_load_n.value) score.tip_against = i.tip_against;
-  raise(score.tip_load_n, i.tip_load_n, tick.time_s);
-  for (std::size_t part = 0; part < kTubeLoads; ++part) raise(score.loads_n[part], i.loads_n[part], tick.time_s);
-  raise(score.hand_force_n, magnitude(i.model_force_n), tick.time_s);
-  raise(score.displayed_hand_force_n, magnitude(i.displayed_force_n), tick.time_s);
+  score.tip_load_n.take(i.tip_load_n, tick.time_s);
+  for (std::size_t part = 0; part < kTubeLoads; ++part) score.loads_n[part].take(i.loads_n[part], tick.time_s);
+  score.hand_force_n.take(magnitude(i.model_force_n), tick.time_s);
+  score.displayed_hand_force_n.take(magnitude(i.displayed_force_n), tick.time_s);
   if (std::isfinite(i.buckled_m)) score.buckled_m = std::max(score.buckled_m, i.buckled_m);
   if (tube_past_cords(tick)) score.deepest_m = std::max(score.deepest_m, i.past_cords_m);
 }
@@ -230,6 +225,11 @@ const Attempt* IntubationScore::longest() const {
 std::optional<double> IntubationScore::depth_share() const {
   if (!depth_m) return std::nullopt;
   return *depth_m / cords_to_carina_m;
+}
+
+std::optional<double> IntubationScore::depth_error_m() const {
+  if (!depth_m) return std::nullopt;
+  return *depth_m - 0.5 * cords_to_carina_m;
 }
 
 std::optional<double> IntubationScore::depth_neutral_share() const {

@@ -48,6 +48,7 @@ QJsonObject intubation_to_json(const IntubationScore& score) {
   o["time_to_pass_s"] = number_or_null(decisive ? decisive->time_to_pass_s : std::nullopt);
   o["cords_to_carina_m"] = score.cords_to_carina_m;
   o["depth_m"] = number_or_null(score.depth_m);
+  o["depth_error_m"] = number_or_null(score.depth_error_m());
   o["depth_percent"] = curricula::number_or_null(100.0 * score.depth_share().value_or(0.0), score.depth_m.has_value());
   o["depth_neutral_m"] = number_or_null(score.depth_neutral_m);
   o["depth_neutral_percent"] = curricula::number_or_null(100.0 * score.depth_neutral_share().value_or(0.0),

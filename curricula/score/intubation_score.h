@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "curricula/intubation_spec.h"
+#include "curricula/score/peak.h"
 #include "curricula/trial_log.h"
 
 namespace vallecula::curricula {
@@ -32,12 +33,6 @@ struct Attempt {
   double lowest_heart_per_min = 0.0;  ///< over the same time
   bool desaturated = false;           ///< by kSevereDesaturation or more
   bool bradycardia = false;           ///< heart below kBradycardia
-};
-
-/// Largest value of one tick, and when.
-struct Peak {
-  double value = 0.0;
-  double at_s = -1.0;  ///< second of the trial; -1: it was never above 0
 };
 
 struct IntubationScore {
@@ -73,6 +68,7 @@ struct IntubationScore {
   /// Depth as a share of the way from the cords to the carina.
   std::optional<double> depth_share() const;
   std::optional<double> depth_neutral_share() const;  ///< the same with the head neutral
+  std::optional<double> depth_error_m() const;  ///< from the middle of the good third; positive: too deep
   /// The cords were passed, but before the blade was first in the mouth: no attempt has a time of it.
   bool passed_untimed() const;
 };

@@ -2,20 +2,16 @@
 
 #include <cmath>
 
+#include "curricula/score/vectors.h"
+
 namespace vallecula::curricula {
 namespace {
-
-using Point = std::array<double, 3>;
 
 /// The tube's radius as a share of the way from gums to vallecula: 25 mm in a term infant, whose mouth corners lie 15
 /// mm from the middle and whose pharynx wall lies 14 mm from the line.
 constexpr double kRadiusShare = 0.6;
 /// Gums nearer together than this share of that way (a closed mouth) give no usable gum line.
 constexpr double kOpenShare = 0.1;
-
-double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-Point plus(const Point& a, const Point& b, double s) { return {a[0] + s * b[0], a[1] + s * b[1], a[2] + s * b[2]}; }
-Point scaled(const Point& a, double s) { return {a[0] * s, a[1] * s, a[2] * s}; }
 
 }  // namespace
 

@@ -7,12 +7,10 @@
 #include "curricula/score/intubation.h"
 #include "curricula/score/rubric.h"
 #include "curricula/score/stays.h"
+#include "curricula/score/vectors.h"
 
 namespace vallecula::curricula {
 namespace {
-
-/// Not finite when a component is not (the three-argument std::hypot of libstdc++ returns 0 for 0, NaN, 0).
-double magnitude(const std::array<double, 3>& v) { return std::hypot(std::hypot(v[0], v[1]), v[2]); }
 
 void measure_attempt(const TrialLog& log, Score& score) {
   const std::vector<Stay> stays = stays_in_mouth(log);
@@ -155,7 +153,14 @@ Score score_trial(const TrialLog& log, const Scenario& scenario) {
     score.intubation = measure_intubation(log, scenario, moments.not_finite_s);
     settle_attempts(score);
   }
+  const std::vector<Stay> attempts = attempts_in(log);
+  score.force = measure_forces_beyond_peaks(log, scenario);
+  score.view = measure_view(log, scenario, attempts);
+  score.blade = measure_blade(log, attempts);
+  score.motion = measure_motion(log, attempts);
+  score.dual_task = measure_dual_task(log, scenario);
   judge(log, scenario, moments, score);
+  score.checklist = checklist_of(score, log, scenario);
   return score;
 }
 

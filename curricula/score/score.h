@@ -7,7 +7,13 @@
 #include <vector>
 
 #include "curricula/scenario.h"
+#include "curricula/score/blade_figures.h"
+#include "curricula/score/checklist.h"
+#include "curricula/score/dual_task.h"
+#include "curricula/score/force_figures.h"
 #include "curricula/score/intubation_score.h"
+#include "curricula/score/motion_figures.h"
+#include "curricula/score/view_figures.h"
 #include "curricula/trial_log.h"
 
 namespace vallecula::curricula {
@@ -64,6 +70,14 @@ struct Score {
   bool complete = false;                             ///< the log has its end; otherwise the trial was interrupted
   std::vector<Criterion> criteria;                   ///< the whole rubric, met or not
   std::optional<IntubationScore> intubation;         ///< none: laryngoscopy alone
+
+  // Each defined at its struct; told, not judged.
+  ForceFigures force;
+  ViewFigures view;
+  BladeFigures blade;
+  MotionFigures motion;
+  std::optional<DualTask> dual_task;  ///< none: nothing was asked beside the hands
+  std::vector<ChecklistItem> checklist;
 };
 
 /// Definitions (times are trial time; a tick counts for servo_period_s):

@@ -4,6 +4,7 @@
 #include <QJsonObject>
 #include <cmath>
 
+#include "curricula/score/figures_json.h"
 #include "curricula/score/intubation_json.h"
 #include "curricula/score/points.h"
 #include "curricula/score/score.h"
@@ -92,12 +93,14 @@ std::string score_to_json(const Score& score, const TrialLog& log, const Scenari
     line["of"] = mark.of;
     line["earned"] = mark.earned;
     line["at_s"] = number_or_null(mark.at_s, mark.at_s >= 0.0);
+    line["sentence"] = text(mark.sentence);
     line["source"] = text(mark.source);
     points.append(line);
     earned += mark.earned;
   }
   o["points"] = points;
   o["points_of_100"] = number_or_null(earned, !points.isEmpty());
+  add_figures(score, o);
   if (score.intubation) o["intubation"] = intubation_to_json(*score.intubation);
   return QJsonDocument(o).toJson(QJsonDocument::Indented).trimmed().toStdString();
 }

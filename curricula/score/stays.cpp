@@ -33,4 +33,14 @@ std::vector<Stay> stays_in_mouth(const TrialLog& log) {
   return stays;
 }
 
+std::vector<Stay> attempts_in(const TrialLog& log) {
+  std::vector<Stay> stays = stays_in_mouth(log);
+  if (log.header.has_intubation || stays.size() < 2) return stays;
+  Stay whole = stays.front();
+  whole.last = stays.back().last;
+  whole.last_s = stays.back().last_s;
+  whole.paused_at_last = stays.back().paused_at_last;
+  return {whole};
+}
+
 }  // namespace vallecula::curricula

@@ -19,4 +19,7 @@ struct Stay {
 /// In order; none where the log lacks usable landmarks.
 std::vector<Stay> stays_in_mouth(const TrialLog& log);
 
+/// Attempts as score.h defines them: with an intubation every stay is one, without it all of them together are.
+std::vector<Stay> attempts_in(const TrialLog& log);
+
 }  // namespace vallecula::curricula

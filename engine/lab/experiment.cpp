@@ -213,6 +213,7 @@ ExperimentResult run_experiment(const Scene& scene, const std::function<Pose(dou
     loads = {};
     s.solver_iterations = step_tissue(scene, state, before, loads, s.stages).iterations;
     s.model_force_n = state.tissue_wrench.force;
+    for (const StructureLoad& load : loads) s.area_m2 += load.area_m2;
     s.force_n = tool.judge(s.model_force_n);
     s.torque_nm = state.tissue_wrench.torque;
     s.state = tool.state();

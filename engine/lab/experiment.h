@@ -29,6 +29,7 @@ struct ExperimentStep {
   double late_s = 0.0;         ///< real time: force out after it was due, beyond one period
   StageTimes stages;
   int contacts = 0;            ///< that carry force
+  double area_m2 = 0.0;        ///< of the tissue's surface that they stand for (contact/contact_area.h)
   int solver_iterations = 0;
   Vec3 force_n = Vec3::Zero();     ///< displayed: on the tool by the tissue
   Vec3 torque_nm = Vec3::Zero();   ///< of the model: devices of three forces display none

@@ -29,6 +29,8 @@ int run_window_command();
 int run_window_import(const std::string& series);
 /// `vallecula trial` without --headless: the same trial, seen and (with a live device) done by a person.
 int run_window_trial(const TrialSetup& setup);
+/// `vallecula replay TRIAL --window`: the trial, looked at; `at_s` negative: from its beginning. `patient` may be empty.
+int run_window_replay(const std::string& trial, double at_s, const std::string& patient);
 
 /// The program's own arguments, for Qt (QApplication keeps references to them). Set once by main().
 struct ProgramArguments {

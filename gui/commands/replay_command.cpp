@@ -1,4 +1,4 @@
-// `vallecula replay`: what a trial log holds, or (--verify) the whole trial computed anew and compared to the last bit,
+// `vallecula replay`: what a trial log holds, or (--window) the trial to be looked at, or (--verify) the whole trial computed anew and compared to the last bit,
 // or (--prediction) how well the forces of late steps are predicted on it.
 #include <spdlog/spdlog.h>
 #include <unistd.h>
@@ -11,6 +11,7 @@
 
 #include "curricula/score/score.h"
 #include "gui/commands/commands.h"
+#include "gui/commands/number_options.h"
 #include "gui/commands/score_table.h"
 #include "gui/session/files.h"
 #include "gui/session/placed_tool.h"
@@ -23,7 +24,8 @@ namespace {
 
 struct ReplayOptions {
   std::string trial, patient, json;
-  bool verify = false, prediction = false;
+  double at_s = -1.0;
+  bool verify = false, prediction = false, window = false;
 };
 
 int print_summary(const curricula::TrialLog& log, const std::string& name) {
@@ -115,7 +117,8 @@ int verify(const curricula::TrialLog& log, const ReplayOptions& options) {
 void add_replay_command(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand(
       "replay",
-      "Say what a trial log holds, verify it by computing it anew, or measure on it how late steps are predicted");
+      "Say what a trial log holds, verify it by computing it anew, look at it in the window, or measure on it how late "
+      "steps are predicted");
   auto options = std::make_shared<ReplayOptions>();
   command->add_option("TRIAL", options->trial, "Folder of the trial, or its trial.vtrial")->required();
   auto* verified =
@@ -126,7 +129,17 @@ void add_replay_command(CLI::App& app, int& exit_code) {
                          ->excludes(verified);
   command->add_option("--json", options->json, "Write the figures of --prediction here")->needs(prediction);
   command->add_option("--patient", options->patient, "Where the patient package is now, if it was moved");
+  auto* window = command->add_flag("--window", options->window, "Look at it in the window, at any second")
+                     ->excludes(verified)
+                     ->excludes(prediction);
+  command->add_option("--at", options->at_s, "With --window: the second of the trial to begin at (s)")
+      ->needs(window)
+      ->check(number_within(0.0, 86400.0));
   command->callback([options, &exit_code] {
+    if (options->window) {
+      exit_code = run_window_replay(options->trial, options->at_s, options->patient);
+      return;
+    }
     const curricula::TrialLog log = curricula::read_trial_log(options->trial);
     exit_code = options->verify       ? verify(log, *options)
                 : options->prediction ? measure(log, *options)

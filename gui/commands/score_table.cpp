@@ -2,20 +2,26 @@
 
 #include <iomanip>
 #include <string>
+#include <vector>
 
 #include "gui/report/intubation_report.h"
 #include "gui/report/report.h"
+#include "gui/report/technique_report.h"
 
 namespace vallecula::gui {
 
 namespace {
 
-void print_intubation(std::ostream& out, const curricula::Score& score, const curricula::Scenario& scenario) {
-  for (const Row& row : intubation_rows(score, scenario)) {
-    out << "  " << std::left << std::setw(44) << row.name << row.value;
+void print_rows(std::ostream& out, const std::vector<Row>& rows) {
+  for (const Row& row : rows) {
+    out << "  " << std::left << std::setw(48) << row.name << row.value;
     if (!row.limit.empty()) out << " (" << row.verdict << ": " << row.limit << ")";
     out << "\n";
   }
+}
+
+void print_intubation(std::ostream& out, const curricula::Score& score, const curricula::Scenario& scenario) {
+  print_rows(out, intubation_rows(score, scenario));
   int number_of = 0;
   for (const curricula::Attempt& a : score.intubation->attempts) {
     out << "  attempt " << ++number_of << ": " << number(a.start_s, 1) << " to " << number(a.end_s, 1) << " s, "
@@ -47,6 +53,7 @@ void print_score(std::ostream& out, const curricula::Score& score, const curricu
   line("time over the training target", score.time_over_target_s, 2, "s");
   line("time over the device limit", score.time_over_force_limit_s, 2, "s");
   if (score.intubation) print_intubation(out, score, scenario);
+  print_rows(out, technique_rows(score));
   if (!score.pauses.empty()) line("paused", score.paused_s, 2, "s, " + pauses_in_words(score));
   if (score.loop_rate_hz > 0.0) line("servo loop", score.loop_rate_hz, 1, "Hz");
   line("deadline misses", static_cast<double>(score.deadline_misses), 0,
@@ -55,6 +62,9 @@ void print_score(std::ostream& out, const curricula::Score& score, const curricu
        "(ticks whose step was not finished in time)");
   if (!score.real_time_setup.empty()) out << "  real-time set-up: " << score.real_time_setup << "\n";
   for (const std::string& reason : score.reasons) out << "  - " << reason << "\n";
+  for (const std::string& points : points_lines(score, scenario)) out << "  " << points << "\n";
+  for (const curricula::ChecklistItem& one : score.checklist)
+    out << "  " << std::left << std::setw(9) << name_of(one.done) << one.text << " (" << one.sentence << ")\n";
 }
 
 }  // namespace vallecula::gui

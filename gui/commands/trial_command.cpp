@@ -139,7 +139,8 @@ void add_trial_command(CLI::App& app, int& exit_code) {
       ->required();
   command->add_option("--curriculum", options->curriculum, "Curriculum file (the shipped one if left out)");
   command->add_flag("--assessment", options->assessment,
-                    "As an assessment: the scenario as written, without helps on the screen");
+                    "As an assessment: the scenario as written, without helps on the screen, and in the window the own rating "
+                    "before the score");
   command
       ->add_option("--attempt-seed", options->attempt_seed,
                    "What the scenario's variation is drawn with; the same seed gives the same attempt, 0 what is written")

@@ -1,4 +1,4 @@
-// The trainer's window: without a subcommand, and for `vallecula trial` without --headless.
+// The trainer's window: without a subcommand, for `vallecula trial` without --headless, and for `vallecula replay --window`.
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
@@ -36,9 +36,9 @@ std::vector<curricula::Curriculum> curricula_to_choose_from() {
 }
 
 int run_window(const std::function<void(MainWindow&)>& opened) {
+  WindowApplication application;
   for (const std::string& told : tidy_records()) spdlog::warn("{}", told);
   auto curricula = curricula_to_choose_from();
-  WindowApplication application;
   MainWindow window;
   window.show_start(std::move(curricula));
   window.show();
@@ -54,6 +54,19 @@ int run_window_command() {
 
 int run_window_import(const std::string& series) {
   return run_window([&](MainWindow& window) { window.import_series(QString::fromStdString(series)); });
+}
+
+int run_window_replay(const std::string& trial, double at_s, const std::string& patient) {
+  WindowApplication application;
+  MainWindow window;
+  std::string failure;
+  QObject::connect(&window, &MainWindow::replay_failed,
+                   [&](const QString& message) { failure = message.toStdString(); });
+  window.show();
+  window.replay(trial, at_s, patient);
+  application.qt().exec();
+  if (!failure.empty()) throw std::runtime_error(failure);
+  return 0;
 }
 
 int run_window_trial(const TrialSetup& setup) {

@@ -2,23 +2,30 @@
 
 #include <QCloseEvent>
 #include <QDateTime>
+#include <QDesktopServices>
 #include <QLabel>
 #include <QProgressBar>
-#include <QRandomGenerator>
 #include <QPushButton>
+#include <QRandomGenerator>
 #include <QStackedWidget>
+#include <QUrl>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <stdexcept>
 
+#include "curricula/records/progress.h"
 #include "device/factory.h"
 #include "gui/import/import_wizard.h"
 #include "gui/pages/background.h"
 #include "gui/pages/devices_page.h"
+#include "gui/pages/replay_page.h"
 #include "gui/pages/result_page.h"
+#include "gui/pages/self_rating_page.h"
 #include "gui/pages/trial_page.h"
+#include "gui/records_pages/records_page.h"
 #include "gui/session/builtin_patient.h"
 #include "gui/session/device_choice.h"
+#include "gui/session/past_results.h"
 #include "gui/session/patient_fit.h"
 #include "gui/session/statement_delivery.h"
 #include "gui/session/user_paths.h"
@@ -45,12 +52,16 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
   pages_ = new QStackedWidget(this);
   start_ = new StartPage(pages_);
   devices_ = new DevicesPage(pages_);
+  records_ = new RecordsPage(pages_);
   import_ = new ImportWizard(pages_);
   prepare_page_ = make_prepare_page();
   trial_ = new TrialPage(pages_);
+  rating_ = new SelfRatingPage(pages_);
   result_ = new ResultPage(pages_);
-  for (QWidget* page : {static_cast<QWidget*>(start_), static_cast<QWidget*>(devices_), static_cast<QWidget*>(import_),
-                        prepare_page_, static_cast<QWidget*>(trial_), static_cast<QWidget*>(result_)})
+  replay_ = new ReplayPage(pages_);
+  for (QWidget* page : {static_cast<QWidget*>(start_), static_cast<QWidget*>(devices_), static_cast<QWidget*>(records_),
+                        static_cast<QWidget*>(import_), prepare_page_, static_cast<QWidget*>(trial_),
+                        static_cast<QWidget*>(rating_), static_cast<QWidget*>(result_), static_cast<QWidget*>(replay_)})
     pages_->addWidget(page);
   // The page that is seen says how small the window may be, not the largest of them all.
   const auto only_current_counts = [this] {
@@ -58,14 +69,26 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
       const auto policy = i == pages_->currentIndex() ? QSizePolicy::Preferred : QSizePolicy::Ignored;
       pages_->widget(i)->setSizePolicy(policy, policy);
     }
+    who_->setVisible(pages_->currentWidget() == start_);
   };
+  who_ = new WhoStrip(records_->desk(), this);
   connect(pages_, &QStackedWidget::currentChanged, this, only_current_counts);
   only_current_counts();
-  setCentralWidget(pages_);
+  auto* whole = new QWidget(this);
+  auto* column = new QVBoxLayout(whole);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  column->addWidget(who_);
+  column->addWidget(pages_, 1);
+  setCentralWidget(whole);
   resize(1280, 800);
-  connect(start_, &StartPage::chosen, this, &MainWindow::prepare_choice);
+  connect(start_, &StartPage::chosen, this, [this](const Choice& choice) { prepare_choice(choice); });
   connect(start_, &StartPage::import_wanted, this, [this] { import_series(); });
   connect(start_, &StartPage::devices_wanted, this, [this] { pages_->setCurrentWidget(devices_); });
+  connect(who_, &WhoStrip::records_wanted, this, [this] { pages_->setCurrentWidget(records_); });
+  connect(records_, &RecordsPage::left, this, &MainWindow::back_to_start);
+  connect(records_, &RecordsPage::trial_wanted, this, &MainWindow::show_trial);
+  connect(&records_->desk(), &RecordsDesk::changed, this, &MainWindow::read_past);
   connect(devices_, &DevicesPage::left, this, &MainWindow::back_to_start);
   connect(devices_, &DevicesPage::found, start_, &StartPage::set_found_devices);
   connect(devices_, &DevicesPage::chosen, this, [this](const device::FoundDevice& device) {
@@ -83,18 +106,33 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
     back_to_start();
   });
   connect(trial_, &TrialPage::finished, this, [this](const TrialOutcome& outcome) {
-    result_->show_outcome(outcome, scenario_, results_, misfits_);
-    pages_->setCurrentWidget(result_);
+    outcome_ = outcome;
+    if (curricula::rules_of(scenario_.attempt.mode).self_rating_before && outcome.by_person) {
+      rating_->ask(scenario_);
+      pages_->setCurrentWidget(rating_);
+    } else {
+      show_result();
+    }
     emit trial_finished(outcome);
   });
   connect(trial_, &TrialPage::failed, this, &MainWindow::show_failure);
   auto* delivery = new StatementDelivery(this);
   connect(this, &MainWindow::trial_finished, delivery, &StatementDelivery::wake);
-  connect(delivery, &StatementDelivery::told, this, &MainWindow::statements_told);
+  connect(delivery, &StatementDelivery::told, records_, &RecordsPage::tell_of_statements);
   connect(result_, &ResultPage::again, this, [this] {
-    if (again_) again_();
+    if (const auto again = again_) again();  // a copy: preparing puts another in its place, what it holds with it
   });
+  connect(result_, &ResultPage::same_again, this, [this] {
+    if (const auto again = same_again_) again();
+  });
+  connect(rating_, &SelfRatingPage::rated, this, &MainWindow::take_self_rating);
   connect(result_, &ResultPage::left, this, &MainWindow::back_to_start);
+  connect(result_, &ResultPage::replay_wanted, this, [this](double at_s) { replay(outcome_.log, at_s); });
+  connect(replay_, &ReplayPage::left, this, &MainWindow::leave_replay);
+  connect(replay_, &ReplayPage::failed, this, [this](const QString& message) {
+    leave_replay();
+    emit replay_failed(message);
+  });
 }
 
 MainWindow::~MainWindow() {
@@ -129,6 +167,7 @@ QWidget* MainWindow::make_prepare_page() {
 
 void MainWindow::show_start(std::vector<curricula::Curriculum> curricula) {
   has_start_ = true;
+  records_->set_curricula(curricula);
   start_->set_curricula(std::move(curricula));
   const auto kept = user_settings();
   const QString device = kept->value("device", "mouse").toString();
@@ -168,12 +207,14 @@ void MainWindow::import_series(const QString& source) {
   import_->begin(source);
 }
 
-void MainWindow::prepare_choice(const Choice& choice) {
+void MainWindow::prepare_choice(const Choice& choice, std::uint32_t seed) {
   TrialSetup setup;
   setup.curriculum = choice.curriculum;
   setup.scenario = choice.scenario.id;
   setup.device = choice.device.toStdString();
   setup.second = choice.second.toStdString();
+  setup.trainee_id = records_->desk().person().id;
+  setup.mode = choice.mode;
   const auto kept = user_settings();
   kept->setValue("scenario", QString::fromStdString(choice.scenario.id));
   kept->setValue("device", choice.device);
@@ -182,7 +223,9 @@ void MainWindow::prepare_choice(const Choice& choice) {
   const std::string moment = QDateTime::currentDateTime().toString("yyyyMMdd-HHmmss").toStdString();
   setup.out = user_data_folder() / "trials" / (moment + "-" + choice.scenario.id);
   // No two attempts are the same; the seed stands in the trial's log, and `vallecula trial` repeats it.
-  if (choice.scenario.variation) setup.attempt_seed = QRandomGenerator::global()->bounded(1u, 0xffffffffu);
+  if (choice.scenario.variation && curricula::rules_of(choice.mode).variation)
+    setup.attempt_seed = seed != 0 ? seed : QRandomGenerator::global()->bounded(1u, 0xffffffffu);
+  same_again_ = [this, choice, drawn = setup.attempt_seed] { prepare_choice(choice, drawn); };
   const auto manikin = curricula::attempt_of(choice.scenario, setup.mode, setup.attempt_seed).manikin;
   const auto chosen = choice.patient;
   prepare(
@@ -196,7 +239,7 @@ void MainWindow::prepare_choice(const Choice& choice) {
 }
 
 void MainWindow::prepare(const TrialSetup& setup, bool start_at_once) {
-  again_ = [this, setup, start_at_once] { prepare(setup, start_at_once); };
+  same_again_ = again_ = [this, setup, start_at_once] { prepare(setup, start_at_once); };
   prepare(
       setup, [patient = setup.patient] { return patient; }, start_at_once);
 }
@@ -243,6 +286,53 @@ void MainWindow::prepare(TrialSetup setup, std::function<std::filesystem::path()
       });
 }
 
+void MainWindow::replay(const std::filesystem::path& trial, double at_s, const std::filesystem::path& patient) {
+  if (worker_) return;
+  QWidget* from = pages_->currentWidget();
+  replay_from_ = from == result_ || from == records_ ? from : nullptr;
+  result_->tell("");
+  start_->set_message("");
+  cancelled_ = false;
+  prepare_stage_->setText("Reading the trial");
+  prepare_bar_->setValue(0);
+  pages_->setCurrentWidget(prepare_page_);
+  const auto failed = [this](const QString& message) {
+    if (replay_from_ == result_)
+      result_->tell(message);
+    else if (replay_from_ == records_)
+      records_->tell(message);
+    else
+      start_->set_message(message);
+    leave_replay();
+    emit replay_failed(message);
+  };
+  worker_ = run_in_background<std::shared_ptr<ReplayTrial>>(
+      this,
+      [this, trial, patient] {
+        return open_replay(trial, patient,
+                           [this](const std::string& stage, double done) { report_progress(stage, done); });
+      },
+      [this, at_s, failed](std::shared_ptr<ReplayTrial> opened) {
+        pages_->setCurrentWidget(replay_);
+        replay_->set_who(records_->desk().who());
+        try {
+          replay_->open(std::move(opened), std::max(0.0, at_s), at_s >= 0.0);
+        } catch (const std::exception& error) {
+          return failed(QString::fromUtf8(error.what()));
+        }
+        emit replay_opened();
+      },
+      [this, failed](const QString& message) { cancelled_ ? leave_replay() : failed(message); });
+}
+
+void MainWindow::leave_replay() {
+  replay_->close_replay();
+  if (replay_from_ != nullptr)
+    pages_->setCurrentWidget(replay_from_);
+  else
+    back_to_start();
+}
+
 void MainWindow::report_progress(const std::string& stage, double fraction) {
   if (cancelled_) throw Cancelled();
   QMetaObject::invokeMethod(
@@ -261,20 +351,59 @@ void MainWindow::show_failure(const QString& message) {
   emit trial_failed(message);
 }
 
+void MainWindow::show_result() {
+  result_->show_outcome(outcome_, scenario_, results_, misfits_);
+  pages_->setCurrentWidget(result_);
+}
+
+void MainWindow::take_self_rating(const SelfRating& rating) {
+  const curricula::Who who = records_->desk().who();
+  records_->desk().ask<bool>(
+      this,
+      [who, trial = outcome_.record_id, rating](curricula::Records& records) {
+        keep_self_rating(records, who, trial, rating);  // before anything of the score is seen
+        return true;
+      },
+      [this](bool) { show_result(); }, [this](const QString& message) { rating_->set_message(message); });
+}
+
+void MainWindow::read_past() {
+  const curricula::Who who = records_->desk().who();
+  records_->desk().ask<PastResults>(
+      this,
+      [who](curricula::Records& records) { return curricula::Progress(records).results(who, who ? who->id() : 0); },
+      [this](PastResults past) { start_->set_past(std::move(past), records_->desk().instructor()); },
+      [this](const QString& message) { start_->set_message(message); });
+}
+
 void MainWindow::back_to_start() {
-  if (has_start_)
+  if (has_start_) {
     pages_->setCurrentWidget(start_);
-  else
+    read_past();
+  } else {
     close();  // opened for one trial only
+  }
+}
+
+void MainWindow::show_trial(const QString& log, bool with_replay) {
+  if (with_replay) return replay(log.toStdString());
+  const std::filesystem::path folder = std::filesystem::path(log.toStdString()).parent_path();
+  std::error_code error;
+  const auto report = folder / "report.html";
+  QDesktopServices::openUrl(
+      QUrl::fromLocalFile(QString::fromStdString((std::filesystem::exists(report, error) ? report : folder).string())));
 }
 
 QString MainWindow::page_name() const {
   const QWidget* page = pages_->currentWidget();
   return page == start_          ? "start"
          : page == devices_      ? "devices"
+         : page == records_      ? "records"
          : page == import_       ? "import"
          : page == prepare_page_ ? "prepare"
          : page == trial_        ? "trial"
+         : page == replay_       ? "replay"
+         : page == rating_       ? "rating"
                                  : "result";
 }
 
@@ -282,6 +411,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
   cancelled_ = true;
   import_->stop();
   trial_->close_trial();
+  replay_->close_replay();
   QMainWindow::closeEvent(event);
 }
 

@@ -19,8 +19,13 @@ namespace vallecula::gui {
 
 class DevicesPage;
 class ImportWizard;
+class RecordsPage;
+class ReplayPage;
 class ResultPage;
+class SelfRatingPage;
+struct SelfRating;
 class TrialPage;
+class WhoStrip;
 
 class MainWindow : public QMainWindow {
   Q_OBJECT
@@ -34,28 +39,43 @@ class MainWindow : public QMainWindow {
   void prepare(const TrialSetup& setup, bool start_at_once);
   /// Opens the import of a CT; `source` (may be empty) is looked at at once.
   void import_series(const QString& source = {});
+  /// Opens a trial's log (its folder or file) to be looked at, at a second; negative: from its beginning. `patient`:
+  /// where its package is now, if it was moved.
+  void replay(const std::filesystem::path& trial, double at_s = -1.0, const std::filesystem::path& patient = {});
+  ReplayPage& replay_page() { return *replay_; }
   TrialPage& trial_page() { return *trial_; }
   StartPage& start_page() { return *start_; }
   ImportWizard& import_wizard() { return *import_; }
   DevicesPage& devices_page() { return *devices_; }
-  QString page_name() const;  ///< "start", "devices", "import", "prepare", "trial", "result"
+  RecordsPage& records_page() { return *records_; }
+  /// "start", "records", "devices", "import", "prepare", "trial", "rating", "result", "replay"
+  QString page_name() const;
 
  signals:
   void prepared();
   void trial_finished(const vallecula::gui::TrialOutcome& outcome);
   void trial_failed(const QString& message);
-  void statements_told(const QString& line);  ///< what became of the statements for the learning record store
+  void replay_opened();
+  void replay_failed(const QString& message);
 
  protected:
   void closeEvent(QCloseEvent* event) override;
 
  private:
-  void prepare_choice(const Choice& choice);
+  /// `seed`: of an attempt to be repeated; 0: a new one is drawn.
+  void prepare_choice(const Choice& choice, std::uint32_t seed = 0);
   /// `patient`: gives the package's folder; runs on the preparing thread.
   void prepare(TrialSetup setup, std::function<std::filesystem::path()> patient, bool start_at_once);
   void report_progress(const std::string& stage, double fraction);
+  void show_result();
+  void take_self_rating(const SelfRating& rating);
+  /// What is open and mastered for whoever is signed in.
+  void read_past();
   void show_failure(const QString& message);
   void back_to_start();
+  /// In the replay, or where that stays locked as its report.
+  void show_trial(const QString& log, bool with_replay);
+  void leave_replay();
   void add_imported_patients();
   void choose_last_device(const QString& name);
   QWidget* make_prepare_page();
@@ -63,18 +83,24 @@ class MainWindow : public QMainWindow {
   QStackedWidget* pages_;
   StartPage* start_;
   DevicesPage* devices_;
+  RecordsPage* records_;
+  WhoStrip* who_;
   ImportWizard* import_;
   QWidget* prepare_page_;
   QLabel* prepare_stage_;
   QProgressBar* prepare_bar_;
   TrialPage* trial_;
+  SelfRatingPage* rating_;
   ResultPage* result_;
+  ReplayPage* replay_;
   QPointer<QThread> worker_;
   std::atomic<bool> cancelled_{false};
   curricula::Scenario scenario_;
   std::vector<std::string> misfits_;  ///< of the patient and this scenario
   std::filesystem::path results_;
-  std::function<void()> again_;
+  QWidget* replay_from_ = nullptr;  ///< the page to go back to; null: the first
+  TrialOutcome outcome_;
+  std::function<void()> again_, same_again_;
   bool has_start_ = false;
 };
 

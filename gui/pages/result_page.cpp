@@ -15,9 +15,23 @@
 #include "gui/pages/background.h"
 #include "gui/pages/result_figures.h"
 #include "gui/report/monitor_chart.h"
+#include "gui/session/replay_trial.h"
 #include "gui/views/theme.h"
 
 namespace vallecula::gui {
+
+namespace {
+
+/// A sentence of the score, as a link to its second where it has one and the trial may be replayed.
+QString linked(const std::string& sentence, const curricula::Score& score, bool replayed) {
+  const QString text = QString::fromStdString(sentence).toHtmlEscaped();
+  for (const curricula::Criterion& criterion : score.criteria)
+    if (replayed && criterion.sentence == sentence && criterion.at_s >= 0.0)
+      return QString("<a style='color:%1' href='%2'>%3</a>").arg(theme::kDevice.name()).arg(criterion.at_s, 0, 'f', 3).arg(text);
+  return text;
+}
+
+}  // namespace
 
 ResultPage::ResultPage(QWidget* parent) : QWidget(parent) {
   setFocusPolicy(Qt::StrongFocus);
@@ -45,6 +59,13 @@ ResultPage::ResultPage(QWidget* parent) : QWidget(parent) {
   reasons_->setWordWrap(true);
   reasons_->setTextFormat(Qt::RichText);
   reasons_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+  reasons_->setObjectName("reasons");
+  reasons_->setTextInteractionFlags(Qt::LinksAccessibleByMouse | Qt::LinksAccessibleByKeyboard);
+  connect(reasons_, &QLabel::linkActivated, this, [this](const QString& at_s) { emit replay_wanted(at_s.toDouble()); });
+  told_ = new QLabel(this);
+  told_->setWordWrap(true);
+  told_->setStyleSheet(QString("color: %1; font-weight: bold;").arg(theme::kOver.name()));
+  told_->hide();
   where_ = new QLabel(this);
   where_->setObjectName("faint");
   where_->setWordWrap(true);
@@ -77,13 +98,19 @@ ResultPage::ResultPage(QWidget* parent) : QWidget(parent) {
   middle->addLayout(plots, 17);
   middle->addWidget(scrolled, 11);
   auto* foot = new QHBoxLayout;
-  auto* again = new QPushButton("Again", this);
-  again->setObjectName("primary");
+  again_ = new QPushButton(this);
+  again_->setObjectName("primary");
+  again_->setToolTip("Enter");
+  same_ = new QPushButton("Same attempt again", this);
   auto* report = new QPushButton("Open the report", this);
   auto* leave = new QPushButton("Other scenario", this);
   foot->addWidget(where_, 1);
-  for (auto* button : {report, leave, again}) foot->addWidget(button);
-  connect(again, &QPushButton::clicked, this, &ResultPage::again);
+  replay_ = new QPushButton("Replay", this);
+  replay_->setObjectName("replay");
+  connect(replay_, &QPushButton::clicked, this, [this] { emit replay_wanted(-1.0); });
+  for (auto* button : {replay_, report, leave, same_, again_}) foot->addWidget(button);
+  connect(again_, &QPushButton::clicked, this, &ResultPage::again);
+  connect(same_, &QPushButton::clicked, this, &ResultPage::same_again);
   connect(leave, &QPushButton::clicked, this, &ResultPage::left);
   connect(report, &QPushButton::clicked, this,
           [this] { QDesktopServices::openUrl(QUrl::fromLocalFile(QString::fromStdString(report_.string()))); });
@@ -94,6 +121,7 @@ ResultPage::ResultPage(QWidget* parent) : QWidget(parent) {
   all->addWidget(outcome_);
   all->addWidget(change_);
   all->addLayout(middle, 1);
+  all->addWidget(told_);
   all->addLayout(foot);
 }
 
@@ -112,6 +140,10 @@ void ResultPage::show_outcome(const TrialOutcome& outcome, const curricula::Scen
           .arg((score.passed ? theme::kWithin : theme::kBad).name()));
   outcome_->setVisible(score.intubation.has_value());
   if (score.intubation) outcome_->setText(QString::fromStdString(curricula::outcome_in_words(*score.intubation)) + ".");
+  const QString locked = QString::fromStdString(replay_refusal(scenario));
+  replay_->setEnabled(locked.isEmpty());
+  replay_->setToolTip(locked.isEmpty() ? QString("L: look at the trial again, at any second of it") : locked);
+  tell("");
   change_->setText(QString::fromStdString(what_to_change(score, scenario)));
   show_figures(outcome, scenario);
   QString list;
@@ -121,14 +153,27 @@ void ResultPage::show_outcome(const TrialOutcome& outcome, const curricula::Scen
     list += "<li style='margin-bottom:5px'><b>A fault: " + QString::fromStdString(outcome.fault).toHtmlEscaped() +
             "</b></li>";
   for (const auto& reason : score.reasons)
-    list += "<li style='margin-bottom:5px'>" + QString::fromStdString(reason).toHtmlEscaped() + "</li>";
-  reasons_->setText(list.isEmpty() ? QString() : "<b>Reasons</b><ul style='margin-left:-22px'>" + list + "</ul>");
+    list += "<li style='margin-bottom:5px'>" + linked(reason, score, locked.isEmpty()) + "</li>";
+  const QString how = locked.isEmpty() ? QString("each leads to its second in the replay") : locked;
+  reasons_->setText(list.isEmpty() ? QString() : "<b>Reasons</b> (" + how + ")<ul style='margin-left:-22px'>" + list + "</ul>");
   report_ = outcome.report;
-  where_->setText("Results: " + QString::fromStdString(folder.string()));
+  const auto& attempt = scenario.attempt;
+  const bool drawn = attempt.seed != 0;
+  again_->setText(drawn ? "Next attempt" : "Again");
+  same_->setVisible(drawn);
+  QString where = "Results: " + QString::fromStdString(folder.string());
+  if (drawn) where += QString("\nAttempt seed %1: with it everything is the same once more.").arg(attempt.seed);
+  if (!outcome.replay_allowed) where += "\nAn assessment: its replay stays locked.";
+  where_->setText(where);
   plot_picture_ = QPixmap(QString::fromStdString(outcome.force_plot.string()));
   draw_monitor(outcome, scenario);
   fit_plots();
   setFocus();
+}
+
+void ResultPage::tell(const QString& message) {
+  told_->setText(message);
+  told_->setVisible(!message.isEmpty());
 }
 
 void ResultPage::draw_monitor(const TrialOutcome& outcome, const curricula::Scenario& scenario) {
@@ -205,6 +250,8 @@ void ResultPage::keyPressEvent(QKeyEvent* event) {
     emit again();
   else if (event->key() == Qt::Key_Escape)
     emit left();
+  else if (event->key() == Qt::Key_L && replay_->isEnabled())
+    emit replay_wanted(-1.0);
   else
     QWidget::keyPressEvent(event);
 }

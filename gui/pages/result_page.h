@@ -12,6 +12,7 @@
 
 class QGridLayout;
 class QLabel;
+class QPushButton;
 
 namespace vallecula::gui {
 
@@ -23,10 +24,14 @@ class ResultPage : public QWidget {
   /// `folder`: where a person will find the results. `misfits`: why scenario and patient do not belong together.
   void show_outcome(const TrialOutcome& outcome, const curricula::Scenario& scenario,
                     const std::filesystem::path& folder, const std::vector<std::string>& misfits);
+  void tell(const QString& message);  ///< what went wrong since; empty: nothing
 
  signals:
-  void again();
+  void again();       ///< of a scenario with a variation another attempt, as drawn anew
+  void same_again();  ///< what has just been done, as it was drawn
   void left();
+  /// At a second of the trial; negative: from its beginning.
+  void replay_wanted(double at_s);
 
  protected:
   void resizeEvent(QResizeEvent* event) override;
@@ -36,7 +41,8 @@ class ResultPage : public QWidget {
   void fit_plots();
   void draw_monitor(const TrialOutcome& outcome, const curricula::Scenario& scenario);
   void show_figures(const TrialOutcome& outcome, const curricula::Scenario& scenario);
-  QLabel *title_, *verdict_, *outcome_, *change_, *plot_, *monitor_, *reasons_, *where_;
+  QLabel *title_, *verdict_, *outcome_, *change_, *plot_, *monitor_, *reasons_, *where_, *told_;
+  QPushButton *replay_, *again_, *same_;
   QGridLayout* figures_;
   QPixmap plot_picture_, monitor_picture_;
   QPointer<QThread> drawing_;

@@ -5,56 +5,40 @@
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QListWidget>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QSignalBlocker>
 #include <QStandardItemModel>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <stdexcept>
 
 #include "device/factory.h"
 #include "device/found_devices.h"
 #include "gui/pages/device_dialog.h"
 #include "gui/pages/devices_page.h"
+#include "gui/pages/module_tree.h"
+#include "gui/pages/module_words.h"
+#include "gui/pages/pass_words.h"
 #include "gui/report/markdown.h"
 #include "gui/session/device_choice.h"
 #include "gui/session/device_rows.h"
 #include "gui/views/capitalised.h"
+#include "gui/views/theme.h"
 
 namespace vallecula::gui {
 namespace {
 
 constexpr const char *kWatchExpert = "scripted:expert", *kWatchNovice = "scripted:novice";
 
-QString passes_with(const curricula::Scenario& scenario) {
-  QString text =
-      QString(
-          "Passes with: at most %1 N on the tongue and %2 N on the gum, at least %3 % of the glottis seen, "
-          "within %4 s, at most %5 s above the training target of %6 N on the tongue and %7 s at the device's "
-          "force limit.")
-          .arg(scenario.pass.peak_tongue_force_n, 0, 'f', 1)
-          .arg(scenario.pass.peak_gum_force_n, 0, 'f', 1)
-          .arg(scenario.pass.glottis_visible_percent, 0, 'f', 0)
-          .arg(scenario.pass.attempt_time_s, 0, 'f', 0)
-          .arg(scenario.pass.time_over_target_s, 0, 'f', 1)
-          .arg(scenario.targets.tongue_force_n, 0, 'f', 1)
-          .arg(scenario.pass.time_over_device_limit_s, 0, 'f', 1);
-  if (!scenario.intubation) return text;
-  const curricula::IntubationPass& pass = scenario.intubation->pass;
-  QStringList tube, outcomes;
-  for (const curricula::Outcome outcome : pass.outcomes) outcomes << QString(name_of(outcome)).replace('-', ' ');
-  tube << "outcome: " + outcomes.join(" or ");
-  if (pass.attempts) tube << QString("at most %1 attempts").arg(*pass.attempts);
-  if (pass.time_to_pass_s) tube << QString("at most %1 s from the view to the cords passed").arg(*pass.time_to_pass_s);
-  if (pass.lowest_spo2_percent) tube << QString("SpO2 not below %1 %").arg(*pass.lowest_spo2_percent);
-  if (pass.lowest_heart_per_min) tube << QString("heart rate not below %1").arg(*pass.lowest_heart_per_min);
-  if (pass.tube_force_n) tube << QString("at most %1 N along the tube").arg(*pass.tube_force_n);
-  if (pass.co2_confirmed) tube << "the place confirmed by CO2";
-  return text + " The tube: " + tube.join(", ") + ".";
-}
-
 /// Marks an entry that stands for something plugged in.
 constexpr int kPluggedIn = Qt::UserRole + 1;
+
+QString course_text(const curricula::Curriculum& curriculum) {
+  QString text = "<p>Whoever has finished this course can:</p><ul>";
+  for (const auto& goal : curriculum.goals) text += "<li>" + plain_of(goal).toHtmlEscaped() + "</li>";
+  return text + "</ul>";
+}
 
 }  // namespace
 
@@ -67,12 +51,14 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
   curriculum_ = new QComboBox(this);
   curriculum_->setObjectName("curriculum");
   curriculum_->setAccessibleName("Curriculum");
-  list_ = new QListWidget(this);
-  list_->setAccessibleName("Scenarios");
+  tree_ = new ModuleTree(this);
   briefing_ = new QLabel(this);
   briefing_->setWordWrap(true);
   briefing_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
-  briefing_->setMinimumWidth(380);
+  mode_ = new QComboBox(this);
+  mode_->setObjectName("mode");
+  mode_->addItem("Practice", static_cast<int>(curricula::Mode::practice));
+  mode_->addItem("Assessment: no helps, own rating first, no replay", static_cast<int>(curricula::Mode::assessment));
   patient_ = new QComboBox(this);
   patient_->addItem("Built-in manikin, made for the scenario", QString());
   device_ = new QComboBox(this);
@@ -87,6 +73,10 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
   second_->setObjectName("second");
   second_->addItem("The same device, blade and tube in turn (X changes)", QString());
   second_->addItem("The mouse", "mouse");
+  mode_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);  // a small window cuts it short
+  mode_->setMinimumContentsLength(20);
+  connect(mode_, qOverload<int>(&QComboBox::activated), this,
+          [this] { mode_wanted_ = static_cast<curricula::Mode>(mode_->currentData().toInt()); });
   auto* browse = new QPushButton("Other patient ...", this);
   connect(browse, &QPushButton::clicked, this, &StartPage::browse);
   auto* from_ct = new QPushButton("New patient from a CT ...", this);
@@ -103,7 +93,7 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
 
   auto* left = new QVBoxLayout;
   left->addWidget(curriculum_);
-  left->addWidget(list_, 1);
+  left->addWidget(tree_, 1);
   auto* patient_row = new QHBoxLayout;
   patient_row->setSpacing(8);
   patient_row->addWidget(patient_, 1);
@@ -124,16 +114,32 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
   form->addRow("Device", device_row);
   second_label_ = new QLabel("Tube's hand", this);
   form->addRow(second_label_, second_);
+  mode_label_ = new QLabel("Mode", this);
+  form->addRow(mode_label_, mode_);
   auto* right_panel = new QFrame(this);
   right_panel->setObjectName("panel");
   auto* right = new QVBoxLayout(right_panel);
   right->setContentsMargins(18, 16, 18, 16);
-  auto* briefing_title = new QLabel("Briefing", this);
-  briefing_title->setObjectName("heading");
-  right->addWidget(briefing_title);
-  right->addWidget(briefing_, 1);
+  heading_ = new QLabel(this);
+  heading_->setObjectName("heading");
+  heading_->setWordWrap(true);
+  why_ = new QLabel(this);
+  why_->setWordWrap(true);
+  why_->setStyleSheet(QString("color: %1;").arg(theme::kOver.name()));
+  auto* scrolled = new QScrollArea(this);  // a course's texts are as long as its author likes
+  scrolled->setWidget(briefing_);
+  scrolled->setWidgetResizable(true);
+  for (QWidget* ground : {scrolled->viewport(), static_cast<QWidget*>(briefing_)})
+    ground->setAutoFillBackground(false);  // the panel's own shows
+  scrolled->setFrameShape(QFrame::NoFrame);
+  scrolled->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scrolled->setFocusPolicy(Qt::NoFocus);
+  scrolled->setMinimumWidth(400);
+  right->addWidget(heading_);
+  right->addWidget(scrolled, 1);
   right->addLayout(form);
-  right->addSpacing(12);
+  right->addSpacing(6);
+  right->addWidget(why_);
   right->addWidget(go_);
   auto* columns = new QHBoxLayout;
   columns->setSpacing(14);
@@ -147,14 +153,12 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
   all->addLayout(columns, 1);
   all->addWidget(message_);
 
-  connect(curriculum_, qOverload<int>(&QComboBox::currentIndexChanged), this, &StartPage::show_curriculum);
-  connect(device_, qOverload<int>(&QComboBox::currentIndexChanged), this,
-          [this] { show_scenario(list_->currentRow()); });
-  connect(list_, &QListWidget::currentRowChanged, this, &StartPage::show_scenario);
-  connect(list_, &QListWidget::itemActivated, this, [this] { go_->click(); });
-  connect(go_, &QPushButton::clicked, this, [this] {
-    if (list_->currentRow() >= 0) emit chosen(choice());
-  });
+  connect(curriculum_, qOverload<int>(&QComboBox::currentIndexChanged), this, &StartPage::show_modules);
+  for (QComboBox* hand : {device_, second_})
+    connect(hand, qOverload<int>(&QComboBox::currentIndexChanged), this, &StartPage::show_modules);
+  connect(tree_, &ModuleTree::chosen, this, &StartPage::show_chosen);
+  connect(tree_, &QTreeWidget::itemActivated, this, [this] { go_->click(); });
+  connect(go_, &QPushButton::clicked, this, [this] { emit chosen(choice()); });
   go_->setEnabled(false);
 }
 
@@ -168,36 +172,86 @@ void StartPage::set_curricula(std::vector<curricula::Curriculum> curricula) {
     curriculum_->setCurrentIndex(std::min(index, curriculum_->count() - 1));
   }
   curriculum_->setEnabled(curricula_.size() > 1);
-  show_curriculum(curriculum_->currentIndex());
+  show_modules();
 }
 
-void StartPage::show_curriculum(int index) {
-  const int row = std::max(0, list_->currentRow());
-  list_->clear();
-  if (index >= 0)
-    for (const auto& scenario : curricula_[static_cast<std::size_t>(index)].scenarios)
-      list_->addItem(QString::fromStdString(scenario.title));
-  if (list_->count() > 0) list_->setCurrentRow(std::min(row, list_->count() - 1));
-  go_->setEnabled(list_->count() > 0);
+void StartPage::set_past(PastResults past, bool all_open) {
+  past_ = std::move(past);
+  all_open_ = all_open;
+  show_modules();
 }
 
-const curricula::Scenario* StartPage::scenario_at(int row) const {
-  if (curriculum_->currentIndex() < 0) return nullptr;
-  const auto& scenarios = curricula_[static_cast<std::size_t>(curriculum_->currentIndex())].scenarios;
-  return row >= 0 && row < static_cast<int>(scenarios.size()) ? &scenarios[static_cast<std::size_t>(row)] : nullptr;
+const curricula::Curriculum* StartPage::curriculum() const {
+  return curriculum_->currentIndex() < 0 ? nullptr : &curricula_[static_cast<std::size_t>(curriculum_->currentIndex())];
 }
 
-void StartPage::show_scenario(int row) {
-  const curricula::Scenario* scenario = scenario_at(row);
-  if (scenario == nullptr) return;
-  briefing_->setText(html_of(scenario->briefing) + "<p>" + passes_with(*scenario).toHtmlEscaped() + "</p>");
-  const bool tube = scenario->intubation.has_value();
+bool StartPage::watching() const { return is_scripted(device_->currentData().toString().toStdString()); }
+
+std::string StartPage::hands() const {
+  const auto kind = [](const QComboBox* box) { return box->currentData().toString().section(':', 0, 0).toStdString(); };
+  const std::string blade = kind(device_), tube = kind(second_);
+  return watching() || blade == "mouse" || tube.empty() ? blade : blade + "+" + tube;
+}
+
+void StartPage::show_modules() {
+  std::vector<curricula::PastResult> past;
+  if (curriculum() != nullptr) past = with_hands(past_[curriculum()->id], *curriculum(), hands());
+  tree_->show_course(curriculum(), past, hands(), all_open_ || watching());
+}
+
+QStringList StartPage::states() const { return tree_->states(); }
+
+void StartPage::show_chosen() {
+  why_->hide();
+  go_->setEnabled(false);
+  if (curriculum() == nullptr) {
+    heading_->clear();
+    briefing_->clear();
+  } else if (const curricula::Scenario* scenario = tree_->scenario()) {
+    show_scenario(*scenario);
+  } else if (const curricula::Module* module = tree_->module()) {
+    const curricula::ModuleProgress& progress = tree_->progress_of(*module);
+    const QString closed = tree_->why_closed(*curriculum()->find(module->scenarios.front()));
+    heading_->setText(QString::fromStdString(module->title));
+    briefing_->setText(html_of(module->goal) + "<p><b>" + capitalised(state_of(progress)) +
+                       "</b>: " + progress_line(*module, progress).toHtmlEscaped() + ". " + closed.toHtmlEscaped() +
+                       "</p><p>" + mastery_rule(*module).toHtmlEscaped() +
+                       " Trials with another kind of device do not count here.</p>");
+  } else {
+    heading_->setText(QString::fromStdString(curriculum()->title));
+    briefing_->setText(course_text(*curriculum()));
+  }
+}
+
+void StartPage::show_scenario(const curricula::Scenario& scenario) {
+  heading_->setText(QString::fromStdString(scenario.title));
+  QString text = html_of(scenario.briefing) + "<p>" + passes_with(scenario).toHtmlEscaped() + "</p>";
+  if (const curricula::Module* module = curriculum()->module_of(scenario.id)) {
+    if (!watching())
+      text += "<p>" + QString::fromStdString(module->title).toHtmlEscaped() + ": " +
+              progress_line(*module, tree_->progress_of(*module)).toHtmlEscaped() + ".</p>";
+    auto* modes = qobject_cast<QStandardItemModel*>(mode_->model());
+    const auto may = [module](curricula::Mode mode) {
+      return std::count(module->modes.begin(), module->modes.end(), mode) > 0;
+    };
+    for (int i = 0; i < mode_->count(); ++i)
+      modes->item(i)->setEnabled(may(static_cast<curricula::Mode>(mode_->itemData(i).toInt())));
+    const curricula::Mode mode = may(mode_wanted_) ? mode_wanted_ : module->modes.front();
+    mode_->setCurrentIndex(mode_->findData(static_cast<int>(mode)));
+  }
+  briefing_->setText(text);
+  const QString closed = tree_->why_closed(scenario);
+  why_->setText(closed + (closed.isEmpty() ? "" : " A scripted hand can be watched at it before."));
+  why_->setVisible(!closed.isEmpty());
+  go_->setEnabled(closed.isEmpty());
+  mode_->setVisible(!watching());
+  mode_label_->setVisible(!watching());
+  const bool tube = scenario.intubation.has_value();
   // A scripted novice lifts and levers, but has no tube.
   const int novice = device_->findData(kWatchNovice);
   if (auto* model = qobject_cast<QStandardItemModel*>(device_->model())) model->item(novice)->setEnabled(!tube);
   if (tube && device_->currentIndex() == novice) device_->setCurrentIndex(device_->findData(kWatchExpert));
-  const QString device = device_->currentData().toString();
-  const bool choice = tube && !is_scripted(device.toStdString()) && device != "mouse";
+  const bool choice = tube && !watching() && device_->currentData().toString() != "mouse";
   second_->setVisible(choice);
   second_label_->setVisible(choice);
 }
@@ -276,23 +330,27 @@ void StartPage::set_message(const QString& message) { message_->setText(message)
 
 bool StartPage::select(const QString& scenario, const QString& device) {
   bool found = false;
-  for (std::size_t c = 0; c < curricula_.size() && !found; ++c)
-    for (std::size_t i = 0; i < curricula_[c].scenarios.size() && !found; ++i) {
-      if (curricula_[c].scenarios[i].id != scenario.toStdString()) continue;
-      curriculum_->setCurrentIndex(static_cast<int>(c));
-      list_->setCurrentRow(static_cast<int>(i));
-      found = true;
-    }
+  for (std::size_t c = 0; c < curricula_.size() && !found; ++c) {
+    if (curricula_[c].find(scenario.toStdString()) == nullptr) continue;
+    curriculum_->setCurrentIndex(static_cast<int>(c));
+    tree_->choose(scenario.toStdString());
+    found = true;
+  }
   const int index = device_->findData(device);
   if (index >= 0) device_->setCurrentIndex(index);
   return found && index >= 0;
 }
 
 Choice StartPage::choice() const {
-  const auto& curriculum = curricula_.at(static_cast<std::size_t>(std::max(0, curriculum_->currentIndex())));
-  return {curriculum.file, curriculum.scenarios.at(static_cast<std::size_t>(std::max(0, list_->currentRow()))),
-          patient_->currentData().toString().toStdString(), device_->currentData().toString(),
-          second_->isVisibleTo(this) ? second_->currentData().toString() : QString()};
+  const curricula::Scenario* scenario = tree_->scenario();
+  if (scenario == nullptr) throw std::logic_error("no scenario is chosen");
+  const auto mode = watching() ? curricula::Mode::practice : static_cast<curricula::Mode>(mode_->currentData().toInt());
+  return {curriculum()->file,
+          *scenario,
+          patient_->currentData().toString().toStdString(),
+          device_->currentData().toString(),
+          second_->isVisibleTo(this) ? second_->currentData().toString() : QString(),
+          mode};
 }
 
 }  // namespace vallecula::gui

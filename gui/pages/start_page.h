@@ -1,4 +1,4 @@
-// The first page: which scenario, on which patient, with which device.
+// The first page: which scenario of which module, what is open and mastered, on which patient, with which device.
 #pragma once
 
 #include <QWidget>
@@ -8,14 +8,16 @@
 
 #include "curricula/scenario.h"
 #include "device/found_devices.h"
+#include "gui/session/past_results.h"
 
 class QComboBox;
 class QDialog;
 class QLabel;
-class QListWidget;
 class QPushButton;
 
 namespace vallecula::gui {
+
+class ModuleTree;
 
 struct Choice {
   std::filesystem::path curriculum;
@@ -23,6 +25,7 @@ struct Choice {
   std::filesystem::path patient;  ///< empty: the built-in manikin that the scenario asks for
   QString device;                 ///< as `vallecula trial --device` takes it
   QString second;                 ///< as `--second`, of a scenario with a tube; empty: what goes with the device
+  curricula::Mode mode = curricula::Mode::practice;
 };
 
 class StartPage : public QWidget {
@@ -31,15 +34,22 @@ class StartPage : public QWidget {
   explicit StartPage(QWidget* parent = nullptr);
   /// Replaces the curricula, the first is shown; keeps the last choice where it is still to be had.
   void set_curricula(std::vector<curricula::Curriculum> curricula);
+  /// What whoever sits here has done so far: says what is open and mastered. `all_open`: an instructor, for whom nothing
+  /// is closed.
+  void set_past(PastResults past, bool all_open = false);
   void add_patient(const std::filesystem::path& package, bool choose);
   /// Offers what is plugged in beside what is always there; what is gone is no longer offered, unless it is chosen.
   void set_found_devices(const std::vector<device::FoundDevice>& devices);
   /// Offers this device and chooses it.
   void choose_device(const QString& name, const QString& label);
   void set_message(const QString& message);
-  /// The first scenario of this id, in whichever curriculum, and the device; false where one of them is not to be had.
+  /// The first scenario of this id, in whichever curriculum, and the device; false where one of them is not to be had. A
+  /// scenario that is not open yet is shown, but cannot be started.
   bool select(const QString& scenario, const QString& device);
+  /// Throws std::logic_error when no scenario is chosen.
   Choice choice() const;
+  /// What is said of the modules: "Handling the blade: open", one each.
+  QStringList states() const;
 
  signals:
   void chosen(const vallecula::gui::Choice& choice);
@@ -47,17 +57,26 @@ class StartPage : public QWidget {
   void devices_wanted();
 
  private:
-  void show_curriculum(int index);
-  void show_scenario(int row);
-  const curricula::Scenario* scenario_at(int row) const;  ///< of the curriculum shown; null: none
+  /// Fills the tree anew.
+  void show_modules();
+  void show_chosen();
+  void show_scenario(const curricula::Scenario& scenario);
+  const curricula::Curriculum* curriculum() const;  ///< that is shown; null: there is none
+  /// Nobody learns by a scripted hand, so it may be watched at anything.
+  bool watching() const;
+  /// As LogHeader::device_kind, of what is chosen.
+  std::string hands() const;
   void browse();
   /// Of the chosen device, as it was last found; null: it was not, or has none.
   std::unique_ptr<QDialog> device_settings();
   std::vector<curricula::Curriculum> curricula_;
   std::vector<device::FoundDevice> found_{device::found_mouse()};  ///< looked for elsewhere: it may take seconds
-  QListWidget* list_;
-  QLabel *briefing_, *message_, *second_label_;
-  QComboBox *curriculum_, *patient_, *device_, *second_;
+  PastResults past_;
+  bool all_open_ = false;
+  curricula::Mode mode_wanted_ = curricula::Mode::practice;  ///< where the module allows it
+  ModuleTree* tree_;
+  QLabel *heading_, *briefing_, *why_, *message_, *second_label_, *mode_label_;
+  QComboBox *curriculum_, *patient_, *device_, *second_, *mode_;
   QPushButton* go_;
 };
 

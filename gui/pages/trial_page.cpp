@@ -11,6 +11,7 @@
 #include "device/drivers/mouse_device.h"
 #include "gui/pages/background.h"
 #include "gui/pages/blade_control.h"
+#include "gui/pages/distraction_panel.h"
 #include "gui/pages/hand_panel.h"
 #include "gui/pages/hints.h"
 #include "gui/pages/mouse_introduction.h"
@@ -18,6 +19,7 @@
 #include "gui/report/markdown.h"
 #include "gui/session/device_choice.h"
 #include "gui/session/patient_fit.h"
+#include "gui/session/scripted_hands.h"
 #include "gui/session/user_settings.h"
 #include "gui/views/monitor_panel.h"
 #include "gui/views/operator_view.h"
@@ -137,6 +139,7 @@ void TrialPage::open(std::shared_ptr<TrialSession> session, std::shared_ptr<Pati
   title_->setToolTip(html_of(scenario.briefing));
   const auto& intubation = session_->scene().intubation;
   operator_view_->show_patient(look_, session_->scene().tool.surface, intubation ? &*intubation : nullptr);
+  show_helps();
   side_->open(*session_, look_);
   monitor_->clear();
   monitor_->setVisible(intubation.has_value());
@@ -154,6 +157,15 @@ void TrialPage::open(std::shared_ptr<TrialSession> session, std::shared_ptr<Pati
   show_buttons();
   timer_.start();
   setFocus();
+}
+
+void TrialPage::show_helps() {
+  const auto& assistance = session_->scenario().assistance;
+  if (assistance.ghost_path)
+    operator_view_->show_ghost_path(session_->scene().tool.surface,
+                                    scripted_hand("expert", session_->package(), session_->scenario()));
+  if (assistance.glottis_highlight) operator_view_->highlight_glottis();
+  since_shown_.start();
 }
 
 void TrialPage::show_help() {
@@ -198,6 +210,7 @@ void TrialPage::start() {
   running_ = true;
   frames_ = 0;
   since_start_.start();
+  since_shown_.start();
   since_frame_.start();
   show_buttons();
   setFocus();
@@ -222,6 +235,8 @@ void TrialPage::reset() {
     return;
   }
   if (running_) since_start_.restart();
+  since_shown_.restart();
+  side_->distractions().serve(&session_->dual_task(), session_->by_person());
   frames_ = 0;
   side_->clear();
   monitor_->clear();
@@ -239,6 +254,7 @@ void TrialPage::end(const QString& how) {
   timer_.stop();
   control_->steer(nullptr);
   hands_->serve(nullptr, false);
+  side_->distractions().serve(nullptr, false);
   show_banner("Scoring the trial ...", "");
   show_buttons();
   run_in_background<TrialOutcome>(
@@ -261,6 +277,7 @@ void TrialPage::close_trial() {
   timer_.stop();
   control_->steer(nullptr);
   hands_->serve(nullptr, false);
+  side_->distractions().serve(nullptr, false);
   running_ = false;
   session_.reset();
   show_buttons();
@@ -288,6 +305,7 @@ void TrialPage::frame() {
   if (!session_) return;
   const double seconds = since_frame_.isValid() ? 1e-3 * static_cast<double>(since_frame_.restart()) : 0.0;
   if (!since_frame_.isValid()) since_frame_.start();
+  operator_view_->set_ghost_time(1e-3 * static_cast<double>(since_shown_.elapsed()));
   try {
     if (!running_) {  // before the start: the patient at rest
       operator_view_->draw();
@@ -302,9 +320,10 @@ void TrialPage::frame() {
     monitor_->show_snapshot(snapshot);
     hands_->show_snapshot(snapshot);
     if (session_->takes_turns() && session_->in_hand() != shown_in_hand_) show_steered();
+    const bool hinted = curricula::rules_of(session_->scenario().attempt.mode).assistance;  // a help like the others
     show_banner(
         banner_for(snapshot, QString::fromStdString(session_->fault()), QString::fromStdString(session_->pause())),
-        snapshot.has_intubation ? hint_for(snapshot, session_->scenario().sight_percent, operator_view_->blade_in(),
+        snapshot.has_intubation && hinted ? hint_for(snapshot, session_->scenario().sight_percent, operator_view_->blade_in(),
                                            session_->takes_turns() ? QString("X") : QString())
                                 : QString());
     ++frames_;

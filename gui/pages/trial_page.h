@@ -65,6 +65,8 @@ class TrialPage : public QWidget {
   void frame();
   void show_buttons();
   void show_help();
+  /// The scenario's helps in the operator's view; all are off in an assessment.
+  void show_helps();
   /// Gives the mouse, where there is one, to the device it is.
   void steer();
   /// Whose hand the one device drives: on the view, in the help, and where keys and mouse go.
@@ -85,7 +87,7 @@ class TrialPage : public QWidget {
   QLabel *title_, *banner_, *help_, *steered_;
   QPushButton *start_, *end_, *reset_, *leave_, *zoom_;
   QTimer timer_;
-  QElapsedTimer since_frame_, since_start_;
+  QElapsedTimer since_frame_, since_start_, since_shown_;
   std::function<void(const engine::Snapshot&)> frame_hook_;
   Tool shown_in_hand_ = Tool::blade;
   bool running_ = false, ending_ = false;

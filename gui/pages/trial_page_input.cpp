@@ -3,9 +3,11 @@
 #include <QPushButton>
 
 #include "gui/pages/blade_control.h"
+#include "gui/pages/distraction_panel.h"
 #include "gui/pages/hand_panel.h"
 #include "gui/pages/mouse_introduction.h"
 #include "gui/pages/trial_page.h"
+#include "gui/pages/trial_side.h"
 
 namespace vallecula::gui {
 
@@ -46,7 +48,7 @@ void TrialPage::keyReleaseEvent(QKeyEvent* event) {
 }
 
 bool TrialPage::takes_key(QKeyEvent* event, bool pressed) {
-  return (control_->steering() && control_->key(event, pressed)) || hands_->key(event, pressed);
+  return side_->distractions().key(event, pressed) || (control_->steering() && control_->key(event, pressed)) || hands_->key(event, pressed);
 }
 
 bool TrialPage::focusNextPrevChild(bool next) {

@@ -11,7 +11,8 @@ namespace {
 const QColor kGrid(0xE3, 0xE3, 0xE3);
 const QColor kPause(0xD0, 0xD0, 0xD0);
 
-/// 1, 2 or 5 times a power of ten: about `count` steps in `span`.
+}  // namespace
+
 double tick_step(double span, int count) {
   const double raw = span / count;
   const double power = std::pow(10.0, std::floor(std::log10(raw)));
@@ -20,8 +21,6 @@ double tick_step(double span, int count) {
   }
   return 10.0 * power;
 }
-
-}  // namespace
 
 QString chart::number(double value, int digits) { return QString::number(value, 'f', digits); }
 
@@ -141,6 +140,11 @@ void draw_legend(QPainter& painter, const QRectF& row, double em, const std::vec
                      entry.text);
     x += 2.7 * em + width + 2.0 * em;
   }
+}
+
+TimeAxis chart_time_axis(int width, int height, double last_s) {
+  const double em = chart_em(width, height);
+  return {7.0 * em, width - 1.5 * em, std::max(1.0, last_s)};
 }
 
 double chart_em(int width, int height) { return std::max(10.0, std::min(width / 80.0, height / 45.0)); }

@@ -25,6 +25,9 @@ const QColor kAttempt(0xF6, 0xF4, 0xEC);
 QString number(double value, int digits);
 }  // namespace chart
 
+/// 1, 2 or 5 times a power of ten: about `count` steps in `span`.
+double tick_step(double span, int count);
+
 struct Series {
   std::vector<double> time_s, value;
 
@@ -70,6 +73,17 @@ struct LegendEntry {
   QPen pen;
 };
 void draw_legend(QPainter& painter, const QRectF& row, double em, const std::vector<LegendEntry>& entries);
+
+/// Where the panels of a trial's chart lie, for whoever lays something over it.
+struct TimeAxis {
+  double left = 0.0, right = 1.0;  ///< pixels
+  double end_s = 1.0;              ///< at the right
+
+  double x(double time_s) const { return left + (right - left) * time_s / end_s; }
+  double time_s(double x) const { return (x - left) / (right - left) * end_s; }
+};
+/// Of a chart of this size of a trial whose last tick is at `last_s`.
+TimeAxis chart_time_axis(int width, int height, double last_s);
 
 /// The letters' height for a picture of this size.
 double chart_em(int width, int height);

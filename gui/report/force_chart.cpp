@@ -43,7 +43,6 @@ QImage draw_force_chart(const curricula::TrialLog& log, const curricula::Scenari
   }
   Series tongue, gum, displayed, sight;
   double highest = std::max(log.header.device_limit_n, scenario.targets.tongue_force_n);
-  double end_s = 1.0;
   for (const curricula::LogTick& tick : log.ticks) {
     const double forces[] = {length(tick.loads[curricula::kTongue].force_n),
                              length(tick.loads[curricula::kGum].force_n), length(tick.displayed_force_n)};
@@ -53,14 +52,14 @@ QImage draw_force_chart(const curricula::TrialLog& log, const curricula::Scenari
       highest = std::max(highest, forces[i]);
     }
     if (tick.has_sight) sight.add(tick.time_s, 100.0 * tick.glottis_visible);
-    end_s = std::max(end_s, tick.time_s);
   }
 
   QImage image(width, height, QImage::Format_RGB32);
   image.fill(Qt::white);
   QPainter painter(&image);
   const double em = chart_em(width, height);
-  const double left = 7.0 * em, right = width - 1.5 * em;
+  const TimeAxis axis = chart_time_axis(width, height, log.ticks.empty() ? 0.0 : log.ticks.back().time_s);
+  const double left = axis.left, right = axis.right, end_s = axis.end_s;
   const double sight_height = height * 0.16;
   const QRectF force_frame(left, 4.6 * em, right - left, height - 4.6 * em - sight_height - 5.8 * em);
   const QRectF sight_frame(left, force_frame.bottom() + 1.6 * em, right - left, sight_height);
@@ -78,7 +77,7 @@ QImage draw_force_chart(const curricula::TrialLog& log, const curricula::Scenari
     view.span(from_s, to_s, chart::kAttempt);
   }
   force.axes(QStringLiteral("force (N)"), 8, false);
-  view.axes(QStringLiteral("glottis seen (%)"), 2, true);
+  view.axes(sight_height < 8.0 * em ? QStringLiteral("seen (%)") : QStringLiteral("glottis seen (%)"), 2, true);
 
   force.line(gum, QPen(kGum, em * 0.16));
   force.line(tongue, QPen(kTongue, em * 0.18));

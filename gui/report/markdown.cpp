@@ -6,14 +6,28 @@
 
 namespace vallecula::gui {
 
-QString html_of(const curricula::Text& text) {
+namespace {
+
+/// In this user's language; empty where there is none.
+bool read_markdown(const curricula::Text& text, QTextDocument& document) {
   const std::string language = QLocale().name().replace('_', '-').toStdString();
   const std::string markdown = text.in(language);
-  if (markdown.empty()) return {};
-  QTextDocument document;
   document.setMarkdown(
       QString::fromStdString(markdown),
       QTextDocument::MarkdownFeatures(QTextDocument::MarkdownDialectCommonMark | QTextDocument::MarkdownNoHTML));
+  return !markdown.empty();
+}
+
+}  // namespace
+
+QString plain_of(const curricula::Text& text) {
+  QTextDocument document;
+  return read_markdown(text, document) ? document.toPlainText() : QString();
+}
+
+QString html_of(const curricula::Text& text) {
+  QTextDocument document;
+  if (!read_markdown(text, document)) return {};
   const QString page = document.toHtml();
   const int body = page.indexOf('>', page.indexOf("<body")) + 1;
   QString html = page.mid(body, page.indexOf("</body>") - body);

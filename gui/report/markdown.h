@@ -11,5 +11,7 @@ namespace vallecula::gui {
 /// may come from anybody: HTML in it is shown as it is written, pictures and links are left out, so that opening it
 /// asks nobody for anything. Needs a QGuiApplication.
 QString html_of(const curricula::Text& text);
+/// The same without any markup.
+QString plain_of(const curricula::Text& text);
 
 }  // namespace vallecula::gui

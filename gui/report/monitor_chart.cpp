@@ -25,7 +25,7 @@ struct Recorded {
   std::vector<double> breaths_s;
   std::vector<double> yellow_s;                         ///< the detector turned yellow
   std::vector<std::pair<double, double>> oesophagus_s;  ///< from, to
-  double end_s = 1.0, fastest_per_min = 200.0;
+  double fastest_per_min = 200.0;
 };
 
 Recorded read(const curricula::TrialLog& log) {
@@ -34,7 +34,6 @@ Recorded read(const curricula::TrialLog& log) {
   bool yellow = false, there = false;
   for (const curricula::LogTick& tick : log.ticks) {
     const curricula::LogIntubation& i = tick.intubation;
-    r.end_s = std::max(r.end_s, tick.time_s);
     r.spo2.add(tick.time_s, 100.0 * i.spo2);
     r.sao2.add(tick.time_s, 100.0 * i.sao2);
     r.heart.add(tick.time_s, i.heart_per_min);
@@ -67,7 +66,8 @@ QImage draw_monitor_chart(const curricula::TrialLog& log, const curricula::Scena
   image.fill(Qt::white);
   QPainter painter(&image);
   const double em = chart_em(width, height);
-  const double left = 7.0 * em, right = width - 1.5 * em, gap = 1.6 * em;
+  const TimeAxis axis = chart_time_axis(width, height, log.ticks.empty() ? 0.0 : log.ticks.back().time_s);
+  const double left = axis.left, right = axis.right, gap = 1.6 * em;
   begin_chart(painter, em, left, right, QStringLiteral("The monitor: ") + QString::fromStdString(scenario.title));
   draw_legend(painter, QRectF(left, 2.6 * em, right - left, 1.4 * em), em,
               {{QStringLiteral("saturation as displayed"), QPen(kSpo2, em * 0.18)},
@@ -80,16 +80,17 @@ QImage draw_monitor_chart(const curricula::TrialLog& log, const curricula::Scena
   const QRectF top(left, 4.6 * em, right - left, 0.45 * room);
   const QRectF middle(left, top.bottom() + gap, right - left, 0.33 * room);
   const QRectF bottom(left, middle.bottom() + gap, right - left, 0.22 * room);
-  Panel saturation(painter, top, recorded.end_s, 110.0, em);  // room above 100 for the marks
-  Panel heart(painter, middle, recorded.end_s, recorded.fastest_per_min * 1.05, em);
-  Panel view(painter, bottom, recorded.end_s, 100.0, em);
+  Panel saturation(painter, top, axis.end_s, 110.0, em);  // room above 100 for the marks
+  Panel heart(painter, middle, axis.end_s, recorded.fastest_per_min * 1.05, em);
+  Panel view(painter, bottom, axis.end_s, 100.0, em);
   for (Panel* panel : {&saturation, &heart, &view}) {
     for (const auto& [from_s, to_s] : attempt_spans(score)) panel->span(from_s, to_s, chart::kAttempt);
     for (const auto& [from_s, to_s] : recorded.oesophagus_s) panel->span(from_s, to_s, kOesophagus);
   }
-  saturation.axes(QStringLiteral("SpO2 (%)"), 6, false);
-  heart.axes(QStringLiteral("heart (per minute)"), 5, false);
-  view.axes(QStringLiteral("glottis seen (%)"), 2, true);
+  saturation.axes(QStringLiteral("SpO2 (%)"), bottom.height() < 8.0 * em ? 2 : 6, false);
+  const bool small = bottom.height() < 8.0 * em;  // on a page of a small window
+  heart.axes(small ? QStringLiteral("heart") : QStringLiteral("heart (per minute)"), small ? 2 : 5, false);
+  view.axes(small ? QStringLiteral("seen (%)") : QStringLiteral("glottis seen (%)"), small ? 1 : 2, true);
 
   saturation.line(recorded.sao2, QPen(kSao2, em * 0.1, Qt::DotLine));
   saturation.line(recorded.spo2, QPen(kSpo2, em * 0.18));

@@ -10,6 +10,7 @@
 #include "gui/report/intubation_report.h"
 #include "gui/report/markdown.h"
 #include "gui/report/monitor_chart.h"
+#include "gui/report/technique_report.h"
 #include "gui/session/files.h"
 
 namespace vallecula::gui {
@@ -57,6 +58,8 @@ std::vector<Row> report_rows(const curricula::Score& score, const curricula::Tri
     const std::vector<Row> tube = intubation_rows(score, scenario);
     rows.insert(rows.begin(), tube.begin(), tube.end());
   }
+  const std::vector<Row> technique = technique_rows(score);
+  rows.insert(rows.end(), technique.begin(), technique.end());
   if (!score.pauses.empty())
     rows.push_back({"Paused, which counts for nothing", number(score.paused_s, 1) + " s", pauses_in_words(score), ""});
   return rows;
@@ -139,6 +142,7 @@ void write_report(const fs::path& folder, const curricula::TrialLog& log, const 
     for (const std::string& reason : score.reasons) html += "<li>" + escaped(reason) + "</li>\n";
     html += "</ul>\n";
   }
+  html += points_html(score, scenario);
   html += "<h2>Figures</h2>\n" + table(report_rows(score, log, scenario));
   if (score.intubation) {
     html += attempts_html(score);
@@ -146,6 +150,7 @@ void write_report(const fs::path& folder, const curricula::TrialLog& log, const 
                                                "Saturation, heart rate and glottis in sight over time, with attempts, "
                                                "breaths and the tube's passing marked");
   }
+  html += checklist_html(score);
   html += "<h2>Force over time</h2>\n" +
           picture(read_file(folder / "force.png"),
                   "Force on tongue and gum over time, with limit, target, peak and first sight marked");

@@ -19,9 +19,8 @@ namespace vallecula::gui {
 
 namespace {
 
-/// Hands planned from the patient's landmarks: the only devices the factory cannot make, for it knows no patient. The
-/// expert is a pair where the scenario has a tube; the pairs but for it need one.
-constexpr std::array<const char*, 3> kScriptedHands = {"expert", "novice", "press"};
+// The hands planned from the patient's landmarks are the only devices the factory cannot make, for it knows no patient.
+// The expert is a pair where the scenario has a tube; the pairs but for it need one.
 constexpr const char* kScripted = "scripted";
 /// Nor does it know a trial's log.
 constexpr const char* kRecorded = "recorded";
@@ -90,6 +89,8 @@ bool is_scripted(const std::string& name) {
   const std::string kind = split(name).kind;
   return kind == kScripted || kind == kRecorded;
 }
+
+bool answers_distractions(const std::string& name) { return is_scripted_pair(split(name)); }
 
 void check_device_name(const std::string& name) {
   const DeviceName given = split(name);

@@ -25,6 +25,9 @@ class UnknownDevice : public std::runtime_error {
 std::string device_names();
 /// Nobody's hand (a script or a record): it starts by itself and ends by itself.
 bool is_scripted(const std::string& name);
+/// Such a hand that answers what a scenario asks meanwhile (session/dual_task.h): the planned pairs, the expert among
+/// them. A file's, a record's and the novice leave it unanswered.
+bool answers_distractions(const std::string& name);
 /// Throws UnknownDevice when `name` is none of the forms that make_device takes. Reads no file;
 /// a record is named by a file's ending or by a folder that is there.
 void check_device_name(const std::string& name);

@@ -196,8 +196,9 @@ LogTick to_log(const engine::TickRecord& record) {
   tick.displayed_force_n = array_of(record.displayed_force_n);
   for (int i = 0; i < engine::kLoadedStructures; ++i) {
     const engine::StructureLoad& load = record.loads[i];
-    tick.loads[i] = {array_of(load.force_n), array_of(load.centre_m), load.contacts};
+    tick.loads[i] = {array_of(load.force_n), array_of(load.centre_m), load.contacts, load.area_m2};
   }
+  tick.has_areas = true;
   tick.has_sight = record.has_sight;
   tick.glottis_visible = record.glottis_visible;
   tick.faults = record.faults;
@@ -222,7 +223,7 @@ engine::TickRecord from_log(const LogTick& tick) {
   record.displayed_force_n = vector_of(tick.displayed_force_n);
   for (int i = 0; i < engine::kLoadedStructures; ++i) {
     const curricula::LogLoad& load = tick.loads[i];
-    record.loads[i] = {vector_of(load.force_n), vector_of(load.centre_m), load.contacts};
+    record.loads[i] = {vector_of(load.force_n), vector_of(load.centre_m), load.contacts, load.area_m2};
   }
   record.has_sight = tick.has_sight;
   record.glottis_visible = tick.glottis_visible;
@@ -316,6 +317,7 @@ Difference first_difference(const LogTick& recorded, const LogTick& recomputed) 
     compare.field(name + ".force_n", recorded.loads[i].force_n, recomputed.loads[i].force_n);
     compare.field(name + ".centre_m", recorded.loads[i].centre_m, recomputed.loads[i].centre_m);
     compare.field(name + ".contacts", count(recorded.loads[i].contacts), count(recomputed.loads[i].contacts));
+    if (recorded.has_areas) compare.field(name + ".area_m2", recorded.loads[i].area_m2, recomputed.loads[i].area_m2);
   }
   compare.field("has_sight", count(recorded.has_sight), count(recomputed.has_sight));
   compare.field("glottis_visible", recorded.glottis_visible, recomputed.glottis_visible);

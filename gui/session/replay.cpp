@@ -9,7 +9,6 @@
 #include "gui/session/log_paths.h"
 #include "gui/session/placed_tool.h"
 #include "gui/session/scene_from_package.h"
-#include "pipeline/package/patient_package.h"
 
 namespace vallecula::gui {
 
@@ -44,10 +43,10 @@ RecordedScene recorded_scene(const curricula::TrialLog& log, const fs::path& log
                              package_hash.substr(0, 12) + ", recorded " + header.package_sha256.substr(0, 12) +
                              "); name the right one with --patient");
   }
-  const pipeline::PatientPackage package = pipeline::read_package(package_path);
   const curricula::Scenario scenario = curricula::parse_scenario(header.scenario_yaml, name);
   RecordedScene scene;
-  scene.description = scene_from_package(package, scenario);
+  scene.package = pipeline::read_package(package_path);
+  scene.description = scene_from_package(scene.package, scenario);
   if (const auto tool = tool_of_trial(header, log_file)) use_own_tool(*tool, scene.description);
   scene.description.haptics.device_limit_n = header.device_limit_n;  // the device's, not the scenario's
   const auto second_limit = header.settings.find("second_device_limit_n");

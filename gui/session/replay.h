@@ -12,11 +12,13 @@
 #include "engine/haptics/passivity.h"
 #include "engine/scene.h"
 #include "gui/session/log_conversion.h"
+#include "pipeline/package/patient_package.h"
 
 namespace vallecula::gui {
 
 /// The scene of a recorded trial, after its package and scenario have been proven to be the recorded ones.
 struct RecordedScene {
+  pipeline::PatientPackage package;
   engine::SceneDescription description;
   std::vector<std::string> notices;  ///< what may keep the replay from being identical: another build, other kernels
 };

@@ -93,6 +93,71 @@ const std::vector<Waypoint> kNovice = {
     {15.0, {20, -5, 0}, {58, 0, 0}},   {16.5, {46, -2, 0}, {66, 1, 0}},      {18.0, {84, 4, -2}, {110, 4, -2}},
 };
 
+constexpr double kInVallecula = 6.0, kOutOfIt = 12.5;  // s, of kExpert: from the last point before the lift to the way out
+
+// Faults, each of the expert's plan as this patient has it.
+std::vector<Waypoint> levering(std::vector<Waypoint> plan) {
+  for (Waypoint& w : plan)  // the handle comes down as far as it should have gone up
+    if (w.time_s > kInVallecula && w.time_s < kOutOfIt) w.mouth[1] = w.time_s < 9.0 ? -1.0 : -7.0;
+  return plan;
+}
+
+std::vector<Waypoint> too_far(std::vector<Waypoint> plan) {
+  for (Waypoint& w : plan) {
+    if (w.time_s < 4.5 || w.time_s > kOutOfIt) continue;
+    const bool on_the_way = w.time_s < 5.5 || w.time_s > 12.0;
+    w.tip[0] = on_the_way ? 2.0 : -7.0;
+    w.tip[1] = on_the_way ? -10.5 : -9.0;
+    w.mouth[1] = 5.0;
+  }
+  return plan;
+}
+
+std::vector<Waypoint> off_midline(std::vector<Waypoint> plan) {
+  for (Waypoint& w : plan) {
+    if (w.time_s < 3.5 || w.time_s > 13.5) continue;
+    w.tip[2] -= 8.0;
+    w.mouth[2] -= 4.0;
+  }
+  return plan;
+}
+
+std::vector<Waypoint> forceful(std::vector<Waypoint> plan) {
+  constexpr double kHeldLonger = 4.0;  // s
+  for (Waypoint& w : plan) {
+    if (w.time_s < 5.5) continue;
+    if (w.time_s < kOutOfIt) {
+      const double harder = w.time_s < kInVallecula + 1.0 ? 0.0 : w.time_s < 9.0 ? 0.5 : 1.0;
+      w.tip[0] += 4.0;
+      w.tip[1] += 6.0 * harder;
+      w.mouth[1] += 3.0 * harder;
+    }
+    if (w.time_s >= kLiftHeldUntil) w.time_s += kHeldLonger;
+  }
+  return plan;
+}
+
+std::vector<Waypoint> many_tries(const std::vector<Waypoint>& last) {
+  constexpr double kTry = 5.6;  // s, with more than a second outside: less would be one entry
+  const Waypoint &outside = kExpert[0], &lips = kExpert[1], &mouth = kExpert[2];
+  std::vector<Waypoint> plan;
+  const auto at = [&plan](double time_s, Waypoint w) {
+    w.time_s = time_s;
+    plan.push_back(w);
+  };
+  for (const double from_s : {0.0, kTry}) {
+    at(from_s, outside);
+    at(from_s + 0.8, lips);
+    at(from_s + 1.6, mouth);
+    at(from_s + 2.3, {0.0, {32, -9, -6}, {50, 4, -6.5}});
+    at(from_s + 3.0, mouth);
+    at(from_s + 3.8, lips);
+    at(from_s + 4.6, outside);
+  }
+  for (const Waypoint& w : last) at(w.time_s + 2.0 * kTry, w);
+  return plan;
+}
+
 /// How much of a blade with this pose would begin inside something: points along both edges that lie in the tongue (which
 /// count double) or in anatomy that stops the blade.
 int points_inside(const engine::TriangleBvh& tongue, const engine::TriangleBvh& face, const std::vector<std::uint8_t>& classes,
@@ -202,10 +267,17 @@ device::Trajectory expert_laryngoscopy(const PatientPackage& package, double hol
 
 device::Trajectory scripted_hand(const std::string& kind, const PatientPackage& package, const curricula::Scenario&) {
   const OperatorFrame frame(package);
-  if (kind == "expert") return follow(frame, adapted(kExpert, package.approach));
+  const std::vector<Waypoint> expert = adapted(kExpert, package.approach);
+  if (kind == "expert") return follow(frame, expert);
+  if (kind == "levers") return follow(frame, levering(expert));
+  if (kind == "too-far") return follow(frame, too_far(expert));
+  if (kind == "off-midline") return follow(frame, off_midline(expert));
+  if (kind == "forceful") return follow(frame, forceful(expert));
+  if (kind == "many-tries") return follow(frame, many_tries(expert));
   if (kind == "novice") return follow(frame, kNovice);
   if (kind == "press") return press(package, frame);
-  throw std::runtime_error("scripted hand '" + kind + "' is not known; there are expert, novice and press, or a trajectory file (.csv)");
+  throw std::runtime_error("scripted hand '" + kind + "' is not known; there are expert, novice, press, levers, too-far, "
+                           "off-midline, forceful and many-tries, or a trajectory file (.csv)");
 }
 
 }  // namespace vallecula::gui

@@ -1,6 +1,7 @@
 // Hands that need no person: trajectories planned from a patient's landmarks.
 #pragma once
 
+#include <array>
 #include <string>
 
 #include "curricula/scenario.h"
@@ -9,9 +10,16 @@
 
 namespace vallecula::gui {
 
+constexpr std::array<const char*, 8> kScriptedHands = {"expert",  "novice",      "press",    "levers",
+                                                       "too-far", "off-midline", "forceful", "many-tries"};
+
 /// "expert": right corner, sweep, tip in the vallecula, lift along the handle, sight, withdrawal.
 /// "novice": levers on the upper gum and presses past the device limit.
 /// "press": presses the middle of the tongue's dorsum and withdraws; needs no open mouth.
+/// Faults, each the expert's plan but for one thing, so that its own figure tells it (tests/gui/scripted_faults_test.cpp):
+/// "levers": turns the blade about the upper gum instead of lifting. "too-far": passes the vallecula towards the
+/// oesophagus. "off-midline": works at the right side of the throat. "forceful": lifts harder than the view needs, and
+/// holds on for longer. "many-tries": in and out twice before.
 /// Blade-tip poses in metres, LPS. Throws std::runtime_error for any other name.
 device::Trajectory scripted_hand(const std::string& kind, const pipeline::PatientPackage& package,
                                  const curricula::Scenario& scenario);

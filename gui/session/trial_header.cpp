@@ -16,6 +16,8 @@ curricula::LogHeader header_of(const pipeline::PatientPackage& package, const cu
   header.scenario_id = scenario.id;
   header.scenario_yaml = scenario.yaml;
   header.scenario_sha256 = sha256_of_bytes(scenario.yaml);
+  header.has_events = !scenario.distractions.empty();
+  header.has_contact_areas = true;
   header.has_intubation = scene.intubation.has_value();
   header.device_limit_n = scene.haptics.device_limit_n;
   header.settings = settings_of(scene);

@@ -7,6 +7,7 @@
 
 #include "curricula/records/personal_data.h"
 #include "curricula/records/recovery.h"
+#include "gui/session/trial_results.h"
 #include "gui/session/user_paths.h"
 #include "gui/session/user_settings.h"
 
@@ -15,6 +16,15 @@ namespace vallecula::gui {
 namespace fs = std::filesystem;
 
 namespace {
+
+/// What a whole trial has beside its log. A trial before a reset has none of it, nor has the log that was kept so.
+void write_missing_results(const fs::path& file) {
+  std::error_code error;
+  if (file.filename() != "trial.vtrial" || fs::exists(file.parent_path() / "report.html", error)) return;
+  const curricula::TrialLog log = curricula::read_trial_log(file);
+  const curricula::Scenario scenario = curricula::parse_scenario(log.header.scenario_yaml, file.string());
+  write_results(file.parent_path(), log, scenario, curricula::score_trial(log, scenario));
+}
 
 std::string now_utc() { return QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString(); }
 
@@ -41,6 +51,12 @@ std::vector<std::string> tidy_records() {
     else
       told.push_back("a trial that was cut off is kept as interrupted, up to second " +
                      std::to_string(static_cast<long long>(std::floor(trial.recorded_s))) + ": " + trial.log.string());
+    if (!trial.problem.empty()) continue;
+    try {
+      write_missing_results(trial.log);
+    } catch (const std::exception& error) {
+      told.push_back("a trial that was cut off is kept, but has no report: " + std::string(error.what()));
+    }
   }
   for (const std::string& left : curricula::delete_pending_files(records).left)
     told.push_back("a deleted person's files are still there: " + left);

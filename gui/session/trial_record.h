@@ -14,7 +14,8 @@ namespace vallecula::gui {
 curricula::RecordsLocation records_location();
 
 /// What a program does with the records when it starts: opens them (a database that cannot be used is named before
-/// anything is practised), keeps trials that were cut off, deletes files of people deleted elsewhere. One sentence each
+/// anything is practised), keeps trials that were cut off, with score and report (a QGuiApplication is needed for
+/// those), deletes files of people deleted elsewhere. One sentence each
 /// for a person. Throws std::runtime_error.
 std::vector<std::string> tidy_records();
 

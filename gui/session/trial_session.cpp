@@ -8,8 +8,7 @@
 
 #include "curricula/trial_log.h"
 #include "engine/haptics/runner.h"
-#include "gui/report/force_chart.h"
-#include "gui/report/report.h"
+#include "gui/session/device_choice.h"
 #include "gui/session/fault_report.h"
 #include "gui/session/files.h"
 #include "gui/session/log_conversion.h"
@@ -19,6 +18,7 @@
 #include "gui/session/scene_from_package.h"
 #include "gui/session/trial_header.h"
 #include "gui/session/trial_record.h"
+#include "gui/session/trial_results.h"
 #include "gui/session/two_hands.h"
 #include "gui/session/user_paths.h"
 
@@ -69,12 +69,14 @@ struct TrialSession::Impl {
   long long add_record(const curricula::TrialLog& log, const curricula::Score& score, const fs::path& file);
   curricula::LogHeader header() const;
   curricula::LogFooter footer(bool complete, const std::string& how) const;
+  bool by_person() const;
   TrialOutcome finish(const std::string& how);
 
   TrialSetup setup;
   pipeline::PatientPackage package;
   curricula::Curriculum curriculum;
   curricula::Scenario scenario;
+  DualTask dual_task;
   engine::SceneDescription description;
   std::shared_ptr<const engine::Scene> scene;
   std::string package_sha256;
@@ -104,6 +106,7 @@ TrialSession::Impl::Impl(const TrialSetup& given)
       package(pipeline::read_package(given.patient)),
       curriculum(curriculum_with(given.curriculum, given.scenario)),
       scenario(scenario_of(given, *curriculum.find(given.scenario))),
+      dual_task(scenario.distractions),
       description(scene_from_package(package, scenario)),
       package_sha256(sha256_of_file(given.patient / "patient.yaml")),
       results(given.out) {
@@ -139,6 +142,11 @@ std::string TrialSession::Impl::keep_fault(const fs::path& file) const {
   if (ticks.empty()) return "";
   write_file_whole(file, fault_csv(ticks));
   return fault_sentence(ticks, file.filename().string());
+}
+
+bool TrialSession::Impl::by_person() const {
+  const std::string kind = hands->device().info().kind;
+  return kind != "scripted" && kind != "recorded";
 }
 
 void TrialSession::Impl::make_runner() {
@@ -188,6 +196,7 @@ void TrialSession::Impl::start() {
   paused = 0;
   pause_began = -1;
   pause_faults.clear();
+  dual_task.begin(answers_distractions(setup.device));
   if (setup.realtime) runner->start();
   worker = std::thread([this] {
     try {
@@ -224,9 +233,11 @@ void TrialSession::Impl::record(const engine::TickRecord& tick) {
       pause_faults.push_back(hands->pause_fault());
     ++paused;
   }
+  const double trial_s = tick.time_s - kPeriodS * static_cast<double>(paused);
+  for (const curricula::LogEvent& event : dual_task.advance(tick.tick, trial_s)) writer->append(event);
   if (hands->finished(tick.time_s)) {
     ended_by = "finished";
-  } else if (tick.time_s - kPeriodS * static_cast<double>(paused) >= scenario.max_attempt_s) {
+  } else if (trial_s >= scenario.max_attempt_s) {
     ended_by = "the scenario's time was over";
   } else if (kPeriodS * static_cast<double>(tick.tick - pause_began) > kLongestPauseS) {
     ended_by = "the device did not come back";
@@ -305,10 +316,9 @@ TrialOutcome TrialSession::Impl::finish(const std::string& how) {
   // Scored from the file, so that `vallecula score` can only say the same.
   const curricula::TrialLog log = curricula::read_trial_log(results.log());
   TrialOutcome outcome{curricula::score_trial(log, scenario), results.log(), results.score_json(), results.report(),
-                       results.force_plot(), keep_fault(results.fault_csv())};
-  write_file_whole(outcome.score_json, curricula::score_to_json(outcome.score, log, scenario) + "\n");
-  write_force_chart(outcome.force_plot, log, scenario, outcome.score);
-  write_report(results.folder(), log, scenario, outcome.score);
+                       results.force_plot(), keep_fault(results.fault_csv()),
+                       curricula::rules_of(scenario.attempt.mode).replay, by_person()};
+  write_results(results.folder(), log, scenario, outcome.score);
 
   outcome.record_id = add_record(log, outcome.score, outcome.log);
   return outcome;
@@ -323,6 +333,8 @@ const engine::SceneDescription& TrialSession::scene() const { return impl_->desc
 const std::vector<std::string>& TrialSession::notices() const { return impl_->notices; }
 device::HapticDevice& TrialSession::device() { return impl_->hands->device(); }
 device::HapticDevice* TrialSession::second_device() { return impl_->hands->second_device(); }
+DualTask& TrialSession::dual_task() { return impl_->dual_task; }
+bool TrialSession::by_person() const { return impl_->by_person(); }
 HandActions& TrialSession::actions() { return impl_->hands->actions(); }
 bool TrialSession::takes_turns() const { return impl_->hands->takes_turns(); }
 Tool TrialSession::in_hand() const { return impl_->hands->in_hand(); }

@@ -14,6 +14,7 @@
 #include "device/haptic_device.h"
 #include "engine/scene.h"
 #include "engine/snapshot.h"
+#include "gui/session/dual_task.h"
 #include "gui/session/hand_actions.h"
 #include "gui/session/held_tools.h"
 #include "pipeline/package/patient_package.h"
@@ -43,6 +44,8 @@ struct TrialOutcome {
   curricula::Score score;
   std::filesystem::path log, score_json, report, force_plot;
   std::string fault;  ///< in plain words, with the file its ticks are in; empty: none
+  bool replay_allowed = true;  ///< false: an assessment, whose replay stays locked to its trainee
+  bool by_person = true;       ///< false: a script's or a record's hand
   long long record_id = 0;  ///< of its row: what a rating or a note is given to
 };
 
@@ -65,6 +68,8 @@ class TrialSession {
   device::HapticDevice* second_device();
   bool takes_turns() const;
   Tool in_hand() const;    ///< which tool device() has. Any thread, while no reset() runs
+  DualTask& dual_task();   ///< the scenario's distractions as they come up; answered by the window
+  bool by_person() const;  ///< false: the device is a script's or a record's
   HandActions& actions();  ///< what the window's keys ask for; change_hand() makes device() take the other tool
 
   void start();

@@ -1,5 +1,8 @@
 #include "gui/views/gl_view.h"
 
+#include <vtkInteractorStyleTrackballCamera.h>
+#include <vtkRenderWindowInteractor.h>
+
 #include <QEvent>
 #include <QSurfaceFormat>
 #include <stdexcept>
@@ -22,6 +25,7 @@ GlView::GlView(QWidget* parent)
   window_->SetMultiSamples(0);
   setRenderWindow(window_);
   window_->AddRenderer(renderer_);
+  interactor()->SetInteractorStyle(vtkSmartPointer<vtkInteractorStyleTrackballCamera>::New());
   setFocusPolicy(Qt::NoFocus);
   setEnableHiDPI(true);
 }
@@ -47,6 +51,10 @@ QImage GlView::picture() {
   return image;
 }
 
+void GlView::add_marks(const std::vector<vtkSmartPointer<vtkProp>>& marks) {
+  for (const auto& mark : marks) renderer_->AddViewProp(mark);
+}
+
 bool GlView::event(QEvent* event) {
   switch (event->type()) {
     case QEvent::MouseButtonPress:
@@ -54,6 +62,12 @@ bool GlView::event(QEvent* event) {
     case QEvent::MouseButtonDblClick:
     case QEvent::MouseMove:
     case QEvent::Wheel:
+      if (mouse_camera_) {
+        const bool taken = QVTKOpenGLNativeWidget::event(event);
+        emit camera_moved();
+        return taken;
+      }
+      return QOpenGLWidget::event(event);
     case QEvent::KeyPress:
     case QEvent::KeyRelease:
       return QOpenGLWidget::event(event);  // up to the page

@@ -1,13 +1,15 @@
-// A VTK view inside a Qt window, without VTK's own mouse handling: the mouse belongs to the blade.
+// A VTK view inside a Qt window. VTK's own mouse handling is off unless asked for: the mouse belongs to the blade.
 #pragma once
 
 #include <QVTKOpenGLNativeWidget.h>
 #include <vtkGenericOpenGLRenderWindow.h>
+#include <vtkProp.h>
 #include <vtkRenderer.h>
 #include <vtkSmartPointer.h>
 
 #include <QElapsedTimer>
 #include <QImage>
+#include <vector>
 
 namespace vallecula::gui {
 
@@ -26,14 +28,22 @@ class GlView : public QVTKOpenGLNativeWidget {
   /// What is on the view, drawn anew.
   QImage picture();
   double last_draw_ms() const { return last_draw_ms_; }
+  /// Draws these beside what is shown, until another patient is.
+  void add_marks(const std::vector<vtkSmartPointer<vtkProp>>& marks);
+
+ signals:
+  void camera_moved();  ///< by the mouse
 
  protected:
   bool event(QEvent* event) override;
   vtkRenderer* renderer() const { return renderer_; }
+  /// VTK's trackball: left turns, middle or Shift moves, right or wheel goes nearer.
+  void set_mouse_camera(bool on) { mouse_camera_ = on; }
 
  private:
   vtkSmartPointer<vtkGenericOpenGLRenderWindow> window_;
   vtkSmartPointer<vtkRenderer> renderer_;
+  bool mouse_camera_ = false;
   double last_draw_ms_ = 0.0;
 };
 

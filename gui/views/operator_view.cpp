@@ -4,6 +4,7 @@
 #include <vtkLight.h>
 #include <vtkMath.h>
 #include <vtkNew.h>
+#include <vtkPlane.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 
@@ -43,6 +44,11 @@ OperatorView::OperatorView(QWidget* parent) : GlView(parent) {
   vtkNew<vtkLight> light;  // for the steel; tissue has its own lamps in its shader
   light->SetLightTypeToHeadlight();
   renderer()->AddLight(light);
+  connect(this, &GlView::camera_moved, this, [this] {
+    if (!look_) return;
+    move_lamp();
+    draw();
+  });
 }
 
 void OperatorView::show_patient(std::shared_ptr<PatientLook> look, const engine::TriangleMesh& tool,
@@ -58,6 +64,8 @@ void OperatorView::show_patient(std::shared_ptr<PatientLook> look, const engine:
   tube_.reset();
   cords_.reset();
   secretions_.reset();
+  path_.reset();
+  mark_.reset();
   if (intubation != nullptr) {
     tube_ = std::make_unique<TubeLook>(*intubation);
     cords_ = std::make_unique<CordsLook>(*intubation);
@@ -74,7 +82,22 @@ void OperatorView::show_patient(std::shared_ptr<PatientLook> look, const engine:
   closeness_ = 0.0;
   blade_in_ = ghost_shown_ = false;
   since_aimed_.restart();
-  aim();
+  set_half(half_);
+  set_free_camera(false);
+}
+
+void OperatorView::show_ghost_path(const engine::TriangleMesh& tool, const device::Trajectory& way) {
+  path_ = std::make_unique<GhostPathLook>(tool, way);
+  renderer()->AddActor(path_->actor());
+}
+
+void OperatorView::highlight_glottis() {
+  mark_ = std::make_unique<GlottisMark>(look_->package, *look_->motion);
+  for (const auto& actor : mark_->actors()) renderer()->AddActor(actor);
+}
+
+void OperatorView::set_ghost_time(double time_s) {
+  if (path_) path_->place(time_s);
 }
 
 void OperatorView::update_from(const engine::Snapshot& snapshot) {
@@ -82,6 +105,7 @@ void OperatorView::update_from(const engine::Snapshot& snapshot) {
   look_->update(snapshot);
   tool_->place(snapshot.proxy_pose);
   ghost_shown_ = ghost_->place(snapshot.device_pose, snapshot.proxy_pose);
+  if (mark_) mark_->update(snapshot);
   if (tube_) {
     tube_->update(snapshot);
     cords_->update(snapshot);
@@ -96,8 +120,52 @@ void OperatorView::update_from(const engine::Snapshot& snapshot) {
   aim();
 }
 
+void OperatorView::settle() {
+  const bool close = zoom_ == Zoom::mouth || (zoom_ == Zoom::automatic && blade_in_);
+  closeness_ = close ? 1.0 : 0.0;
+  aim();
+}
+
+void OperatorView::set_free_camera(bool on) {
+  free_camera_ = on;
+  set_mouse_camera(on);
+  aim();
+}
+
+void OperatorView::turn_camera(double right_deg, double up_deg) {
+  if (!look_ || !free_camera_) return;
+  auto* camera = renderer()->GetActiveCamera();
+  camera->Azimuth(-right_deg);
+  camera->Elevation(up_deg);
+  camera->OrthogonalizeViewUp();
+  renderer()->ResetCameraClippingRange();
+  move_lamp();
+}
+
+void OperatorView::set_half(bool on) {
+  half_ = on;
+  if (tissues_.empty()) return;
+  auto* skin = tissues_.front()->GetMapper();
+  skin->RemoveAllClippingPlanes();
+  if (!on) return;
+  vtkNew<vtkPlane> middle;
+  middle->SetOrigin(look_->framing.midline_x_mm, 0.0, 0.0);
+  middle->SetNormal(-1.0, 0.0, 0.0);
+  skin->AddClippingPlane(middle);
+}
+
+void OperatorView::move_lamp() {
+  for (const auto& actor : tissues_)
+    set_lamp(actor, renderer()->GetActiveCamera(), tool_->bulb_mm(), tool_->beam(), kLampStrength);
+}
+
 void OperatorView::aim() {
   if (!look_) return;
+  if (free_camera_) {
+    renderer()->ResetCameraClippingRange();
+    move_lamp();
+    return;
+  }
   const Framing& framing = look_->framing;
   const bool close = zoom_ == Zoom::mouth || (zoom_ == Zoom::automatic && blade_in_);
   const double elapsed = 1e-9 * static_cast<double>(since_aimed_.nsecsElapsed());
@@ -117,7 +185,7 @@ void OperatorView::aim() {
   camera->SetViewUp(up.x(), up.y(), up.z());
   camera->SetViewAngle(vtkMath::DegreesFromRadians(2.0 * std::atan(0.5 * across_mm_ / (at - eye).norm())));
   renderer()->ResetCameraClippingRange();
-  for (const auto& actor : tissues_) set_lamp(actor, camera, tool_->bulb_mm(), tool_->beam(), kLampStrength);
+  move_lamp();
 }
 
 engine::Vec3 OperatorView::screen_up() const {

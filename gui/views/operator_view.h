@@ -8,6 +8,7 @@
 
 #include "engine/snapshot.h"
 #include "gui/views/gl_view.h"
+#include "gui/views/help_look.h"
 #include "gui/views/larynx_look.h"
 #include "gui/views/patient_look.h"
 #include "gui/views/tool_look.h"
@@ -24,10 +25,24 @@ class OperatorView : public GlView {
   /// Takes a patient and a tool in place of what was shown; `intubation`: of a scene that has one.
   void show_patient(std::shared_ptr<PatientLook> look, const engine::TriangleMesh& tool,
                     const engine::IntubationDescription* intubation = nullptr);
+  /// Helps of the patient shown; both are gone with the next one.
+  void show_ghost_path(const engine::TriangleMesh& tool, const device::Trajectory& way);
+  void highlight_glottis();
+  /// Where the ghost path is, s since it was first shown.
+  void set_ghost_time(double time_s);
   /// Moves tongue, blade and ghost, tube, cords and secretions to the snapshot's step; draw() then shows it.
   void update_from(const engine::Snapshot& snapshot);
   void set_zoom(Zoom zoom) { zoom_ = zoom; }
   Zoom zoom() const { return zoom_; }
+  /// As near as it is to be, without the way there: after a jump in time.
+  void settle();
+  /// True: the camera is the mouse's (VTK's trackball) and stays where it is put; false: back at the operator's eye.
+  void set_free_camera(bool on);
+  bool free_camera() const { return free_camera_; }
+  /// Turns a free camera about what it looks at, degrees.
+  void turn_camera(double right_deg, double up_deg);
+  /// Takes the patient's left half of the skin away, for a look from the side.
+  void set_half(bool on);
   bool ghost_shown() const { return ghost_shown_; }
   /// The blade's tip is past the gums.
   bool blade_in() const { return blade_in_; }
@@ -41,16 +56,19 @@ class OperatorView : public GlView {
 
  private:
   void aim();
+  void move_lamp();
   std::shared_ptr<PatientLook> look_;
   std::unique_ptr<ToolLook> tool_;
   std::unique_ptr<GhostLook> ghost_;
   std::unique_ptr<TubeLook> tube_;
   std::unique_ptr<CordsLook> cords_;
   std::unique_ptr<SecretionsLook> secretions_;
+  std::unique_ptr<GhostPathLook> path_;
+  std::unique_ptr<GlottisMark> mark_;
   std::vector<vtkSmartPointer<vtkActor>> tissues_;
   Zoom zoom_ = Zoom::automatic;
   double closeness_ = 0.0, across_mm_ = 100.0;
-  bool ghost_shown_ = false, blade_in_ = false;
+  bool ghost_shown_ = false, blade_in_ = false, free_camera_ = false, half_ = false;
   QElapsedTimer since_aimed_;
 };
 

@@ -173,7 +173,7 @@ void tilt_normal(float* normal, const std::array<double, 3>& slope, double amoun
 }
 
 vtkSmartPointer<vtkPolyData> make_face(const pipeline::PatientPackage& package, const Framing& framing,
-                                       const Openness& openness) {
+                                       const Openness& openness, Seen seen) {
   const Surface& face = *surface(package, "face");
   const auto neighbours = neighbours_of(face);
   auto colours = to_points<3>(face, tissue_colour);
@@ -218,7 +218,7 @@ vtkSmartPointer<vtkPolyData> make_face(const pipeline::PatientPackage& package, 
   }
   result->GetPointData()->SetScalars(rgb);
   result->GetPointData()->AddArray(wetness_array(wet));
-  keep_what_the_eye_can_see(result, framing);
+  if (seen == Seen::from_the_eye) keep_what_the_eye_can_see(result, framing);
   return result;
 }
 
@@ -297,7 +297,8 @@ void PatientLook::update(const engine::Snapshot& snapshot) {
 }
 
 std::shared_ptr<PatientLook> make_patient_look(pipeline::PatientPackage package,
-                                               const std::function<void(const std::string&, double)>& progress) {
+                                               const std::function<void(const std::string&, double)>& progress,
+                                               Seen seen) {
   const auto report = [&](const std::string& stage, double fraction) {
     if (progress) progress(stage, fraction);
   };
@@ -313,7 +314,7 @@ std::shared_ptr<PatientLook> make_patient_look(pipeline::PatientPackage package,
   const auto face = to_poly_data(*surface(package, "face"));
   const auto soft = look->soft->boundary();
   const Openness openness({face, soft}, 0.33 * look->framing.face_mm);
-  look->face = make_face(package, look->framing, openness);
+  look->face = make_face(package, look->framing, openness, seen);
   look->soft->shade(openness);
   report("airway", 0.9);
   look->trachea = make_trachea(package);

@@ -39,9 +39,13 @@ struct PatientLook {
   void update(const engine::Snapshot& snapshot);
 };
 
+/// From where: what the operator's own eye never meets need not be drawn for it.
+enum class Seen { from_the_eye, all_round };
+
 /// Throws std::runtime_error naming the surface or landmark that is missing. `progress(stage, 0..1)` may be empty.
 std::shared_ptr<PatientLook> make_patient_look(pipeline::PatientPackage package,
-                                               const std::function<void(const std::string&, double)>& progress = {});
+                                               const std::function<void(const std::string&, double)>& progress = {},
+                                               Seen seen = Seen::from_the_eye);
 
 /// A package surface as VTK has it (mm).
 vtkSmartPointer<vtkPolyData> to_poly_data(const pipeline::Surface& surface);

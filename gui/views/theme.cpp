@@ -45,6 +45,9 @@ void apply(QApplication& application) {
     QCheckBox::indicator:unchecked, QTreeView::indicator:unchecked { background: #1f242b; border: 1px solid #969ea8; border-radius: 3px; }
     QCheckBox::indicator:unchecked:focus { border-color: #56b4e9; }
     QCheckBox::indicator:unchecked:disabled { border-color: #4a535f; }
+    QRadioButton::indicator { width: 13px; height: 13px; border-radius: 7px; border: 1px solid #969ea8; background: #1f242b; }
+    QRadioButton::indicator:checked { width: 9px; height: 9px; background: #56b4e9; border: 3px solid #1f242b; }
+    QRadioButton::indicator:focus { border-color: #56b4e9; }
     QLineEdit { background: #1f242b; border: 1px solid #3a424d; border-radius: 4px; padding: 4px; }
     QLineEdit:focus { border: 1px solid #56b4e9; }
     QAbstractSpinBox QLineEdit { border: none; padding: 1px; }

@@ -168,11 +168,12 @@ void TrialReadings::show_snapshot(const engine::Snapshot& snapshot, double pause
   if (snapshot.has_intubation) {
     const auto& now = snapshot.intubation;
     const char* held = now.in_hand == engine::InHand::catheter ? "catheter " : "";
-    tube_->setText(now.at_mouth_m > 0.0 ? QString("%1%2 cm at the lips, %3 N")
+    tube_->setText(now.at_mouth_m > 0.0 ? QString("%1%2 cm at the lips")
                                               .arg(held)
                                               .arg(100.0 * now.at_mouth_m, 0, 'f', 1)
-                                              .arg(now.model_force_n.norm(), 0, 'f', 1)
                                         : QString("%1not in the mouth").arg(held));
+    if (force_shown_ && now.at_mouth_m > 0.0)
+      tube_->setText(tube_->text() + QString(", %1 N").arg(now.model_force_n.norm(), 0, 'f', 1));
   }
   const bool invalid = (snapshot.faults & engine::kFaultDeviceInvalid) != 0;
   state_->setText(words_for(snapshot.state, invalid).name);

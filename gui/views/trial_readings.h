@@ -35,6 +35,8 @@ class TrialReadings : public QWidget {
   void show_snapshot(const engine::Snapshot& snapshot, double paused_s = 0.0);
   /// A row for the tube, in a scene that has one.
   void show_tube(bool shown);
+  /// How hard the tube pushes back; not told where forces are not to be seen.
+  void show_force(bool shown) { force_shown_ = shown; }
   void clear();
 
  private:
@@ -43,6 +45,7 @@ class TrialReadings : public QWidget {
   QLabel *clock_, *limit_, *seen_, *state_, *loop_, *steps_, *tube_, *tube_caption_;
   class SightBar* sight_;
   double sight_percent_ = 25.0, best_percent_ = 0.0, attempt_limit_s_ = 30.0;
+  bool force_shown_ = true;
 };
 
 }  // namespace vallecula::gui

@@ -192,6 +192,38 @@ TEST_F(TrialLogFile, AnIntubationIsSchema3AndAnotherKindOfTickIsRefused) {
   }
 }
 
+TEST_F(TrialLogFile, ContactAreasAreKeptWhereTheHeaderNamesThem) {
+  std::mt19937_64 random(6);
+  for (const bool intubation : {false, true})
+    for (const bool areas : {false, true}) {
+      LogHeader header;
+      header.has_contact_areas = areas;
+      header.has_intubation = intubation;
+      header.settings[kCordsToCarina] = 0.04;
+      std::vector<LogTick> written;
+      {
+        TrialLogWriter log(path(), header);
+        for (int i = 0; i < kTicksPerBlock + 3; ++i) {
+          written.push_back(random_tick(random, intubation));
+          for (LogLoad& load : written.back().loads) load.area_m2 = any_bits(random);
+          log.append(written.back());
+        }
+        log.close(sample_footer());
+      }
+      const TrialLog log = read_trial_log(path());
+      EXPECT_EQ(log.header.schema, areas ? 4 : intubation ? 3 : 1) << "older programs must not take its ticks for theirs";
+      EXPECT_EQ(log.header.has_contact_areas, areas);
+      EXPECT_FALSE(log.header.has_events);
+      ASSERT_EQ(log.ticks.size(), written.size());
+      for (std::size_t i = 0; i < written.size(); ++i) {
+        ASSERT_TRUE(same_bits(log.ticks[i], written[i])) << i;
+        EXPECT_EQ(log.ticks[i].has_areas, areas);
+        for (std::size_t s = 0; s < kStructures; ++s)
+          EXPECT_TRUE(same_bits(log.ticks[i].loads[s].area_m2, areas ? written[i].loads[s].area_m2 : 0.0));
+      }
+    }
+}
+
 TEST_F(TrialLogFile, EventsStandBetweenTheTicksTheyNameAndOutliveACut) {
   std::mt19937_64 random(5);
   for (const bool intubation : {false, true}) {
@@ -253,7 +285,7 @@ TEST_F(TrialLogFile, WhatAnIntubationDoesNotKnowIsRefused) {
   LogTick tick;
   tick.has_intubation = true;
   std::string good;
-  log_format::put_tick(good, tick);
+  log_format::put_tick(good, tick, false);
   ASSERT_EQ(good.size(), kTickWithIntubation);
   // Places by the layout: pose 56, valid 1, in hand 1, tip and direction 48, place 1, side 1, ... what is before the
   // tip 276.
@@ -266,12 +298,12 @@ TEST_F(TrialLogFile, WhatAnIntubationDoesNotKnowIsRefused) {
   for (const auto& c : cases) {
     std::string bytes = good;
     bytes[kTick + c.at] = static_cast<char>(c.first_unknown - 1);
-    EXPECT_NO_THROW(log_format::get_tick(bytes.data(), true)) << c.what;
+    EXPECT_NO_THROW(log_format::get_tick(bytes.data(), true, false)) << c.what;
     bytes[kTick + c.at] = static_cast<char>(c.first_unknown);
-    EXPECT_NE(error_of<TrialLogError>([&] { log_format::get_tick(bytes.data(), true); }).find(c.what),
+    EXPECT_NE(error_of<TrialLogError>([&] { log_format::get_tick(bytes.data(), true, false); }).find(c.what),
               std::string::npos);
   }
-  EXPECT_NO_THROW(log_format::get_tick(good.data(), true));  // 255: nothing is before the tip
+  EXPECT_NO_THROW(log_format::get_tick(good.data(), true, false));  // 255: nothing is before the tip
 }
 
 TEST_F(TrialLogFile, GivesBackEveryBit) {

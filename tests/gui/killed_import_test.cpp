@@ -27,7 +27,7 @@ TEST(KilledImport, LeavesAWholePackageOrNone) {
   fs::create_directory(box / "temporary");
   const std::vector<std::string> environment{"TMPDIR=" + (box / "temporary").string()};
   const auto package = box / "a.patient";
-  const std::vector<std::string> arguments{"import", (box / "ct").string(), "--out", package.string(), "--replace"};
+  const std::vector<std::string> arguments{"import", (box / "ct").string(), "--out", package.string(), "--replace", "--tets", "1000"};
   const auto start = std::chrono::steady_clock::now();
   ASSERT_EQ(box.run(arguments, environment).exit_code, 0);
   const double whole = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -35,14 +35,14 @@ TEST(KilledImport, LeavesAWholePackageOrNone) {
 
   std::mt19937 random(2);
   const int kills = std::getenv("VALLECULA_SLOW") != nullptr ? 60 : 10;
-  const std::array<int, 3> signals{SIGKILL, SIGTERM, SIGINT};
+  const std::array<int, 3> ends{SIGKILL, SIGTERM, SIGINT};
   for (int k = 0; k < kills; ++k) {
     const bool was_there = fs::exists(package);
     const pid_t process = box.start(arguments, environment);
     // Every other one near the end, where the package is written.
     const double share = random() % 1000 / 1000.0;
     ::usleep(static_cast<useconds_t>(1e6 * whole * (k % 2 == 0 ? share : 0.85 + 0.2 * share)));
-    ::kill(process, signals[k % 3]);
+    ::kill(process, ends[k % 3]);
     const Outcome outcome = box.wait(process);
     if (fs::exists(package)) {
       EXPECT_NO_THROW(pipeline::read_package(package)) << "kill " << k;

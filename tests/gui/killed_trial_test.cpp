@@ -55,6 +55,8 @@ TEST_F(KilledTrial, IsKeptAsInterruptedByTheNextStart) {
   const curricula::TrialLog log = curricula::read_trial_log(box_ / "killed");
   EXPECT_EQ(log.footer.ended, "interrupted");
   EXPECT_GE(log.ticks.size(), 256u);
+  for (const char* name : {"score.json", "force.png", "report.html"})
+    EXPECT_TRUE(fs::exists(box_ / "killed" / name)) << name << ": as a finished trial has it";
   const Outcome verified = box_.run({"replay", (box_ / "killed").string(), "--verify"});
   EXPECT_NE(verified.err.find(std::to_string(log.ticks.size()) + " ticks are bit-identical"), std::string::npos)
       << verified.err;

@@ -14,12 +14,13 @@ using curricula::LogTick;
 
 std::string bytes_of(const LogTick& tick) {
   std::string bytes;
-  curricula::log_format::put_tick(bytes, tick);
+  curricula::log_format::put_tick(bytes, tick, true);
   return bytes;
 }
 
 LogTick some_tick(bool intubation) {
   LogTick tick;
+  tick.has_areas = true;
   tick.has_intubation = intubation;
   tick.intubation.tip_against = curricula::kTubeTongue;
   tick.intubation.side = 0;  // its last bit changed is 1, a side as well
@@ -32,14 +33,14 @@ TEST(LogConversion, EveryByteOfATickIsKeptAndCompared) {
   for (const bool intubation : {false, true}) {
     const LogTick tick = some_tick(intubation);
     const std::string bytes = bytes_of(tick);
-    ASSERT_EQ(bytes.size(), curricula::log_format::tick_bytes(intubation));
+    ASSERT_EQ(bytes.size(), curricula::log_format::tick_bytes(intubation, true));
     EXPECT_EQ(bytes_of(to_log(from_log(tick))), bytes);
     EXPECT_EQ(first_difference(tick, tick).field, "");
     std::set<std::string> names;
     for (std::size_t at = 0; at < bytes.size(); ++at) {
       std::string other = bytes;
       other[at] = static_cast<char>(other[at] ^ 1);
-      const LogTick changed = curricula::log_format::get_tick(other.data(), intubation);
+      const LogTick changed = curricula::log_format::get_tick(other.data(), intubation, true);
       EXPECT_EQ(bytes_of(to_log(from_log(changed))), other) << "byte " << at;
       const std::string field = first_difference(tick, changed).field;
       EXPECT_NE(field, "") << "byte " << at;
@@ -50,6 +51,11 @@ TEST(LogConversion, EveryByteOfATickIsKeptAndCompared) {
     EXPECT_EQ(names.count("faults"), 1u);
   }
   EXPECT_EQ(first_difference(some_tick(false), some_tick(true)).field, "has_intubation");
+  LogTick older = some_tick(false), again = older;
+  again.loads[0].area_m2 = 1e-5;
+  EXPECT_EQ(first_difference(older, again).field, "loads.tongue.area_m2");
+  older.has_areas = false;
+  EXPECT_EQ(first_difference(older, again).field, "") << "an older log knows no areas";
 }
 
 TEST(LogConversion, SettingsNameTheTubeAndTheWayToTheCarina) {

@@ -184,6 +184,9 @@ TEST(Report, TellsOfAnIntubationWhereverAPersonReads) {
                            "class=\"missed\">",
                            "2</td><td>at most 2</td><td class=\"met\">", "yellow with breath 3",
                            "1.25 N, at 42.5 s (cricoid)", "cricoid 2.5 N", "95 %, 60 %: severe desaturation",
+                           "<h2>Points: ", "<h2>Checklist</h2>", "Ventilated between attempts</td><td class=\"met\">yes",
+                           "Handle in the left hand</td><td class=\"\">not seen", "Cormack-Lehane grade at best",
+                           "0.0 mm shallower", "Global rating, by a person:",
                            "90 per minute: bradycardia", "1 time, 0 breaths given there", "<h2>The monitor</h2>"}) {
     EXPECT_NE(page.find(part), std::string::npos) << part;
   }
@@ -200,6 +203,12 @@ TEST(Report, TellsOfAnIntubationWhereverAPersonReads) {
                            "breaths before",
                            "yellow with breath 3 (met: yellow, with breath 6)"}) {
     EXPECT_NE(table.str().find(part), std::string::npos) << part << " in\n" << table.str();
+  }
+  for (const char* part : {"of 100\n", "not seen Tip in the vallecula", "(no source given; not validated)"})
+    EXPECT_NE(table.str().find(part), std::string::npos) << part << " in\n" << table.str();
+  for (const char* hidden : {"remor", "moothness", "SPARC"}) {
+    EXPECT_EQ(page.find(hidden), std::string::npos) << hidden << " is for researchers";
+    EXPECT_EQ(table.str().find(hidden), std::string::npos) << hidden << " is for researchers";
   }
   EXPECT_EQ(text_of(box / "report.html").find("http"), std::string::npos) << "self-contained";
 }

@@ -2,7 +2,7 @@
 #include <QCloseEvent>
 #include <QComboBox>
 #include <QLabel>
-#include <QListWidget>
+#include <QTreeWidget>
 #include <QMouseEvent>
 #include <QPushButton>
 #include <QStandardItemModel>
@@ -257,7 +257,7 @@ TEST_F(Window, OpensOnTheShippedScenariosAndHandsOverTheChoice) {
   QApplication::processEvents();
   EXPECT_EQ(window.page_name(), "start");
   EXPECT_GT(colours_in(window.grab().toImage()), 6);
-  EXPECT_EQ(window.start_page().findChild<QListWidget*>()->count(), 3);
+  EXPECT_EQ(window.start_page().findChild<QTreeWidget*>()->topLevelItemCount(), 3);
   ASSERT_TRUE(window.start_page().select("preterm", "scripted:expert"));
   const Choice choice = window.start_page().choice();
   EXPECT_EQ(choice.scenario.id, "preterm");

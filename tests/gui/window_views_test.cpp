@@ -282,5 +282,49 @@ TEST(StateWords, AFaultHidesNoLimit) {
   EXPECT_TRUE(banner_for(snapshot, "").startsWith("The device stopped answering."));
 }
 
+TEST_F(Views, TheGlottisIsPointedOutAndTheExpertsWayGoesRound) {
+  OperatorView view;
+  show(view, 500, 420);
+  view.set_zoom(OperatorView::Zoom::mouth);
+  view.update_from(at_rest(patient(), {0, 0, 5}));
+  for (int i = 0; i < 3; ++i) view.picture();
+  const auto settled = [&] {  // the view zooms for 0.8 s
+    for (int i = 0; i < 30 && view.closeness() < 1.0; ++i) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(50));
+      view.update_from(at_rest(patient(), {0, 0, 5}));
+    }
+    return view.picture();
+  };
+  const auto yellow = [](QRgb c, int, int) { return qRed(c) > qBlue(c) + 60 && qGreen(c) > qBlue(c) + 60; };
+  const QImage plain = settled();
+  view.highlight_glottis();
+  const QImage marked = view.picture();
+  const Spot outline = difference(plain, marked);
+  EXPECT_GT(outline.pixels, 10) << "seen even where the tongue hides it";
+  EXPECT_GT(find_pixels(marked, yellow).pixels, find_pixels(plain, yellow).pixels);
+  EXPECT_NEAR(outline.x, 250.0, 25.0) << "in the middle";
+
+  const engine::Pose before_lips{{0.0, -0.060, 0.045}, engine::Quat::Identity()}, inside{{0.0, 0.0, 0.010}, engine::Quat::Identity()};
+  const auto key = [](double time_s, const engine::Pose& pose) {
+    device::Keyframe k;
+    k.time_s = time_s;
+    for (int axis = 0; axis < 3; ++axis) k.position_m[axis] = pose.position[axis];
+    return k;
+  };
+  view.show_ghost_path(plain_blade(), device::Trajectory({key(0.0, before_lips), key(2.0, inside)}));
+  view.set_ghost_time(0.0);
+  const QImage begin = view.picture();
+  view.set_ghost_time(2.0);
+  const QImage end = view.picture();
+  EXPECT_GT(difference(begin, end).pixels, 100) << "it moves";
+  view.set_ghost_time(3.4);
+  EXPECT_LT(difference(view.picture(), end).pixels, 5) << "rests at its end";
+  view.set_ghost_time(3.5);
+  EXPECT_LT(difference(view.picture(), begin).pixels, 5) << "and begins again after 1.5 s";
+  view.show_patient(make_patient_look(patient()), plain_blade());
+  view.update_from(at_rest(patient(), {0, 0, 5}));
+  EXPECT_EQ(find_pixels(settled(), yellow).pixels, find_pixels(plain, yellow).pixels) << "gone with the patient";
+}
+
 }  // namespace
 }  // namespace vallecula::gui::window_test

@@ -106,5 +106,14 @@ TEST(Progress, ResultsOfOtherCoursesAreLeftOut) {
   EXPECT_TRUE(progress_of(course(), {pass("elsewhere"), miss("elsewhere")}, "mouse")[1].cusum.empty());
 }
 
+TEST(Progress, CountsWhatIsDoneOnTheWay) {
+  const auto all = progress_of(course(), {pass("a1"), pass("a1"), pass("a2", 3), miss("a2"), pass("a2")}, "mouse");
+  EXPECT_EQ(all[0].trials, 5);
+  EXPECT_EQ(all[0].succeeded, 3) << "three attempts are one too many";
+  EXPECT_EQ(all[0].scenarios_done, 1) << "a2 was never passed twice running";
+  EXPECT_EQ(all[1].trials, 0);
+  EXPECT_EQ(progress_of(course(), {pass("b1")}, "mouse")[1].scenarios_done, 1) << "CUSUM asks for one success of each";
+}
+
 }  // namespace
 }  // namespace vallecula::curricula

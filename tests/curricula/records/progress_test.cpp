@@ -85,7 +85,9 @@ TEST_P(AnyRecords, WhatCountsTowardsMasteryIsOldestFirstAndWhole) {
   records.add(row);
   row.curriculum_id = "another";
   records.add(row);
-  const auto results = Progress(records).results(std::nullopt, 0, "first-steps");
+  const auto all = Progress(records).results(std::nullopt, 0);
+  EXPECT_EQ(all.size(), 2u);
+  const auto& results = all.at("first-steps");
   ASSERT_EQ(results.size(), 2u);
   EXPECT_EQ(results[0].mode, Mode::assessment);
   EXPECT_EQ(results[0].device_kind, "mouse");
@@ -198,6 +200,21 @@ TEST_P(AnyRecords, ANoteStandsAtASecondOfATrial) {
     EXPECT_NE(error_of<RecordsError>([&] { notes.add(c.boss, trial, at, "x"); }).find("second"), std::string::npos);
   EXPECT_NE(error_of<RecordsError>([&] { notes.add(c.boss, 999, 1.0, "x"); }).find("no trial 999"), std::string::npos);
   EXPECT_TRUE(notes.of_trial(c.boss, trial).empty());
+}
+
+TEST_P(AnyRecords, ANotesTrialIsFoundByItsLog) {
+  Class c(location());
+  c.add(c.kiwi_id, "2024-05-01T10:00:00Z", true);  // whose log's hash is not known
+  RecordRow row;
+  row.finished_utc = "2024-05-02T10:00:00Z";
+  row.curriculum_id = row.scenario_id = row.device_kind = "x";
+  row.trial_path = "/somewhere/trial.vtrial";
+  row.log_sha256 = "abc";
+  const long long trial = c.records.add(row);
+  const Notes notes(c.records);
+  EXPECT_EQ(notes.trial_of_log("abc"), trial);
+  EXPECT_EQ(notes.trial_of_log("abd"), 0);
+  EXPECT_EQ(notes.trial_of_log(""), 0);
 }
 
 }  // namespace

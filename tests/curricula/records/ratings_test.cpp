@@ -31,8 +31,9 @@ TEST_P(AnyRecords, TheOwnRatingIsGivenOnceAndByTheTraineeAlone) {
   Raters all(location());
   all.ratings.add(all.kiwi, all.trial, {"self", kGlobalRating, 4.0});
   all.ratings.add(all.kiwi, all.trial, {"self", kGlobalRating, 4.0});  // the answer to the first try was lost
-  EXPECT_NE(error_of<RecordsError>([&] { all.ratings.add(all.kiwi, all.trial, {"self", kGlobalRating, 5.0}); })
-                .find("it stays"),
+  EXPECT_NE(error_of<RecordsError>([&] {
+              all.ratings.add(all.kiwi, all.trial, {"self", kGlobalRating, 5.0});
+            }).find("it stays"),
             std::string::npos);
   for (const Who& who : {all.boss, all.emu, Who()})
     EXPECT_NE(error_of<NotAllowed>([&] { all.ratings.add(who, all.trial, {"self", "tube_held", 1.0}); }), "");

@@ -427,6 +427,41 @@ TEST(ScoreJson, HasTheKeysThatOthersRead) {
   }
 }
 
+TEST(ScoreJson, EveryPointSaysWhenAndWhyAndTheOtherFiguresHaveTheirGroups) {
+  const TrialLog log = log_of(14, [](LogTick& t) {
+    good(t);
+    if (t.tick == 6700) t.loads[kTongue].force_n = {0, 0, -7.25};
+  });
+  const QJsonObject o =
+      QJsonDocument::fromJson(QByteArray::fromStdString(score_to_json(score_trial(log, scenario()), log, scenario())))
+          .object();
+  const QJsonArray points = o.value("points").toArray();
+  ASSERT_EQ(points.size(), 6);
+  double of = 0.0;
+  for (const QJsonValue& one : points) {
+    of += one.toObject().value("of").toDouble();
+    EXPECT_NE(one.toObject().value("sentence").toString(), "");
+  }
+  EXPECT_NEAR(of, 100.0, 1e-9);
+  const QJsonObject tongue = points[2].toObject();
+  EXPECT_EQ(tongue.value("mark").toString(), "peak_tongue_force_n");
+  EXPECT_EQ(tongue.value("earned").toDouble(), 0.0);
+  EXPECT_NEAR(tongue.value("at_s").toDouble(), 6.7, 1e-9);
+  EXPECT_TRUE(tongue.value("sentence").toString().contains("7.25 N at 6.70 s"));
+  const auto in = [&](const char* group, const char* name) { return o.value(group).toObject().value(name); };
+  EXPECT_NEAR(in("force", "mean_tongue_force_n").toDouble(), (1999 * 4.0 + 7.25) / 2000, 1e-9);
+  EXPECT_NEAR(in("view", "mean_glottis_visible_percent").toDouble(), 82.0, 1e-9);
+  EXPECT_EQ(in("view", "cormack_lehane").toInt(), 1);
+  EXPECT_TRUE(in("view", "time_to_stable_view_s").isNull()) << "a second of it is not stable";
+  EXPECT_NEAR(in("blade", "entry_left_m").toDouble(), 0.0, 1e-12);
+  EXPECT_TRUE(in("motion", "tip_path_m").isDouble());
+  EXPECT_FALSE(o.value("motion").toObject().contains("tremor_m")) << "for researchers only";
+  EXPECT_TRUE(in("for_researchers", "tremor_m").isDouble());
+  EXPECT_FALSE(o.contains("dual_task"));
+  EXPECT_GE(o.value("checklist").toArray().size(), 5);
+  EXPECT_TRUE(in("global_rating", "given").isNull()) << "a person gives it";
+}
+
 TEST(ScoreJson, WhatDoesNotExistIsNullAndNothingIsNan) {
   TrialLog log = log_of(14, [](LogTick& t) { t.loads[kTongue].force_n[0] = std::numeric_limits<double>::infinity(); });
   log.footer = LogFooter{};

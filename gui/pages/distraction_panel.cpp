@@ -1,0 +1,160 @@
+#include "gui/pages/distraction_panel.h"
+
+#include <QApplication>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "gui/report/markdown.h"
+#include "gui/views/theme.h"
+
+namespace vallecula::gui {
+namespace {
+
+using Kind = curricula::Distraction::Kind;
+
+constexpr int kBeepMs = 1500;
+constexpr int kBarSteps = 1000;
+constexpr int kHeight = 150;  // of a question and one more; what is seen beside it must not jump
+
+QColor colour_of(Kind kind) {
+  return kind == Kind::alarm ? theme::kBad : kind == Kind::question ? theme::kDevice : theme::kFaint;
+}
+
+const char* name_of(Kind kind) {
+  return kind == Kind::alarm ? "Alarm" : kind == Kind::question ? "Question" : "The team talks";
+}
+
+}  // namespace
+
+DistractionPanel::DistractionPanel(QWidget* parent) : QFrame(parent) {
+  setObjectName("panel");
+  setMinimumHeight(kHeight);
+  column_ = new QVBoxLayout(this);
+  column_->setContentsMargins(10, 8, 10, 8);
+  column_->setSpacing(6);
+  idle_ = new QLabel(
+      "You will be asked things meanwhile, here. Keys 1 to 6 answer, M silences an alarm; talk asks for "
+      "nothing.",
+      this);
+  idle_->setObjectName("faint");
+  idle_->setWordWrap(true);
+  column_->addWidget(idle_);
+  column_->addStretch(1);
+  hide();
+}
+
+void DistractionPanel::serve(DualTask* task, bool by_person) {
+  for (const Row& row : rows_) delete row.widget;
+  rows_.clear();
+  task_ = task;
+  by_person_ = by_person;
+  idle_->show();
+  setVisible(task_ != nullptr && !task_->distractions().empty());
+}
+
+int DistractionPanel::first_of(Kind kind) const {
+  for (const Row& row : rows_)
+    if (task_->distractions()[static_cast<std::size_t>(row.distraction - 1)].kind == kind) return row.distraction;
+  return 0;
+}
+
+bool DistractionPanel::key(QKeyEvent* event, bool pressed) {
+  if (task_ == nullptr || task_->distractions().empty()) return false;
+  const int answer = event->key() - Qt::Key_0;
+  const bool number = answer >= 1 && answer <= 9;
+  if (!number && event->key() != Qt::Key_M) return false;
+  if (!pressed || event->isAutoRepeat() || !by_person_) return true;
+  if (number)
+    task_->answer(first_of(Kind::question), answer);
+  else
+    task_->silence(first_of(Kind::alarm));
+  return true;
+}
+
+DistractionPanel::Row DistractionPanel::make_row(const DualTask::Open& open, bool has_keys) {
+  const int number = open.distraction;
+  const curricula::Distraction& it = task_->distractions()[static_cast<std::size_t>(number - 1)];
+  const QColor colour = colour_of(it.kind);
+  Row row;
+  row.distraction = number;
+  row.widget = new QWidget(this);
+  auto* inside = new QVBoxLayout(row.widget);
+  inside->setContentsMargins(0, 0, 0, 0);
+  inside->setSpacing(4);
+  auto* text = new QLabel(QString("<b style='color:%1'>%2</b> &nbsp;").arg(colour.name(), name_of(it.kind)) +
+                              plain_of(it.text).toHtmlEscaped().replace('\n', "<br>"),
+                          row.widget);
+  text->setTextFormat(Qt::RichText);
+  text->setWordWrap(true);
+  text->setStyleSheet("font-size: 11pt;");
+  inside->addWidget(text);
+  if (it.kind == Kind::talk) return row;
+  auto* buttons = new QHBoxLayout;
+  buttons->setSpacing(6);
+  const auto button = [&](const QString& label) {
+    auto* made = new QPushButton(label, row.widget);
+    made->setFocusPolicy(Qt::NoFocus);  // keys are the hands'
+    made->setStyleSheet("padding: 5px 8px;");
+    made->setEnabled(by_person_);
+    buttons->addWidget(made);
+    return made;
+  };
+  if (it.kind == Kind::alarm) {
+    connect(button(has_keys ? "Silence (M)" : "Silence"), &QPushButton::clicked, this,
+            [this, number] { task_->silence(number); });
+  } else {
+    for (std::size_t a = 0; a < it.answers.size(); ++a) {
+      const int answer = static_cast<int>(a) + 1;
+      const QString words = plain_of(it.answers[a]);
+      connect(button(has_keys ? QString("%1:  %2").arg(answer).arg(words) : words), &QPushButton::clicked, this,
+              [this, number, answer] { task_->answer(number, answer); });
+    }
+  }
+  buttons->addStretch(1);
+  inside->addLayout(buttons);
+  row.left = new QProgressBar(row.widget);
+  row.left->setRange(0, kBarSteps);
+  row.left->setTextVisible(false);
+  row.left->setFixedHeight(7);
+  row.left->setAccessibleName("Time left");
+  row.left->setStyleSheet(
+      QString("QProgressBar::chunk { background: %1; border-radius: 3px; } QProgressBar { border-radius: 3px; }")
+          .arg(colour.name()));
+  inside->addWidget(row.left);
+  return row;
+}
+
+void DistractionPanel::refresh() {
+  if (task_ == nullptr || task_->distractions().empty()) return;
+  const std::vector<DualTask::Open> open = task_->open();
+  const bool same =
+      std::equal(open.begin(), open.end(), rows_.begin(), rows_.end(),
+                 [](const DualTask::Open& o, const Row& row) { return o.distraction == row.distraction; });
+  if (!same) {
+    for (const Row& row : rows_) row.widget->deleteLater(), row.widget->hide();
+    rows_.clear();
+    bool question = false, alarm = false;
+    for (const DualTask::Open& one : open) {
+      const Kind kind = task_->distractions()[static_cast<std::size_t>(one.distraction - 1)].kind;
+      bool& taken = kind == Kind::question ? question : alarm;
+      rows_.push_back(make_row(one, !taken));
+      if (kind != Kind::talk) taken = true;
+      column_->insertWidget(static_cast<int>(rows_.size()) - 1, rows_.back().widget);
+    }
+    idle_->setVisible(rows_.empty());
+  }
+  for (std::size_t i = 0; i < open.size(); ++i)
+    if (rows_[i].left != nullptr)
+      rows_[i].left->setValue(static_cast<int>(kBarSteps * open[i].left_s / std::max(1e-3, open[i].of_s)));
+  if (first_of(Kind::alarm) != 0 && (!since_beep_.isValid() || since_beep_.elapsed() > kBeepMs)) {
+    QApplication::beep();
+    since_beep_.start();
+  }
+}
+
+}  // namespace vallecula::gui

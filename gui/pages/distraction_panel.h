@@ -1,0 +1,47 @@
+// What is asked, what sounds and what is said beside the hands: questions with their answers, alarms to silence, talk.
+#pragma once
+
+#include <QElapsedTimer>
+#include <QFrame>
+#include <vector>
+
+#include "gui/session/dual_task.h"
+
+class QKeyEvent;
+class QLabel;
+class QProgressBar;
+class QVBoxLayout;
+
+namespace vallecula::gui {
+
+class DistractionPanel : public QFrame {
+  Q_OBJECT
+ public:
+  explicit DistractionPanel(QWidget* parent = nullptr);
+  /// Whose distractions are shown from now on; null: nobody's, and the panel is hidden where there are none.
+  /// `by_person`: false where a script answers, or nobody does.
+  void serve(DualTask* task, bool by_person);
+  /// True when the key is one of these: 1 to 6 answer the question that is open longest, M silences the alarm that is.
+  bool key(QKeyEvent* event, bool pressed);
+  /// To be called for every frame.
+  void refresh();
+
+ private:
+  struct Row {
+    int distraction = 0;
+    QWidget* widget = nullptr;
+    QProgressBar* left = nullptr;  ///< null: of talk
+  };
+  Row make_row(const DualTask::Open& open, bool has_keys);
+  /// The longest open of this kind; 0: none.
+  int first_of(curricula::Distraction::Kind kind) const;
+
+  DualTask* task_ = nullptr;
+  bool by_person_ = false;
+  std::vector<Row> rows_;
+  QLabel* idle_;
+  QVBoxLayout* column_;
+  QElapsedTimer since_beep_;
+};
+
+}  // namespace vallecula::gui

@@ -1,0 +1,65 @@
+#include "gui/pages/module_words.h"
+
+#include <QStringList>
+
+namespace vallecula::gui {
+namespace {
+
+constexpr int kAnyNumber = 20;  // the most that a rule may allow says nothing
+
+QString within(int attempts) {
+  if (attempts >= kAnyNumber) return {};
+  return attempts == 1 ? QString(" at the first attempt") : QString(" within %1 attempts").arg(attempts);
+}
+
+}  // namespace
+
+QString state_of(const curricula::ModuleProgress& progress) {
+  return progress.mastered ? "mastered" : progress.open ? "open" : "closed";
+}
+
+QString progress_line(const curricula::Module& module, const curricula::ModuleProgress& progress) {
+  QString line = "no trial yet";
+  if (progress.trials > 0)
+    line = QString("%1 of %2 trials passed%3")
+               .arg(progress.succeeded)
+               .arg(progress.trials)
+               .arg(within(module.mastery.attempts));
+  line += QString(", %1 of %2 scenarios done").arg(progress.scenarios_done).arg(module.scenarios.size());
+  if (module.mastery.by_cusum)
+    line += QString(", cumulative sum %1 (mastered at %2)")
+                .arg(progress.cusum.empty() ? 0.0 : progress.cusum.back().sum, 0, 'f', 1)
+                .arg(curricula::cusum_lines(module.mastery.cusum).lower, 0, 'f', 1);
+  return line;
+}
+
+QString mastery_rule(const curricula::Module& module) {
+  const curricula::MasteryRule& rule = module.mastery;
+  QString text = rule.by_cusum ? QString(
+                                     "Mastered when the cumulative sum (CUSUM) over all its trials reaches %1 and each "
+                                     "scenario has been passed")
+                                     .arg(curricula::cusum_lines(rule.cusum).lower, 0, 'f', 1)
+                 : rule.passes == 1
+                     ? QString("Mastered when each scenario has been passed")
+                     : QString("Mastered when each scenario has been passed %1 times running").arg(rule.passes);
+  text += within(rule.attempts);
+  text += rule.assessments_only ? "; only assessments count. " : ". ";
+  return text + QString("Source: %1. Not validated.").arg(QString::fromStdString(rule.source));
+}
+
+QString why_closed(const curricula::Curriculum& curriculum, const std::vector<curricula::ModuleProgress>& progress,
+                   const std::string& scenario_id) {
+  QStringList missing;
+  const auto ask_for = [&](const std::vector<std::string>& after) {
+    for (const std::string& id : after)
+      for (std::size_t m = 0; m < curriculum.modules.size(); ++m) {
+        const QString title = QString::fromStdString(curriculum.modules[m].title);
+        if (curriculum.modules[m].id == id && !progress[m].mastered && !missing.contains(title)) missing << title;
+      }
+  };
+  if (const curricula::Module* module = curriculum.module_of(scenario_id)) ask_for(module->after);
+  if (const curricula::Scenario* scenario = curriculum.find(scenario_id)) ask_for(scenario->after);
+  return missing.isEmpty() ? QString() : "Opens after " + missing.join(" and ") + " is mastered.";
+}
+
+}  // namespace vallecula::gui

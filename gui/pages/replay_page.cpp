@@ -1,0 +1,321 @@
+#include "gui/pages/replay_page.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QTabWidget>
+#include <algorithm>
+
+#include "gui/pages/linked_chart.h"
+#include "gui/pages/notes_panel.h"
+#include "gui/pages/timed_list.h"
+#include "gui/pages/timeline.h"
+#include "gui/report/force_chart.h"
+#include "gui/report/monitor_chart.h"
+#include "gui/views/force_bars.h"
+#include "gui/views/monitor_panel.h"
+#include "gui/views/operator_view.h"
+#include "gui/views/replay_marks.h"
+#include "gui/views/sagittal_view.h"
+#include "gui/views/theme.h"
+#include "gui/views/trial_readings.h"
+
+namespace vallecula::gui {
+
+namespace {
+
+constexpr int kCutMs = 140, kWaitingMs = 500;
+constexpr double kTrend_s = 60.0, kTrendStep_s = 0.25;  // what the monitor shows of the past
+
+/// The monitor's own part of a snapshot, of a tick of the log.
+engine::Snapshot monitor_snapshot(const curricula::LogTick& tick) {
+  engine::Snapshot snapshot;
+  snapshot.step = 0;
+  snapshot.time_s = tick.time_s;
+  snapshot.has_intubation = tick.has_intubation;
+  const curricula::LogIntubation& i = tick.intubation;
+  snapshot.intubation.spo2 = i.spo2;
+  snapshot.intubation.sao2 = i.sao2;
+  snapshot.intubation.heart_per_min = i.heart_per_min;
+  snapshot.intubation.detector_yellow = i.detector_yellow;
+  snapshot.intubation.breaths_given = i.breaths_given;
+  snapshot.intubation.given_per_min = i.given_per_min;
+  return snapshot;
+}
+
+}  // namespace
+
+void ReplayPage::open(std::shared_ptr<ReplayTrial> trial, double at_s, bool mark) {
+  close_replay();
+  trial_ = std::move(trial);
+  const engine::SceneDescription& scene = trial_->scene;
+  const auto* intubation = scene.intubation ? &*scene.intubation : nullptr;
+  title_->setText("Replay: " + QString::fromStdString(trial_->scenario.title));
+  operator_view_->show_patient(trial_->look, scene.tool.surface, intubation);
+  sagittal_view_->show_patient(trial_->look, scene.tool.surface, intubation);
+  operator_view_->add_marks(marks_->props());
+  sagittal_view_->add_marks(cut_marks_->props());
+  for (const auto& marks : {marks_.get(), cut_marks_.get()})
+    marks->set_paths(trial_->path, trial_->expert_path, trial_->scenario.targets.tongue_force_n);
+  const bool planned = !trial_->expert_path.tip_mm.empty();
+  expert_->setEnabled(planned);
+  expert_->setToolTip(planned ? "X: the way a scripted expert's tip takes in this patient, in white"
+                              : "The scripted expert has no plan for this patient");
+  free_->setChecked(false);
+  legend_->setText(QString("Tip's path: <span style='color:%1'>&#9644;</span> below half the target force on the tongue "
+                           "<span style='color:%2'>&#9644;</span> up to it (%4 N) <span style='color:%3'>&#9644;</span> "
+                           "over it; in white the expert's")
+                       .arg(theme::kDevice.name(), theme::kTarget.name(), theme::kBad.name())
+                       .arg(trial_->scenario.targets.tongue_force_n, 0, 'f', 1));
+  bars_->set_marks({trial_->scenario.targets.tongue_force_n, trial_->scenario.targets.gum_force_n,
+                    trial_->log->header.device_limit_n});
+  monitor_->clear();
+  monitor_->setVisible(intubation != nullptr);
+  timeline_->show_trial(trial_->events, trial_->end_s());
+  show_lists();
+  show_charts();
+  notes_->open(trial_->log_file);
+  stop_->setVisible(true);
+  progress_->setVisible(true);
+  shown_ = -1;
+  dirty_ = true;
+  since_frame_.start();
+  since_cut_.start();
+  mark ? look_at(at_s) : seek(at_s);
+  timer_.start();
+  setFocus();
+}
+
+void ReplayPage::close_replay() {
+  play(false);
+  timer_.stop();
+  trial_.reset();
+}
+
+void ReplayPage::set_who(const curricula::Who& who) { notes_->set_who(who); }
+
+void ReplayPage::show_lists() {
+  reasons_->clear();
+  for (const curricula::Criterion& criterion : trial_->score.criteria) {
+    const auto points = std::find_if(trial_->points.begin(), trial_->points.end(),
+                                     [&](const auto& p) { return p.mark == criterion.name; });
+    QString text = (criterion.met ? QString::fromUtf8("\u2713 ") : QString::fromUtf8("\u2717 ")) +
+                   QString::fromStdString(criterion.sentence);
+    QString source;
+    if (points != trial_->points.end()) {
+      text += QString(" (%1 of %2 points)").arg(points->earned, 0, 'f', 0).arg(points->of, 0, 'f', 0);
+      source = "Pass mark: " + QString::fromStdString(points->source);
+    }
+    reasons_->add(criterion.at_s, text, criterion.met ? theme::kText : theme::kOver, source);
+  }
+  events_->clear();
+  for (const ReplayEvent& event : trial_->events)
+    if (!minor(event)) events_->add(event.at_s, QString::fromStdString(event.text), event_colour(event.kind));
+}
+
+void ReplayPage::show_charts() {
+  const auto log = trial_->log;
+  const auto scenario = std::make_shared<const curricula::Scenario>(trial_->scenario);
+  const auto score = std::make_shared<const curricula::Score>(trial_->score);
+  force_chart_->show_chart(
+      [log, scenario, score](int wide, int high) { return draw_force_chart(*log, *scenario, *score, wide, high); },
+      trial_->end_s());
+  const bool monitored = score->intubation.has_value();
+  charts_->setTabEnabled(1, monitored);
+  if (!monitored) charts_->setCurrentIndex(0);
+  if (monitored)
+    monitor_chart_->show_chart(
+        [log, scenario, score](int wide, int high) { return draw_monitor_chart(*log, *scenario, *score, wide, high); },
+        trial_->end_s());
+}
+
+void ReplayPage::play(bool on) {
+  if (on && !trial_) return;
+  if (on && at_s_ >= trial_->end_s() - 1e-6) seek(0.0);  // from its end, anew
+  playing_ = on;
+  since_frame_.restart();
+  play_->setText(on ? "Pause" : "Play");
+  if (!on && trial_) {
+    operator_view_->settle();
+    dirty_ = true;
+  }
+}
+
+double ReplayPage::rate() const { return rate_->currentData().toDouble(); }
+
+void ReplayPage::set_rate(double rate) {
+  const int index = rate_->findData(rate);
+  if (index >= 0) rate_->setCurrentIndex(index);
+}
+
+void ReplayPage::seek(double at_s) {
+  if (!trial_) return;
+  at_s_ = std::clamp(at_s, 0.0, trial_->end_s());
+  since_frame_.restart();
+  show_now(true);
+}
+
+void ReplayPage::look_at(double at_s) {
+  if (!trial_) return;
+  set_marked(at_s);
+  seek(at_s - kBeforeReason_s);
+}
+
+void ReplayPage::step(int frames) {
+  if (!trial_) return;
+  play(false);
+  const auto now = static_cast<long long>(trial_->film->frame_at(at_s_));
+  const long long last = static_cast<long long>(trial_->film->plan().frames) - 1;
+  seek(trial_->film->time_s(static_cast<std::size_t>(std::clamp(now + frames, 0LL, last))));
+}
+
+void ReplayPage::to_next_event() {
+  if (!trial_) return;
+  if (const ReplayEvent* event = next_event(trial_->events, at_s_)) {
+    set_marked(event->at_s);
+    seek(event->at_s);
+  }
+}
+
+void ReplayPage::to_previous_event() {
+  if (!trial_) return;
+  const ReplayEvent* event = previous_event(trial_->events, at_s_);
+  if (event != nullptr) set_marked(event->at_s);
+  seek(event != nullptr ? event->at_s : 0.0);
+}
+
+void ReplayPage::set_marked(double at_s) {
+  timeline_->mark(at_s);
+  force_chart_->mark(at_s);
+  monitor_chart_->mark(at_s);
+}
+
+void ReplayPage::frame() {
+  if (!trial_) return;
+  try {
+    const double passed = 1e-3 * static_cast<double>(since_frame_.restart());
+    show_film_progress();
+    if (playing_) {
+      const ReplayFilm& film = *trial_->film;
+      const double ready = film.computed() == film.plan().frames ? trial_->end_s()
+                           : film.computed() > 0                 ? film.time_s(film.computed() - 1)
+                                                                 : 0.0;
+      // What is not computed yet is waited for, and nothing is left out.
+      at_s_ = std::max(at_s_, std::min(at_s_ + passed * rate(), ready));
+      show_now(false);
+      if (at_s_ >= trial_->end_s() || (film.finished() && at_s_ >= ready)) play(false);
+    } else if (waiting_ && (trial_->film->frame(trial_->film->frame_at(at_s_)) != nullptr ||
+                            (!trial_->film->finished() && since_cut_.elapsed() >= kWaitingMs))) {
+      show_now(true);  // what was waited for, and on the way there how far it is
+    }
+    draw_views(!playing_);
+  } catch (const std::exception& error) {
+    const QString message = QString::fromUtf8(error.what());
+    close_replay();
+    emit failed(message);
+  }
+}
+
+void ReplayPage::show_film_progress() {
+  const ReplayFilm& film = *trial_->film;
+  const bool done = film.finished();
+  timeline_->set_ready(film.computed() > 0 ? film.time_s(film.computed() - 1) : 0.0);
+  progress_->setValue(static_cast<int>(1000 * film.computed() / std::max<std::size_t>(1, film.plan().frames)));
+  progress_->setVisible(!done);
+  stop_->setVisible(!done);
+  QStringList said;
+  if (waiting_ && !done) said << QString("Computing on to %1 ...").arg(clock_text(at_s_));
+  if (waiting_ && done) said << "The replay was stopped before this second.";
+  if (done && !film.remark().empty() && !waiting_) said << QString::fromStdString(film.remark());
+  for (const std::string& notice : trial_->notices) said << QString::fromStdString(notice);
+  said.removeDuplicates();
+  const QString text = said.join(". ");
+  if (told_->toolTip() != text) {
+    told_->setToolTip(text);
+    told_->setText(said.isEmpty() ? QString() : said.first());
+  }
+}
+
+void ReplayPage::show_now(bool jumped) {
+  const ReplayFilm& film = *trial_->film;
+  std::size_t index = film.frame_at(at_s_);
+  const std::size_t computed = film.computed();
+  waiting_ = index >= computed;
+  if (waiting_ && computed > 0) index = computed - 1;  // the nearest there is
+  if (computed > 0 && static_cast<long long>(index) != shown_) {
+    const engine::Snapshot& snapshot = *film.frame(index);
+    shown_ = static_cast<long long>(index);
+    operator_view_->update_from(snapshot);
+    sagittal_view_->update_from(snapshot, trial_->scenario.sight_percent);
+    marks_->show(snapshot);
+    cut_marks_->show(snapshot);
+    if (jumped) operator_view_->settle();
+    dirty_ = true;
+  }
+  show_figures();
+  show_monitor(jumped);
+  timeline_->show_time(at_s_);
+  force_chart_->show_time(at_s_);
+  monitor_chart_->show_time(at_s_);
+  notes_->show_time(at_s_);
+  events_->follow(at_s_);
+}
+
+void ReplayPage::show_figures() {
+  const curricula::LogTick& tick = trial_->tick_at(at_s_);
+  const std::size_t index =
+      std::min(static_cast<std::size_t>(&tick - trial_->log->ticks.data()) / kPeaksEvery, trial_->peaks.size() - 1);
+  bars_->clear();
+  bars_->show_forces(trial_->peaks[index].tongue_n, trial_->peaks[index].gum_n);
+  bars_->show_forces(ReplayTrial::load_n(tick, curricula::kTongue), ReplayTrial::load_n(tick, curricula::kGum));
+  clock_->setText(clock_text(at_s_) + " / " + clock_text(trial_->end_s()));
+  QStringList figures;
+  for (const auto& [from_s, to_s] : attempt_spans(trial_->score))
+    if (at_s_ >= from_s && at_s_ <= to_s) figures << QString("attempt %1 s").arg(at_s_ - from_s, 0, 'f', 1);
+  if (figures.isEmpty()) figures << "between attempts";
+  if (shown_ >= 0)
+    figures << QString("glottis seen %1 %")
+                   .arg(100.0 * trial_->film->frame(static_cast<std::size_t>(shown_))->glottis_visible, 0, 'f', 0);
+  if (tick.has_intubation && tick.intubation.at_mouth_m > 0.0)
+    figures << QString("tube %1 cm at the lips").arg(100.0 * tick.intubation.at_mouth_m, 0, 'f', 1);
+  const StateWords words = words_for(static_cast<engine::HapticState>(tick.state), curricula::paused(tick));
+  if (tick.state != curricula::LoggedState::tracking || curricula::paused(tick)) figures << "device " + words.name;
+  figures_->setText(figures.join(QString::fromUtf8("  \u00b7  ")));
+}
+
+void ReplayPage::show_monitor(bool jumped) {
+  if (!trial_->scene.intubation) return;
+  const curricula::LogTick& now = trial_->tick_at(at_s_);
+  if (jumped) {  // its last minute, and the breath before that
+    monitor_->clear();
+    const double from_s = std::max(0.0, at_s_ - kTrend_s);
+    double breath_s = -1.0;
+    for (const ReplayEvent& event : trial_->events)
+      if (event.kind == ReplayEvent::Kind::breath && event.at_s <= from_s) breath_s = event.at_s;
+    if (breath_s >= 0.0) monitor_->show_snapshot(monitor_snapshot(trial_->tick_at(breath_s)));
+    // Each breath of the minute as well, so that the time since the last is right to the tick.
+    std::vector<double> moments;
+    for (double s = from_s; s < at_s_; s += kTrendStep_s) moments.push_back(s);
+    for (const ReplayEvent& event : trial_->events)
+      if (event.kind == ReplayEvent::Kind::breath && event.at_s > from_s && event.at_s < at_s_)
+        moments.push_back(event.at_s);
+    std::sort(moments.begin(), moments.end());
+    for (const double s : moments) monitor_->show_snapshot(monitor_snapshot(trial_->tick_at(s)));
+  }
+  monitor_->show_snapshot(monitor_snapshot(now));
+}
+
+void ReplayPage::draw_views(bool all) {
+  if (!dirty_) return;
+  operator_view_->draw();
+  // While it plays the cut is drawn at a lower rate, as in a trial; then once more when it stands.
+  if (all || since_cut_.elapsed() >= kCutMs) {
+    sagittal_view_->draw();
+    since_cut_.restart();
+  }
+  dirty_ = false;
+}
+
+}  // namespace vallecula::gui

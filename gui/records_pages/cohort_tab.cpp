@@ -1,0 +1,117 @@
+#include "gui/records_pages/cohort_tab.h"
+
+#include <QComboBox>
+#include <QDateTime>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLineEdit>
+#include <QSet>
+#include <QTableView>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "gui/records_pages/records_desk.h"
+#include "gui/records_pages/tables.h"
+
+namespace vallecula::gui {
+
+CohortTab::CohortTab(RecordsDesk& desk, const KnownCourses& courses, QWidget* parent) : QWidget(parent), desk_(desk) {
+  model_ = new CohortModel(courses, this);
+  shown_ = new CohortFilterModel(this);
+  shown_->setSourceModel(model_);
+  auto* row = new QHBoxLayout;
+  name_ = new QLineEdit(this);
+  name_->setPlaceholderText("Name");
+  name_->setAccessibleName("Part of the trainee's name");
+  name_->setClearButtonEnabled(true);
+  row->addWidget(name_, 2);
+  for (const auto& [name, column] :
+       {std::pair("Any course", CohortModel::kCourse), std::pair("Any scenario", CohortModel::kScenario),
+        std::pair("Any device", CohortModel::kDevice)})
+    row->addWidget(filter(name, column), 2);
+  period_ = new QComboBox(this);
+  period_->setAccessibleName("Period");
+  for (const auto& [name, days] : {std::pair("All time", 0), std::pair("Last 7 days", 7), std::pair("Last 30 days", 30),
+                                   std::pair("Last 365 days", 365)})
+    period_->addItem(name, days);
+  row->addWidget(period_, 1);
+  table_ = new QTableView(this);
+  table_->setModel(shown_);
+  make_readable(table_, "Cohort");
+  table_->setSortingEnabled(true);
+  table_->sortByColumn(CohortModel::kTrainee, Qt::AscendingOrder);
+  count_ = new QLabel(this);
+  count_->setObjectName("faint");
+  count_->setWordWrap(true);
+  auto* all = new QVBoxLayout(this);
+  all->addLayout(row);
+  all->addWidget(table_, 1);
+  all->addWidget(count_);
+  connect(name_, &QLineEdit::textChanged, shown_, &CohortFilterModel::set_name_contains);
+  connect(period_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, &CohortTab::refresh);
+  connect(table_, &QTableView::activated, this,
+          [this](const QModelIndex& index) { emit curve_wanted(model_->curve(shown_->mapToSource(index).row()).key); });
+  for (const auto signal : {&QAbstractItemModel::rowsInserted, &QAbstractItemModel::rowsRemoved})
+    connect(shown_, signal, this, &CohortTab::show_count);
+  connect(shown_, &QAbstractItemModel::modelReset, this, &CohortTab::show_count);
+}
+
+QComboBox* CohortTab::filter(const QString& name, CohortModel::Column column) {
+  auto* box = new QComboBox(this);
+  box->setAccessibleName(name);
+  box->addItem(name, QString());
+  connect(box, QOverload<int>::of(&QComboBox::currentIndexChanged), this,
+          [this, box, column] { shown_->set_only(column, box->currentData().toString()); });
+  filters_.emplace_back(box, column);
+  return box;
+}
+
+void CohortTab::refresh() {
+  if (!desk_.instructor()) return;
+  const curricula::SignedIn who = *desk_.who();
+  curricula::CohortFilter period;
+  if (const int days = period_->currentData().toInt(); days > 0)
+    period.since_utc = QDateTime::currentDateTimeUtc().addDays(-days).toString(Qt::ISODate).toStdString();
+  desk_.ask<std::vector<curricula::CurveSummary>>(
+      this, [who, period](curricula::Records& records) { return curricula::Progress(records).cohort(who, period); },
+      [this](std::vector<curricula::CurveSummary> curves) {
+        model_->set_curves(std::move(curves));
+        fill_filters();
+        show_count();
+      });
+}
+
+/// With what the table holds; what was chosen stays chosen, also where the period has nothing of it.
+void CohortTab::fill_filters() {
+  for (const auto& [box, column] : filters_) {
+    QSet<QString> seen;
+    for (int row = 0; row < model_->rowCount(); ++row)
+      seen.insert(model_->index(row, column).data(Qt::DisplayRole).toString());
+    const QString chosen = box->currentData().toString();
+    if (!chosen.isEmpty()) seen.insert(chosen);
+    QStringList values = seen.values();
+    std::sort(values.begin(), values.end());
+    const QSignalBlocker quiet(box);
+    while (box->count() > 1) box->removeItem(1);
+    for (const QString& value : values) box->addItem(value, value);
+    box->setCurrentIndex(std::max(0, box->findData(chosen)));
+  }
+}
+
+void CohortTab::show_count() {
+  if (model_->rowCount() == 0) {
+    count_->setText(period_->currentData().toInt() > 0
+                        ? "Nobody who is signed in while practising has a trial in this time; choose a longer one."
+                        : "No trainee has a trial yet. Trainees sign in before they practise; trials without a sign-in "
+                          "belong to nobody and are not shown here.");
+    return;
+  }
+  count_->setText(
+      QString("%1 of %2 curves. Enter or a double click opens one. Kinds of device are never pooled; no pass "
+              "mark is validated.")
+          .arg(shown_->rowCount())
+          .arg(model_->rowCount()));
+}
+
+}  // namespace vallecula::gui

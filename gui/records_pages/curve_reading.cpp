@@ -1,0 +1,89 @@
+#include "gui/records_pages/curve_reading.h"
+
+#include <cstdio>
+#include <map>
+
+namespace vallecula::gui {
+namespace {
+
+using curricula::CusumVerdict;
+using curricula::Scenario;
+
+constexpr int kInARow = 3;
+
+}  // namespace
+
+std::optional<double> pass_limit(const Scenario& scenario, const std::string& figure) {
+  const curricula::PassLimits& pass = scenario.pass;
+  const std::map<std::string, double> of_all{{"peak_tongue_force_n", pass.peak_tongue_force_n},
+                                             {"peak_gum_force_n", pass.peak_gum_force_n},
+                                             {"glottis_visible_max_percent", pass.glottis_visible_percent},
+                                             {"attempt_time_s", pass.attempt_time_s},
+                                             {"time_over_target_s", pass.time_over_target_s},
+                                             {"time_over_force_limit_s", pass.time_over_device_limit_s}};
+  if (const auto found = of_all.find(figure); found != of_all.end()) return found->second;
+  if (!scenario.intubation) return std::nullopt;
+  const auto& tube = scenario.intubation->pass;
+  if (figure == "time_to_pass_s") return tube.time_to_pass_s;
+  if (figure == "lowest_spo2_percent") return tube.lowest_spo2_percent;
+  if (figure == "lowest_heart_per_min") return tube.lowest_heart_per_min;
+  if (figure == "attempts" && tube.attempts) return *tube.attempts;
+  return std::nullopt;
+}
+
+std::optional<double> training_target(const Scenario& scenario, const std::string& figure) {
+  if (figure == "peak_tongue_force_n") return scenario.targets.tongue_force_n;
+  if (figure == "peak_gum_force_n") return scenario.targets.gum_force_n;
+  return std::nullopt;
+}
+
+CurveReading read_curve(const std::vector<curricula::RecordRow>& rows, const curricula::Curriculum* curriculum) {
+  CurveReading reading;
+  const curricula::Module* module =
+      curriculum != nullptr && !rows.empty() ? curriculum->module_of(rows.front().scenario_id) : nullptr;
+  if (module != nullptr && module->mastery.by_cusum) {
+    reading.rule = module->mastery.cusum;
+    reading.attempts = module->mastery.attempts;
+    reading.rule_in_words =
+        "By the rule of the module \"" + module->title + "\" (" + module->mastery.source + "), on this scenario alone.";
+  } else {
+    reading.rule_in_words =
+        "By the published rule: 80 % success within two attempts (PMC8290971); unacceptable rate and risks are "
+        "assumed.";
+  }
+  for (const curricula::RecordRow& row : rows) {
+    if (!row.score.complete) {
+      ++reading.interrupted;
+      continue;
+    }
+    const bool success = row.score.passed && row.attempts <= reading.attempts;
+    reading.successes.push_back(success);
+    reading.in_a_row = success ? reading.in_a_row + 1 : 0;
+  }
+  reading.cusum = curricula::cusum(reading.rule, reading.successes);
+  reading.to_three_in_a_row = curricula::trials_to_consecutive(reading.successes, kInARow);
+  for (std::size_t i = 0; i < reading.cusum.size() && reading.to_competent < 0; ++i)
+    if (reading.cusum[i].verdict == CusumVerdict::competent) reading.to_competent = static_cast<int>(i) + 1;
+  return reading;
+}
+
+const char* name_of(CusumVerdict verdict) {
+  switch (verdict) {
+    case CusumVerdict::competent:
+      return "competent";
+    case CusumVerdict::deficient:
+      return "not competent";
+    case CusumVerdict::undecided:
+      break;
+  }
+  return "undecided";
+}
+
+std::string verdict_in_words(const std::vector<curricula::CusumPoint>& cusum) {
+  for (std::size_t i = cusum.size(); i-- > 0;)
+    if (cusum[i].verdict != CusumVerdict::undecided)
+      return std::string(name_of(cusum[i].verdict)) + " (trial " + std::to_string(i + 1) + ")";
+  return "undecided";
+}
+
+}  // namespace vallecula::gui

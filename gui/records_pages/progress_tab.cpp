@@ -1,0 +1,324 @@
+#include "gui/records_pages/progress_tab.h"
+
+#include <QCalendarWidget>
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QListWidget>
+#include <QTableWidget>
+#include <QTextCharFormat>
+#include <QVBoxLayout>
+#include <filesystem>
+
+#include "curricula/score/figures.h"
+#include "gui/records_pages/curve_charts.h"
+#include "gui/records_pages/person_words.h"
+#include "gui/records_pages/records_desk.h"
+#include "gui/records_pages/tables.h"
+#include "gui/views/theme.h"
+
+namespace vallecula::gui {
+
+using curricula::CurveKey;
+using curricula::CurveSummary;
+using curricula::Figure;
+using curricula::RecordRow;
+
+namespace {
+
+constexpr char kFirstFigure[] = "peak_tongue_force_n";
+
+bool same(const CurveKey& a, const CurveKey& b) {
+  return a.trainee_id == b.trainee_id && a.curriculum_id == b.curriculum_id && a.scenario_id == b.scenario_id &&
+         a.device_kind == b.device_kind;
+}
+
+QString so_many(int trials) { return trials == 1 ? QString("1 trial") : QString("%1 trials").arg(trials); }
+QString after_trials(int trials) { return trials < 0 ? QString("not yet") : "after " + so_many(trials); }
+QString words_of(const curricula::Day& day) { return so_many(day.trials) + QString(", %1 passed").arg(day.passed); }
+
+}  // namespace
+
+ProgressTab::ProgressTab(RecordsDesk& desk, const KnownCourses& courses, QWidget* parent)
+    : QWidget(parent), desk_(desk), courses_(courses) {
+  auto* row = new QHBoxLayout(this);
+  row->addWidget(make_left(), 0);
+  row->addWidget(make_right(), 1);
+  connect(&desk_, &RecordsDesk::changed, this, &ProgressTab::forget);
+  empty_curve({});
+}
+
+QWidget* ProgressTab::make_left() {
+  auto* left = new QWidget(this);
+  left->setFixedWidth(330);
+  whose_label_ = new QLabel(left);
+  whose_label_->setWordWrap(true);
+  whose_ = new QComboBox(left);
+  whose_->setAccessibleName("Whose progress");
+  list_ = new QListWidget(left);
+  list_->setAccessibleName("Learning curves");
+  list_->setWordWrap(true);
+  calendar_ = new QCalendarWidget(left);
+  calendar_->setAccessibleName("Days with trials");
+  calendar_->setVerticalHeaderFormat(QCalendarWidget::NoVerticalHeader);
+  calendar_->setFirstDayOfWeek(Qt::Monday);
+  calendar_->setFixedHeight(190);
+  day_ = new QLabel(left);
+  day_->setObjectName("faint");
+  auto* column = new QVBoxLayout(left);
+  column->setContentsMargins(0, 0, 8, 0);
+  column->addWidget(whose_label_);
+  column->addWidget(whose_);
+  column->addWidget(list_, 1);
+  column->addWidget(calendar_);
+  column->addWidget(day_);
+  connect(whose_, QOverload<int>::of(&QComboBox::activated), this, [this] {
+    wanted_ = {subject(), {}, {}, {}};
+    refresh();
+  });
+  connect(list_, &QListWidget::currentRowChanged, this, &ProgressTab::ask_curve);
+  connect(calendar_, &QCalendarWidget::selectionChanged, this, &ProgressTab::show_days);
+  return left;
+}
+
+QWidget* ProgressTab::make_right() {
+  auto* right = new QWidget(this);
+  figure_ = new QComboBox(right);
+  figure_->setAccessibleName("Figure of the learning curve");
+  for (const Figure& figure : curricula::figures())
+    if (!figure.for_researchers) figure_->addItem(with_unit(figure), QString(figure.name));
+  figure_->setCurrentIndex(std::max(0, figure_->findData(QString(kFirstFigure))));
+  mastery_ = new QLabel(right);
+  mastery_->setObjectName("mastery");
+  mastery_->setWordWrap(true);
+  rule_ = new QLabel(right);
+  rule_->setObjectName("faint");
+  rule_->setWordWrap(true);
+  learning_ = new TrialChart(right);
+  sum_ = new TrialChart(right);
+  trials_ = new_table(right, "Trials", {"Trial", "Ended (UTC)", "Mode", "Result", "Figure", "Attempts", "Length (s)"});
+  message_ = new QLabel(right);
+  message_->setObjectName("faint");
+  message_->setWordWrap(true);
+  auto* charts = new QHBoxLayout;
+  auto* first = new QVBoxLayout;
+  first->addWidget(figure_);
+  first->addWidget(learning_, 1);
+  charts->addLayout(first, 1);
+  charts->addWidget(sum_, 1);
+  auto* column = new QVBoxLayout(right);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->addLayout(charts, 3);
+  column->addWidget(mastery_);
+  column->addWidget(rule_);
+  column->addWidget(trials_, 2);
+  column->addWidget(message_);
+  connect(figure_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, [this] {
+    show_figure();
+    show_trials();
+  });
+  connect(trials_, &QTableWidget::currentCellChanged, this, [this](int table_row, int, int, int) {
+    const int index = table_row < 0 ? -1 : static_cast<int>(rows_.size()) - 1 - table_row;
+    learning_->set_current(index);
+  });
+  connect(trials_, &QTableWidget::activated, this,
+          [this](const QModelIndex& index) { open_trial(static_cast<int>(rows_.size()) - 1 - index.row()); });
+  connect(learning_, &TrialChart::pointed_at, this, &ProgressTab::choose_trial);
+  connect(learning_, &TrialChart::wanted, this, &ProgressTab::open_trial);
+  return right;
+}
+
+long long ProgressTab::subject() const {
+  return desk_.instructor() ? whose_->currentData().toLongLong() : desk_.person().id;
+}
+
+void ProgressTab::forget() {
+  wanted_ = {};
+  curves_.clear();
+  days_.clear();
+  list_->clear();
+  calendar_->setDateTextFormat(QDate(), QTextCharFormat());
+  day_->clear();
+  whose_label_->clear();
+  empty_curve({});
+}
+
+void ProgressTab::show_progress_of(const CurveKey& key) {
+  wanted_ = key;
+  refresh();
+}
+
+void ProgressTab::refresh() {
+  const bool instructor = desk_.instructor();
+  const long long of = instructor ? wanted_.trainee_id : desk_.person().id;
+  const curricula::Who who = desk_.who();
+  desk_.ask<Subject>(
+      this,
+      [who, of, instructor](curricula::Records& records) {
+        Subject subject;
+        if (instructor) subject.people = curricula::People(records).list();
+        const curricula::Progress progress(records);
+        subject.curves = progress.curves(who, of);
+        subject.days = progress.calendar(who, of);
+        return subject;
+      },
+      [this, asker = desk_.person().id](Subject subject) {
+        if (desk_.person().id == asker) show_subject(std::move(subject));
+      });
+}
+
+void ProgressTab::fill_people(const std::vector<curricula::Person>& people) {
+  whose_->setVisible(desk_.instructor());
+  if (!desk_.instructor()) {
+    whose_label_->setText(desk_.who() ? "Progress of " + words_of(desk_.person())
+                                      : QString("Nobody is signed in. These trials belong to nobody; sign in to have "
+                                                "progress of your own."));
+    return;
+  }
+  whose_label_->setText("Progress of");
+  whose_->clear();
+  whose_->addItem("trials that belong to nobody", QVariant::fromValue(0LL));
+  for (const curricula::Person& person : people) whose_->addItem(words_of(person), QVariant::fromValue(person.id));
+  whose_->setCurrentIndex(std::max(0, whose_->findData(QVariant::fromValue(wanted_.trainee_id))));
+}
+
+void ProgressTab::show_subject(Subject subject) {
+  fill_people(subject.people);
+  if (wanted_.scenario_id.empty() && list_->currentRow() >= 0 &&
+      list_->currentRow() < static_cast<int>(curves_.size()))  // looked at anew: the same curve stays
+    if (const CurveKey& shown = curves_[static_cast<std::size_t>(list_->currentRow())].key;
+        shown.trainee_id == this->subject())
+      wanted_ = shown;
+  curves_ = std::move(subject.curves);
+  days_ = std::move(subject.days);
+  int row = curves_.empty() ? -1 : 0;
+  {
+    const QSignalBlocker quiet(list_);
+    list_->clear();
+    for (std::size_t i = 0; i < curves_.size(); ++i) {
+      const CurveSummary& curve = curves_[i];
+      list_->addItem(courses_.title(curve.key.curriculum_id, curve.key.scenario_id) + "\n" +
+                     QString("%1 · %2 of %3 passed")
+                         .arg(QString::fromStdString(curve.key.device_kind))
+                         .arg(curve.passed)
+                         .arg(curve.trials) +
+                     (curve.interrupted > 0 ? QString(" · %1 cut off").arg(curve.interrupted) : QString()));
+      list_->item(static_cast<int>(i))->setToolTip(courses_.title(curve.key.curriculum_id));
+      if (same(curve.key, wanted_)) row = static_cast<int>(i);
+    }
+    list_->setCurrentRow(row);
+  }
+  wanted_ = {this->subject(), {}, {}, {}};
+  calendar_->setDateTextFormat(QDate(), QTextCharFormat());
+  for (const curricula::Day& day : days_) {
+    QTextCharFormat format;
+    format.setFontWeight(QFont::Bold);
+    format.setFontUnderline(true);
+    format.setBackground(theme::kAccent.darker(160));
+    format.setToolTip(words_of(day));
+    calendar_->setDateTextFormat(QDate::fromString(QString::fromStdString(day.date), Qt::ISODate), format);
+  }
+  if (!days_.empty())
+    calendar_->setSelectedDate(QDate::fromString(QString::fromStdString(days_.back().date), Qt::ISODate));
+  show_days();
+  if (row < 0)
+    empty_curve("No trial yet. Choose a scenario on the first page and practise it: each trial is a point here.");
+  else
+    ask_curve();
+}
+
+void ProgressTab::show_days() {
+  const std::string chosen = calendar_->selectedDate().toString(Qt::ISODate).toStdString();
+  QString text = "no trial on this day (UTC)";
+  for (const curricula::Day& day : days_)
+    if (day.date == chosen) text = words_of(day) + " on this day (UTC)";
+  day_->setText(text);
+}
+
+void ProgressTab::ask_curve() {
+  const int row = list_->currentRow();
+  if (row < 0 || row >= static_cast<int>(curves_.size())) return;
+  const CurveKey key = curves_[static_cast<std::size_t>(row)].key;
+  const curricula::Who who = desk_.who();
+  desk_.ask<std::vector<RecordRow>>(
+      this, [who, key](curricula::Records& records) { return curricula::Progress(records).curve(who, key); },
+      [this, key, asker = desk_.person().id](std::vector<RecordRow> rows) {
+        if (desk_.person().id != asker) return;
+        const int now = list_->currentRow();
+        if (now < 0 || now >= static_cast<int>(curves_.size()) ||
+            !same(curves_[static_cast<std::size_t>(now)].key, key))
+          return;  // another was chosen meanwhile
+        rows_ = std::move(rows);
+        show_curve();
+      });
+}
+
+void ProgressTab::empty_curve(const QString& say) {
+  rows_.clear();
+  reading_ = {};
+  learning_->show_content({"Learning curve", {}, {}, say});
+  sum_->show_content({"Cumulative sum (CUSUM)", {}, {}, say});
+  mastery_->clear();
+  rule_->clear();
+  show_trials();
+}
+
+void ProgressTab::show_curve() {
+  reading_ = read_curve(rows_, courses_.find(rows_.empty() ? std::string() : rows_.front().curriculum_id));
+  sum_->show_content(cusum_chart(reading_));
+  mastery_->setText(QString("Three in a row: %1.  CUSUM competent: %2.  Now: %3, %4 in a row.%5")
+                        .arg(after_trials(reading_.to_three_in_a_row), after_trials(reading_.to_competent),
+                             QString::fromStdString(verdict_in_words(reading_.cusum)))
+                        .arg(reading_.in_a_row)
+                        .arg(reading_.interrupted == 0
+                                 ? QString()
+                                 : QString("  Interrupted: %1, counted in nothing.").arg(reading_.interrupted)));
+  rule_->setText(QString::fromStdString(reading_.rule_in_words) + " No pass mark is validated.");
+  show_figure();
+  show_trials();
+}
+
+void ProgressTab::show_figure() {
+  const Figure* figure = curricula::find_figure(figure_->currentData().toString().toStdString());
+  if (figure == nullptr || rows_.empty()) return;
+  learning_->show_content(
+      learning_chart(rows_, *figure, courses_.find(rows_.front().curriculum_id, rows_.front().scenario_id)));
+}
+
+void ProgressTab::show_trials() {
+  const Figure* figure = curricula::find_figure(figure_->currentData().toString().toStdString());
+  trials_->setRowCount(static_cast<int>(rows_.size()));
+  if (figure != nullptr) trials_->horizontalHeaderItem(4)->setText(with_unit(*figure));
+  for (std::size_t i = 0; i < rows_.size(); ++i) {  // the newest first
+    const RecordRow& row = rows_[rows_.size() - 1 - i];
+    const auto value = figure == nullptr ? std::nullopt : value_of(row, *figure);
+    fill_row(trials_, static_cast<int>(i),
+             {QString::number(rows_.size() - i), for_people(row.finished_utc), curricula::name_of(row.mode),
+              result_of(row), value ? QString::number(*value, 'g', 4) : QString("-"),
+              row.attempts > 0 ? QString::number(row.attempts) : QString("-"),
+              row.duration_s ? QString::number(*row.duration_s, 'f', 1) : QString("-")});
+  }
+  message_->setText(rows_.empty() ? QString()
+                                  : "Enter or a double click opens a trial. Squares were interrupted, crosses not "
+                                    "passed, discs passed.");
+}
+
+void ProgressTab::choose_trial(int row) {
+  trials_->setCurrentCell(static_cast<int>(rows_.size()) - 1 - row, 0);
+  trials_->setFocus();
+}
+
+void ProgressTab::open_trial(int row) {
+  if (row < 0 || row >= static_cast<int>(rows_.size())) return;
+  const RecordRow& trial = rows_[static_cast<std::size_t>(row)];
+  std::error_code error;
+  if (std::filesystem::exists(trial.trial_path, error)) {
+    emit trial_wanted(QString::fromStdString(trial.trial_path),
+                      desk_.instructor() || curricula::rules_of(trial.mode).replay);
+    return;
+  }
+  message_->setText(
+      "This trial's files are not on this computer: they are on the station it was done at, or were moved.");
+}
+
+}  // namespace vallecula::gui

@@ -1,0 +1,70 @@
+// Records: who sits here, what was learned, and for instructors who learns.
+#pragma once
+
+#include <QWidget>
+#include <vector>
+
+#include "gui/records_pages/known_courses.h"
+#include "gui/records_pages/records_desk.h"
+
+class QLabel;
+class QPushButton;
+class QTabWidget;
+
+namespace vallecula::gui {
+
+class AccountTab;
+class CohortTab;
+class PeopleTab;
+class ProgressTab;
+
+class RecordsPage : public QWidget {
+  Q_OBJECT
+ public:
+  explicit RecordsPage(QWidget* parent = nullptr);
+  void set_curricula(std::vector<curricula::Curriculum> curricula) { courses_.set(std::move(curricula)); }
+  RecordsDesk& desk() { return desk_; }
+  /// What became of the statements for the learning record store; one line, below all tabs.
+  void tell_of_statements(const QString& line);
+  void tell(const QString& message);  ///< what went wrong with something that was opened from here
+
+ signals:
+  void left();
+  void trial_wanted(const QString& log, bool with_replay);
+
+ protected:
+  void showEvent(QShowEvent* event) override;
+
+ private:
+  void show_tabs();
+  void refresh();  ///< of the tab that is seen
+  void show_trouble(const QString& message);
+
+  KnownCourses courses_;
+  RecordsDesk desk_;
+  QTabWidget* tabs_;
+  AccountTab* account_;
+  ProgressTab* progress_;
+  CohortTab* cohort_;
+  PeopleTab* people_;
+  QLabel *who_, *waiting_, *trouble_, *statements_;
+  QPushButton* again_;
+};
+
+/// Over the first page: who is signed in, and the way to the records.
+class WhoStrip : public QWidget {
+  Q_OBJECT
+ public:
+  WhoStrip(RecordsDesk& desk, QWidget* parent);
+
+ signals:
+  void records_wanted();
+
+ private:
+  void show_who();
+  RecordsDesk& desk_;
+  QLabel* who_;
+  QPushButton* out_;
+};
+
+}  // namespace vallecula::gui

@@ -1,0 +1,36 @@
+#include "gui/records_pages/tables.h"
+
+#include <QHeaderView>
+#include <QTableWidget>
+
+namespace vallecula::gui {
+
+void make_readable(QTableView* table, const QString& name) {
+  table->setAccessibleName(name);
+  table->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  table->setSelectionBehavior(QAbstractItemView::SelectRows);
+  table->setSelectionMode(QAbstractItemView::SingleSelection);
+  table->setTabKeyNavigation(false);  // Tab goes on to the next widget
+  table->verticalHeader()->hide();
+  table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  table->horizontalHeader()->setStretchLastSection(true);
+}
+
+QTableWidget* new_table(QWidget* parent, const QString& name, const QStringList& headings) {
+  auto* table = new QTableWidget(0, headings.size(), parent);
+  table->setHorizontalHeaderLabels(headings);
+  make_readable(table, name);
+  return table;
+}
+
+void fill_row(QTableWidget* table, int row, const QStringList& cells) {
+  for (int column = 0; column < cells.size(); ++column) {
+    auto* item = new QTableWidgetItem(cells[column]);
+    item->setToolTip(item->text());
+    table->setItem(row, column, item);
+  }
+}
+
+QString for_people(const std::string& utc) { return QString::fromStdString(utc).left(16).replace('T', ' '); }
+
+}  // namespace vallecula::gui

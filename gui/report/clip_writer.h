@@ -1,0 +1,27 @@
+// Pictures of one size as a clip that browsers and VLC play: Ogg Theora, by VTK's own writer.
+#pragma once
+
+#include <QImage>
+#include <filesystem>
+#include <memory>
+
+namespace vallecula::gui {
+
+class ClipWriter {
+ public:
+  /// FILE is written aside (FILE.part) until finish(). `frames_per_second`: 1 to 60.
+  ClipWriter(const std::filesystem::path& file, int frames_per_second);
+  ~ClipWriter();  ///< not finished: nothing is left behind
+  ClipWriter(const ClipWriter&) = delete;
+  ClipWriter& operator=(const ClipWriter&) = delete;
+  /// The first picture says the clip's size; later ones are brought to it. Throws std::runtime_error naming the file.
+  void add(const QImage& picture);
+  /// Throws std::runtime_error: nothing was added, the disk is full.
+  void finish();
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace vallecula::gui

@@ -1,0 +1,432 @@
+// The replay page as a person uses it: from the result or from a trial's folder to any second of it.
+#include <gtest/gtest.h>
+
+#include <QCheckBox>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QTabWidget>
+#include <QtTest/QtTest>
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <memory>
+#include <stdexcept>
+
+#include "curricula/records/notes.h"
+#include "gui/pages/clip_export.h"
+#include "gui/pages/linked_chart.h"
+#include "gui/pages/main_window.h"
+#include "gui/pages/notes_panel.h"
+#include "gui/pages/replay_page.h"
+#include "gui/pages/result_page.h"
+#include "gui/pages/timed_list.h"
+#include "gui/pages/timeline.h"
+#include "gui/session/user_paths.h"
+#include "gui/views/operator_view.h"
+#include "gui/views/replay_marks.h"
+#include "tests/gui/block_patient.h"
+#include "tests/gui/program.h"
+#include "tests/gui/window_screen.h"
+
+namespace vallecula::gui::window_test {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// One trial of 1.2 s, done as fast as it goes, is looked at by all.
+class WindowReplay : public Screen {
+ protected:
+  static void SetUpTestSuite() {
+    Screen::SetUpTestSuite();
+    shared_ = std::make_unique<test::Sandbox>();
+    ::setenv("VALLECULA_HOME", shared_->home().c_str(), 1);
+    TrialSession session(setup(shared_->folder()));
+    session.start();
+    ASSERT_TRUE(wait_for([&] { return session.finished(); }));
+    session.finish("ended");
+  }
+  static void TearDownTestSuite() {
+    shared_.reset();
+    Screen::TearDownTestSuite();
+  }
+  static TrialSetup setup(const fs::path& folder) {
+    TrialSetup setup;
+    setup.patient = test::write_block_patient(folder);
+    setup.curriculum = test::write_curriculum(folder);
+    setup.scenario = "plain";
+    setup.device = "scripted:" + test::write_press(folder).string();
+    setup.out = folder / "out";
+    setup.realtime = false;
+    return setup;
+  }
+  static fs::path trial() { return *shared_ / "out"; }
+  static void key(QWidget& widget, int key, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
+    QTest::keyClick(&widget, static_cast<Qt::Key>(key), modifiers);
+  }
+  /// Opened, all of it computed.
+  static ReplayPage& opened(MainWindow& window, const fs::path& trial, int timeout_ms = 60000,
+                            const fs::path& patient = {}) {
+    bool there = false;
+    QString failure;
+    QObject::connect(&window, &MainWindow::replay_opened, [&] { there = true; });
+    QObject::connect(&window, &MainWindow::replay_failed, [&](const QString& message) { failure = message; });
+    window.replay(trial, -1.0, patient);
+    EXPECT_EQ(window.page_name(), "prepare") << "the window does not wait";
+    EXPECT_TRUE(wait_for([&] { return there || !failure.isEmpty(); }));
+    if (!there) throw std::runtime_error("not opened: " + failure.toStdString());
+    ReplayPage& page = window.replay_page();
+    EXPECT_TRUE(wait_for([&] { return page.film().finished() && page.shown_frame() >= 0; }, timeout_ms));
+    return page;
+  }
+
+  static inline std::unique_ptr<test::Sandbox> shared_;
+};
+
+TEST_F(WindowReplay, GoesToAnySecondByKeysTimelineChartAndList) {
+  MainWindow window;
+  window.show();
+  ReplayPage& page = opened(window, trial());
+  EXPECT_EQ(window.page_name(), "replay");
+  const auto frame_of = [&](double at_s) { return static_cast<long long>(page.film().frame_at(at_s)); };
+  EXPECT_EQ(page.time_s(), 0.0);
+
+  key(page, Qt::Key_Right);
+  EXPECT_EQ(page.shown_frame(), 1);
+  EXPECT_DOUBLE_EQ(page.time_s(), page.film().time_s(1));
+  key(page, Qt::Key_Right);
+  key(page, Qt::Key_Left);
+  EXPECT_EQ(page.shown_frame(), 1);
+  key(page, Qt::Key_End);
+  EXPECT_EQ(page.shown_frame(), static_cast<long long>(page.film().plan().frames) - 1);
+  key(page, Qt::Key_Home);
+  EXPECT_EQ(page.shown_frame(), 0);
+
+  auto& timeline = *page.findChild<Timeline*>("timeline");
+  QTest::mouseClick(&timeline, Qt::LeftButton, Qt::NoModifier, QPoint(std::lround(timeline.x_of(0.9)), 30));
+  // Where an event is marked within a few pixels, that is meant.
+  EXPECT_NEAR(page.time_s(), 0.9, timeline.time_at(20.0) - timeline.time_at(12.0));
+  EXPECT_EQ(page.shown_frame(), frame_of(page.time_s()));
+  key(timeline, Qt::Key_Left);
+  EXPECT_EQ(page.shown_frame(), frame_of(page.time_s())) << "the slider leaves keys to the page";
+
+  auto& chart = *page.findChild<LinkedChart*>("force_chart");
+  ASSERT_TRUE(wait_for([&] { return chart.drawn(); }));
+  QTest::mouseClick(&chart, Qt::LeftButton, Qt::NoModifier, QPoint(std::lround(chart.x_of(0.6)), 60));
+  EXPECT_NEAR(page.time_s(), 0.6, 0.01);
+
+  auto& events = *page.findChild<TimedList*>("events");
+  ASSERT_GT(events.count(), 0);
+  page.seek(0.0);
+  key(page, Qt::Key_PageDown);
+  EXPECT_DOUBLE_EQ(page.time_s(), events.time_of(0));
+  EXPECT_DOUBLE_EQ(timeline.marked_s(), events.time_of(0));
+  for (int i = 1; i < events.count(); ++i) {
+    if (events.time_of(i) - events.time_of(i - 1) < 1e-3) continue;
+    key(page, Qt::Key_PageDown);
+    EXPECT_DOUBLE_EQ(page.time_s(), events.time_of(i));
+  }
+  key(page, Qt::Key_PageDown);
+  EXPECT_DOUBLE_EQ(page.time_s(), events.time_of(events.count() - 1)) << "there is no later one";
+  key(page, Qt::Key_Home);
+  key(page, Qt::Key_PageUp);
+  EXPECT_EQ(page.time_s(), 0.0);
+
+  // A reason is looked at from two seconds before; of a trial of 1.2 s, from its beginning.
+  auto& reasons = *page.findChild<TimedList*>("reasons");
+  int with_second = -1;
+  for (int row = 0; row < reasons.count(); ++row)
+    if (reasons.time_of(row) > 0.0) with_second = row;
+  ASSERT_GE(with_second, 0);
+  page.seek(1.0);
+  reasons.setCurrentRow(with_second);
+  key(reasons, Qt::Key_Return);
+  EXPECT_DOUBLE_EQ(page.time_s(), std::max(0.0, reasons.time_of(with_second) - kBeforeReason_s));
+  EXPECT_DOUBLE_EQ(timeline.marked_s(), reasons.time_of(with_second));
+
+  keep_picture(window, "replay-block.png");
+  key(page, Qt::Key_Escape);
+  EXPECT_FALSE(page.is_open());
+}
+
+TEST_F(WindowReplay, PlaysAtFiveSpeedsToItsEnd) {
+  MainWindow window;
+  window.show();
+  ReplayPage& page = opened(window, trial());
+  EXPECT_EQ(page.rate(), 1.0);
+  for (int i = 0; i < 9; ++i) key(page, Qt::Key_Minus);
+  EXPECT_EQ(page.rate(), 0.25);
+  key(page, Qt::Key_Space);
+  ASSERT_TRUE(page.playing());
+  QElapsedTimer passed;
+  passed.start();
+  ASSERT_TRUE(wait_for([&] { return page.time_s() > 0.1; }));
+  EXPECT_GT(passed.elapsed(), 350) << "a tenth of a second takes four";
+  key(page, Qt::Key_Space);
+  const double stands = page.time_s();
+  QTest::qWait(120);
+  EXPECT_EQ(page.time_s(), stands);
+  for (int i = 0; i < 9; ++i) key(page, Qt::Key_Plus);
+  EXPECT_EQ(page.rate(), 4.0);
+  key(page, Qt::Key_Space);
+  ASSERT_TRUE(wait_for([&] { return !page.playing(); }, 10000)) << "it stops at its end";
+  EXPECT_NEAR(page.time_s(), 1.2, 0.01);
+  key(page, Qt::Key_Space);
+  EXPECT_TRUE(page.playing()) << "and begins anew from there";
+  EXPECT_LT(page.time_s(), 0.5);
+}
+
+TEST_F(WindowReplay, ShowsForcesPathAndLetsTheEyeGoRound) {
+  MainWindow window;
+  window.show();
+  ReplayPage& page = opened(window, trial());
+  page.seek(0.6);  // pressed
+  const auto settle = [&] { QTest::qWait(100); };
+  settle();
+  EXPECT_EQ(page.operator_marks().arrows_shown(), 1);
+  OperatorView& view = page.operator_view();
+  const QImage with = view.picture();
+  key(page, Qt::Key_A);
+  settle();
+  EXPECT_EQ(page.operator_marks().arrows_shown(), 0);
+  const QImage without = view.picture();
+  EXPECT_GT(difference(with, without).pixels, 20) << "the arrow is seen through whatever lies before it";
+  EXPECT_EQ(page.operator_marks().path_points_shown(), 0u);
+  key(page, Qt::Key_P);
+  settle();
+  EXPECT_EQ(page.operator_marks().path_points_shown(), 30u) << "each 20 ms until the frame of 0.594 s";
+  EXPECT_GT(difference(view.picture(), without).pixels, 20);
+  key(page, Qt::Key_P);
+
+  key(page, Qt::Key_F);
+  EXPECT_TRUE(view.free_camera());
+  const auto mouse = [&](QEvent::Type type, QPoint at, Qt::MouseButton button, Qt::MouseButtons buttons) {
+    QMouseEvent event(type, at, view.mapToGlobal(at), button, buttons, Qt::NoModifier);
+    QApplication::sendEvent(&view, &event);
+  };
+  mouse(QEvent::MouseButtonPress, {200, 120}, Qt::LeftButton, Qt::LeftButton);
+  mouse(QEvent::MouseMove, {320, 140}, Qt::NoButton, Qt::LeftButton);
+  mouse(QEvent::MouseButtonRelease, {320, 140}, Qt::LeftButton, Qt::NoButton);
+  const QImage turned = view.picture();
+  EXPECT_GT(difference(turned, without).pixels, 500);
+  key(page, Qt::Key_Left, Qt::ShiftModifier);
+  settle();
+  EXPECT_GT(difference(view.picture(), turned).pixels, 200) << "by keys as well";
+  const QImage before = view.picture();
+  page.seek(0.9);
+  EXPECT_GT(difference(view.picture(), before).pixels, 0);
+  page.seek(0.6);
+  EXPECT_LT(difference(view.picture(), before).pixels, 20) << "it stays where it was put";
+  key(page, Qt::Key_F);
+  settle();
+  EXPECT_LT(difference(view.picture(), without).pixels, 20) << "back at the operator's eye";
+
+  const QString png = QString::fromStdString((*shared_ / "seen.png").string());
+  page.save_picture(png);
+  const QImage saved(png);
+  EXPECT_GT(saved.width(), view.picture().width());
+  EXPECT_GT(colours_in(saved), 10);
+  EXPECT_THROW(page.save_picture("/nonexistent/seen.png"), std::runtime_error);
+}
+
+/// What an Ogg Theora file says of itself (xiph.org's specifications, 6.2 and A.2.3).
+struct Theora {
+  int width = 0, height = 0;
+  double rate = 0.0;
+  long long frames = 0;
+};
+Theora theora_of(const fs::path& file) {
+  const std::string bytes = test::text_of(file);
+  const auto number = [&](std::size_t at, int count) {
+    long long value = 0;
+    for (int i = 0; i < count; ++i) value = value << 8 | static_cast<unsigned char>(bytes[at + i]);
+    return value;
+  };
+  Theora found;
+  const std::size_t head = bytes.find("\x80theora");
+  if (bytes.compare(0, 4, "OggS") != 0 || head == std::string::npos) return found;
+  found.width = static_cast<int>(number(head + 14, 3));
+  found.height = static_cast<int>(number(head + 17, 3));
+  found.rate = static_cast<double>(number(head + 22, 4)) / static_cast<double>(number(head + 26, 4));
+  const int shift = static_cast<int>(number(head + 40, 2) >> 5 & 31);
+  long long last = 0;
+  for (std::size_t at = 0; (at = bytes.find("OggS", at)) != std::string::npos; at += 4) {
+    long long position = 0;
+    for (int i = 7; i >= 0; --i) position = position << 8 | static_cast<unsigned char>(bytes[at + 6 + i]);
+    last = std::max(last, position);
+  }
+  found.frames = (last >> shift) + (last & ((1LL << shift) - 1));
+  return found;
+}
+
+TEST_F(WindowReplay, SavesAClipOrNothing) {
+  MainWindow window;
+  window.show();
+  ReplayPage& page = opened(window, trial());
+  EXPECT_NEAR(page.computed_s(), 1.2, 0.04);
+  const fs::path file = *shared_ / "clip.ogv";
+  const auto dialog = [&] {
+    return std::make_unique<ClipExport>([&page](double at_s) { return page.picture_of(at_s); }, 0.3, page.computed_s(),
+                                        1.0 / kFilmRateHz);
+  };
+  auto whole = dialog();
+  whole->set_span(0.3, 0.6);
+  whole->start(QString::fromStdString(file.string()));
+  ASSERT_TRUE(wait_for([&] { return whole->result() == QDialog::Accepted; }));
+  const QSize size = page.picture().size();
+  const Theora clip = theora_of(file);
+  EXPECT_EQ(clip.width, size.width());
+  EXPECT_EQ(clip.height, size.height());
+  EXPECT_DOUBLE_EQ(clip.rate, 30.0);
+  EXPECT_EQ(clip.frames, 10) << "0.3 s and both its ends";
+
+  auto cancelled = dialog();
+  const fs::path other = *shared_ / "other.ogv";
+  cancelled->start(QString::fromStdString(other.string()));
+  ASSERT_TRUE(wait_for([&] { return page.time_s() > 0.35; }));
+  cancelled->reject();
+  EXPECT_FALSE(fs::exists(other));
+  EXPECT_FALSE(fs::exists(*shared_ / "other.ogv.part"));
+  auto nowhere = dialog();
+  nowhere->start("/nonexistent/clip.ogv");
+  EXPECT_FALSE(nowhere->working());
+  const auto labels = nowhere->findChildren<QLabel*>();
+  EXPECT_TRUE(std::any_of(labels.begin(), labels.end(), [](const QLabel* label) {
+    return label->text().contains("/nonexistent/clip.ogv");
+  }));
+}
+
+TEST_F(WindowReplay, KeepsNotesAtTheirSecond) {
+  MainWindow window;
+  window.show();
+  ReplayPage& page = opened(window, trial());
+  auto& notes = *page.findChild<NotesPanel*>();
+  auto& text = *page.findChild<QLineEdit*>("note");
+  ASSERT_TRUE(wait_for([&] { return text.isEnabled(); }));
+  page.seek(0.5);
+  key(page, Qt::Key_N);
+  EXPECT_EQ(page.focusWidget(), &text);
+  QTest::keyClicks(&text, "here the wrist turned");
+  EXPECT_EQ(page.time_s(), 0.5) << "what is typed is text";
+  key(text, Qt::Key_Return);
+  auto& list = *notes.findChild<TimedList*>();
+  ASSERT_TRUE(wait_for([&] { return list.count() == 1; }));
+  EXPECT_DOUBLE_EQ(list.time_of(0), 0.5);
+  EXPECT_EQ(text.text(), "");
+  key(text, Qt::Key_Escape);
+  EXPECT_TRUE(page.is_open()) << "out of the note, not out of the replay";
+  page.seek(0.0);
+  QTest::mouseClick(list.viewport(), Qt::LeftButton, Qt::NoModifier, list.visualItemRect(list.item(0)).center());
+  EXPECT_DOUBLE_EQ(page.time_s(), 0.5);
+
+  curricula::Records records(records_database());
+  const auto kept = curricula::Notes(records).of_trial({}, records.newest(1).at(0).id);
+  ASSERT_EQ(kept.size(), 1u);
+  EXPECT_EQ(kept[0].text, "here the wrist turned");
+  EXPECT_DOUBLE_EQ(kept[0].at_s, 0.5);
+}
+
+TEST_F(WindowReplay, IsReachedFromTheResultAndItsReasons) {
+  MainWindow window;
+  window.show();
+  bool finished = false;
+  QObject::connect(&window, &MainWindow::trial_finished, [&] { finished = true; });
+  const test::Sandbox own;
+  const TrialSetup missing = setup(own.folder());
+  // A limit that the press passes: the reason has a second.
+  std::string curriculum = test::text_of(missing.curriculum);
+  const std::string limit = "peak_tongue_force_n: 6.8";
+  ASSERT_NE(curriculum.find(limit), std::string::npos);
+  test::write_text(missing.curriculum, curriculum.replace(curriculum.find(limit), limit.size(), "peak_tongue_force_n: 0.1"));
+  window.prepare(missing, true);
+  ASSERT_TRUE(wait_for([&] { return finished; }));
+  auto& result = *window.findChild<ResultPage*>();
+  auto& reasons = *result.findChild<QLabel*>("reasons");
+  const QString text = reasons.text();
+  const int link = text.indexOf("href='");
+  ASSERT_GE(link, 0) << text.toStdString();
+  const QString at_s = text.mid(link + 6, text.indexOf("'", link + 6) - link - 6);
+  keep_picture(window, "result-links.png");
+  bool there = false;
+  QObject::connect(&window, &MainWindow::replay_opened, [&] { there = true; });
+  emit reasons.linkActivated(at_s);
+  ASSERT_TRUE(wait_for([&] { return there; }));
+  ReplayPage& page = window.replay_page();
+  EXPECT_DOUBLE_EQ(page.findChild<Timeline*>("timeline")->marked_s(), at_s.toDouble());
+  EXPECT_DOUBLE_EQ(page.time_s(), std::max(0.0, at_s.toDouble() - kBeforeReason_s));
+  key(page, Qt::Key_Escape);
+  EXPECT_EQ(window.page_name(), "result") << "back where one came from";
+
+  // The patient has gone since: one sentence, and the result is still there.
+  fs::rename(own / "block.patient", own / "gone");
+  QString failure;
+  QObject::connect(&window, &MainWindow::replay_failed, [&](const QString& message) { failure = message; });
+  QTest::mouseClick(result.findChild<QPushButton*>("replay"), Qt::LeftButton);
+  ASSERT_TRUE(wait_for([&] { return !failure.isEmpty(); }));
+  EXPECT_EQ(window.page_name(), "result");
+  EXPECT_TRUE(failure.contains("block.patient")) << failure.toStdString();
+}
+
+TEST_F(WindowReplay, OfAnAssessmentIsLockedAndSaysWhy) {
+  MainWindow window;
+  window.show();
+  bool finished = false;
+  QObject::connect(&window, &MainWindow::trial_finished, [&] { finished = true; });
+  const test::Sandbox own;
+  TrialSetup assessed = setup(own.folder());
+  assessed.mode = curricula::Mode::assessment;
+  window.prepare(assessed, true);
+  ASSERT_TRUE(wait_for([&] { return finished; }));
+  auto& result = *window.findChild<ResultPage*>();
+  auto& button = *result.findChild<QPushButton*>("replay");
+  EXPECT_FALSE(button.isEnabled());
+  EXPECT_TRUE(button.toolTip().contains("assessment"));
+  EXPECT_FALSE(result.findChild<QLabel*>("reasons")->text().contains("href"));
+  QString failure;
+  QObject::connect(&window, &MainWindow::replay_failed, [&](const QString& message) { failure = message; });
+  window.replay(own / "out");
+  ASSERT_TRUE(wait_for([&] { return !failure.isEmpty(); }));
+  EXPECT_TRUE(failure.contains("assessment")) << failure.toStdString();
+}
+
+// Any trial, to be looked at: VALLECULA_TRIAL=DIR VALLECULA_PICTURES=DIR, and VALLECULA_PATIENT=PACKAGE if it was moved.
+TEST_F(WindowReplay, PicturesOfATrialOfOnesOwn) {
+  const char* trial = std::getenv("VALLECULA_TRIAL");
+  if (trial == nullptr || std::getenv("VALLECULA_PICTURES") == nullptr)
+    GTEST_SKIP() << "VALLECULA_TRIAL and VALLECULA_PICTURES name a trial and a folder for its pictures";
+  MainWindow window;
+  window.show();
+  const char* patient = std::getenv("VALLECULA_PATIENT");
+  ReplayPage& page = opened(window, trial, 600000, patient != nullptr ? patient : "");
+  const auto take = [&](const char* name) {
+    QTest::qWait(700);
+    keep_picture(window, name);
+  };
+  const auto& events = *page.findChild<TimedList*>("events");
+  page.look_at(events.count() > 2 ? events.time_of(events.count() / 2) : 1.0);
+  page.seek(page.time_s() + kBeforeReason_s);
+  take("replay-1.png");
+  key(page, Qt::Key_P);
+  key(page, Qt::Key_X);
+  take("replay-2-paths.png");
+  key(page, Qt::Key_F);
+  key(page, Qt::Key_H);
+  for (int i = 0; i < 12; ++i) key(page, Qt::Key_Right, Qt::ShiftModifier);
+  take("replay-3-free.png");
+  page.save_picture(QString(std::getenv("VALLECULA_PICTURES")) + "/replay-4-saved.png");
+  key(page, Qt::Key_F);
+  key(page, Qt::Key_N);
+  key(page, Qt::Key_End);
+  take("replay-5-end.png");
+  key(page, Qt::Key_Escape);
+  page.findChild<QTabWidget*>("charts")->setCurrentIndex(1);
+  page.findChild<QTabWidget*>("lists")->setCurrentIndex(1);
+  page.seek(18.0);
+  take("replay-6-monitor.png");
+  window.resize(1024, 700);
+  take("replay-7-small.png");
+}
+
+}  // namespace
+}  // namespace vallecula::gui::window_test
