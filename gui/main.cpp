@@ -84,6 +84,7 @@ int main(int argc, char** argv) {
   add_replay_command(app, exit_code);
   add_score_command(app, exit_code);
   add_curriculum_command(app, exit_code);
+  add_records_command(app, exit_code);
   add_lab_command(app, exit_code);
   try {
     app.parse(argc, argv);

@@ -123,6 +123,7 @@ Deletion delete_person(Records& records, const SignedIn& who, long long person_i
     connection.run("UPDATE notes SET author_id = NULL WHERE author_id = ?", person);
     connection.run("DELETE FROM ratings WHERE trial_id IN (SELECT id FROM trials WHERE trainee_id = ?)", person);
     connection.run("UPDATE ratings SET author_id = NULL WHERE author_id = ?", person);
+    connection.run("DELETE FROM deliveries WHERE trial_id IN (SELECT id FROM trials WHERE trainee_id = ?)", person);
     connection.run("DELETE FROM figures WHERE trial_id IN (SELECT id FROM trials WHERE trainee_id = ?)", person);
     deletion.trials = connection.run("DELETE FROM trials WHERE trainee_id = ?", person).numRowsAffected();
     connection.run("DELETE FROM open_trials WHERE trainee_id = ?", person);

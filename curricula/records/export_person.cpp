@@ -150,6 +150,11 @@ void export_person(Records& records, const SignedIn& who, long long person_id, c
               "SELECT * FROM ratings WHERE author_id = ? OR trial_id IN (SELECT id FROM trials WHERE trainee_id = ?) "
               "ORDER BY id",
               twice)},
+        {"deliveries",
+         rows(connection,
+              "SELECT * FROM deliveries WHERE trial_id IN (SELECT id FROM trials WHERE trainee_id = ?) "
+              "ORDER BY trial_id",
+              person)},
         {"audit", rows(connection, "SELECT * FROM audit WHERE actor_id = ? OR subject_id = ? ORDER BY id", twice)}};
     add_to_audit(connection, who.id(), "data exported", person_id);
   });

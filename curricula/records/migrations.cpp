@@ -66,6 +66,7 @@ const std::vector<std::vector<Statement>>& record_migrations() {
        "ALTER TABLE trials ADD COLUMN mode TEXT NOT NULL DEFAULT 'practice'",
        "ALTER TABLE trials ADD COLUMN attempt_seed INTEGER NOT NULL DEFAULT 0",
        "ALTER TABLE trials ADD COLUMN duration_s REAL",  // NULL: before schema 4
+       "ALTER TABLE trials ADD COLUMN points REAL",
        "CREATE UNIQUE INDEX trials_by_uid ON trials (uid)",
        "CREATE INDEX trials_by_trainee ON trials (trainee_id, scenario_id, device_kind)",
        "CREATE TABLE open_trials ("
@@ -116,6 +117,12 @@ const std::vector<std::vector<Statement>>& record_migrations() {
        "text TEXT NOT NULL, "
        "written_utc TEXT NOT NULL)",
        "CREATE INDEX notes_by_trial ON notes (trial_id)",
+       // Trials whose statements a learning record store has, or refused for a reason; one without a row is to be sent.
+       "CREATE TABLE deliveries ("
+       "trial_id INTEGER PRIMARY KEY REFERENCES trials (id), "
+       "refused TEXT NOT NULL, "  // why; empty: it has them
+       "at_utc TEXT NOT NULL)",
+       "CREATE TABLE about (name TEXT PRIMARY KEY, value TEXT NOT NULL)",  // of these records: 'uid'
        "CREATE TABLE files_to_delete ("
        "id INTEGER PRIMARY KEY AUTOINCREMENT, "
        "station TEXT NOT NULL, "

@@ -12,6 +12,7 @@
 #include "curricula/records/random_id.h"
 #include "curricula/records/trial_rows.h"
 #include "curricula/score/figures.h"
+#include "curricula/score/points.h"
 
 namespace vallecula::curricula {
 namespace {
@@ -48,6 +49,7 @@ long long insert_trial(Connection& connection, const RecordRow& row, const std::
       {"mode", QString(name_of(row.mode))},
       {"attempt_seed", static_cast<qlonglong>(row.attempt_seed)},
       {"duration_s", bound(row.duration_s)},
+      {"points", bound(row.points)},
       {"complete", static_cast<int>(s.complete)},  // PostgreSQL takes no truth value for a number
       {"passed", static_cast<int>(s.passed)},
       {"reasons", reasons_to_json(s.reasons)},
@@ -113,6 +115,7 @@ RecordRow row_of(const OpenTrial& trial, const TrialLog& log, const Scenario& sc
   row.attempt_seed = scenario.attempt.seed;
   row.duration_s = static_cast<double>(log.ticks.size()) * log.header.servo_period_s;
   row.score = score;
+  for (const MarkPoints& mark : points_of(score, scenario)) row.points = row.points.value_or(0.0) + mark.earned;
   return row;
 }
 
@@ -240,6 +243,7 @@ std::vector<RecordRow> trial_rows(Connection& connection, const QString& where, 
         return query.value(column).isNull() ? std::nullopt : std::optional(number(column));
       };
       row.duration_s = known("duration_s");
+      row.points = known("points");
       Score& s = row.score;
       s.complete = whole("complete") != 0;
       s.passed = whole("passed") != 0;

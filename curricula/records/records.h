@@ -28,6 +28,7 @@ struct RecordRow {
   std::string module_id;   ///< of the curriculum; empty: not known
   Mode mode = Mode::practice;
   std::uint32_t attempt_seed = 0;    ///< 0: everything as written
+  std::optional<double> points;      ///< of 100, by the rubric's weights; nothing: not known, rows older than schema 4
   std::optional<double> duration_s;  ///< trial time; nothing: not known, rows older than schema 4
   Score score;
   /// By the names of score/figures.h, those the trial has; taken from the score when it is added.

@@ -20,6 +20,7 @@ void add_trial_command(CLI::App& app, int& exit_code);
 void add_replay_command(CLI::App& app, int& exit_code);
 void add_score_command(CLI::App& app, int& exit_code);
 void add_curriculum_command(CLI::App& app, int& exit_code);
+void add_records_command(CLI::App& app, int& exit_code);
 void add_lab_command(CLI::App& app, int& exit_code);
 
 /// No subcommand: the trainer's window. Returns the exit code.

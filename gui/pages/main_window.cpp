@@ -27,6 +27,7 @@
 #include "gui/session/device_choice.h"
 #include "gui/session/past_results.h"
 #include "gui/session/patient_fit.h"
+#include "gui/session/statement_delivery.h"
 #include "gui/session/user_paths.h"
 #include "gui/session/user_settings.h"
 #include "gui/views/patient_look.h"
@@ -115,6 +116,9 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
     emit trial_finished(outcome);
   });
   connect(trial_, &TrialPage::failed, this, &MainWindow::show_failure);
+  auto* delivery = new StatementDelivery(this);
+  connect(this, &MainWindow::trial_finished, delivery, &StatementDelivery::wake);
+  connect(delivery, &StatementDelivery::told, records_, &RecordsPage::tell_of_statements);
   connect(result_, &ResultPage::again, this, [this] {
     if (const auto again = again_) again();  // a copy: preparing puts another in its place, what it holds with it
   });

@@ -56,6 +56,12 @@ RecordsPage::RecordsPage(QWidget* parent) : QWidget(parent) {
   all->addLayout(head);
   all->addLayout(bad);
   all->addWidget(tabs_, 1);
+  statements_ = new QLabel(this);
+  statements_->setObjectName("statements");
+  statements_->setWordWrap(true);
+  statements_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  statements_->hide();
+  all->addWidget(statements_);
 
   connect(back, &QPushButton::clicked, this, &RecordsPage::left);
   connect(again_, &QPushButton::clicked, this, [this] {
@@ -118,6 +124,11 @@ void RecordsPage::refresh() {
 void RecordsPage::show_trouble(const QString& message) {
   tell(message);
   again_->show();
+}
+
+void RecordsPage::tell_of_statements(const QString& line) {
+  statements_->setText(line);
+  statements_->show();
 }
 
 void RecordsPage::tell(const QString& message) {

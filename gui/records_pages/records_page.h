@@ -24,6 +24,8 @@ class RecordsPage : public QWidget {
   explicit RecordsPage(QWidget* parent = nullptr);
   void set_curricula(std::vector<curricula::Curriculum> curricula) { courses_.set(std::move(curricula)); }
   RecordsDesk& desk() { return desk_; }
+  /// What became of the statements for the learning record store; one line, below all tabs.
+  void tell_of_statements(const QString& line);
   void tell(const QString& message);  ///< what went wrong with something that was opened from here
 
  signals:
@@ -45,7 +47,7 @@ class RecordsPage : public QWidget {
   ProgressTab* progress_;
   CohortTab* cohort_;
   PeopleTab* people_;
-  QLabel *who_, *waiting_, *trouble_;
+  QLabel *who_, *waiting_, *trouble_, *statements_;
   QPushButton* again_;
 };
 

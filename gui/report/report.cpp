@@ -49,8 +49,10 @@ std::vector<Row> figures(const curricula::Score& score, const curricula::TrialLo
   };
 }
 
-std::vector<Row> rows_of(const curricula::Score& score, const curricula::TrialLog& log,
-                         const curricula::Scenario& scenario) {
+}  // namespace
+
+std::vector<Row> report_rows(const curricula::Score& score, const curricula::TrialLog& log,
+                             const curricula::Scenario& scenario) {
   std::vector<Row> rows = figures(score, log, scenario);
   if (score.intubation) {
     const std::vector<Row> tube = intubation_rows(score, scenario);
@@ -62,6 +64,8 @@ std::vector<Row> rows_of(const curricula::Score& score, const curricula::TrialLo
     rows.push_back({"Paused, which counts for nothing", number(score.paused_s, 1) + " s", pauses_in_words(score), ""});
   return rows;
 }
+
+namespace {
 
 std::string picture(const std::string& png, const std::string& what) {
   const std::string base64 = QByteArray::fromRawData(png.data(), static_cast<int>(png.size())).toBase64().toStdString();
@@ -139,7 +143,7 @@ void write_report(const fs::path& folder, const curricula::TrialLog& log, const 
     html += "</ul>\n";
   }
   html += points_html(score, scenario);
-  html += "<h2>Figures</h2>\n" + table(rows_of(score, log, scenario));
+  html += "<h2>Figures</h2>\n" + table(report_rows(score, log, scenario));
   if (score.intubation) {
     html += attempts_html(score);
     html += "<h2>The monitor</h2>\n" + picture(png_of(draw_monitor_chart(log, scenario, score)),

@@ -3,8 +3,10 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "curricula/score/score.h"
+#include "gui/report/figure_row.h"
 
 namespace vallecula::gui {
 
@@ -13,6 +15,10 @@ std::string pauses_in_words(const curricula::Score& score);
 
 /// One sentence for a person: passed or not, and the figures that matter most.
 std::string summary_sentence(const curricula::Score& score, const curricula::Scenario& scenario);
+
+/// The report's figures with what was demanded of them.
+std::vector<Row> report_rows(const curricula::Score& score, const curricula::TrialLog& log,
+                             const curricula::Scenario& scenario);
 
 /// Writes FOLDER/report.html whole: summary, reasons, figures with their limits, FOLDER/force.png inside the page, and
 /// the screenshots operator-*.png and sagittal-*.png that lie in the folder by then (call again after adding some).

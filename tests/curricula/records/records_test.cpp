@@ -121,6 +121,7 @@ TEST_F(RecordsFile, EveryReleasedSchemaIsBroughtForwardWithItsRows) {
       EXPECT_EQ(rows[1].mode, schema < 4 ? Mode::practice : Mode::assessment);
       EXPECT_EQ(rows[1].attempt_seed, schema < 4 ? 0u : 4294967295u);
       EXPECT_EQ(rows[1].duration_s, schema < 4 ? std::nullopt : std::optional(61.5));
+      EXPECT_EQ(rows[1].points, schema < 4 ? std::nullopt : std::optional(62.5));
       EXPECT_EQ(rows[1].module_id, schema < 4 ? "" : "m");
       EXPECT_EQ(rows[1].figures.at("peak_tongue_force_n"), 1.5) << "also of what is older than the table";
       EXPECT_EQ(rows[0].figures.at("peak_tongue_force_n"), 0.1);

@@ -1,7 +1,10 @@
 -- The records as schema 4 wrote them, as a dump. Never edited.
 BEGIN TRANSACTION;
+CREATE TABLE about (name TEXT PRIMARY KEY, value TEXT NOT NULL);
 CREATE TABLE audit (id INTEGER PRIMARY KEY AUTOINCREMENT, at_utc TEXT NOT NULL, actor_id INTEGER, action TEXT NOT NULL, subject_id INTEGER);
 INSERT INTO "audit" VALUES(1,'2023-01-01T00:00:00Z',3,'trainee registered',3);
+CREATE TABLE deliveries (trial_id INTEGER PRIMARY KEY REFERENCES trials (id), refused TEXT NOT NULL, at_utc TEXT NOT NULL);
+INSERT INTO "deliveries" VALUES(7,'','2023-01-01T00:00:00Z');
 CREATE TABLE figures (trial_id INTEGER NOT NULL REFERENCES trials (id), name TEXT NOT NULL, value REAL NOT NULL, PRIMARY KEY (trial_id, name));
 INSERT INTO "figures" VALUES(7,'passed',0.0);
 INSERT INTO "figures" VALUES(7,'peak_tongue_force_n',1.5);
@@ -18,9 +21,9 @@ CREATE TABLE ratings (id INTEGER PRIMARY KEY AUTOINCREMENT, trial_id INTEGER NOT
 INSERT INTO "ratings" VALUES(1,7,'self',3,'global',4.0,'2023-01-01T00:00:00Z');
 CREATE TABLE schema_version (version INTEGER NOT NULL);
 INSERT INTO "schema_version" VALUES(4);
-CREATE TABLE trials (id INTEGER PRIMARY KEY AUTOINCREMENT, finished_utc TEXT NOT NULL, curriculum_id TEXT NOT NULL, scenario_id TEXT NOT NULL, device_kind TEXT NOT NULL, trial_path TEXT NOT NULL, complete INTEGER NOT NULL, passed INTEGER NOT NULL, reasons TEXT NOT NULL, peak_tongue_force_n REAL NOT NULL, time_of_peak_tongue_force_s REAL NOT NULL, time_to_trachea_visible_s REAL, glottis_visible_max_percent REAL NOT NULL, peak_gum_force_n REAL NOT NULL, time_of_peak_gum_force_s REAL NOT NULL, attempt_time_s REAL NOT NULL, attempt_start_s REAL NOT NULL, time_over_force_limit_s REAL NOT NULL, time_over_target_s REAL NOT NULL, loop_rate_hz REAL NOT NULL, deadline_misses INTEGER NOT NULL, ticks INTEGER NOT NULL, outcome TEXT, lowest_spo2_percent REAL, trainee_id INTEGER REFERENCES people (id), uid TEXT, started_utc TEXT NOT NULL DEFAULT '', station TEXT NOT NULL DEFAULT '', log_sha256 TEXT NOT NULL DEFAULT '', attempts INTEGER, time_to_pass_s REAL, lowest_heart_per_min REAL, module_id TEXT NOT NULL DEFAULT '', mode TEXT NOT NULL DEFAULT 'practice', attempt_seed INTEGER NOT NULL DEFAULT 0, duration_s REAL);
-INSERT INTO "trials" VALUES(7,'2023-01-01T00:00:00Z','c','s','mouse','/a/b.vtrial',1,0,'["why"]',1.5,2.0,NULL,3.0,4.0,5.0,6.0,7.0,8.0,9.0,10.0,11,12,NULL,NULL,NULL,'u7','2022-12-31T23:59:00Z','here','abc',NULL,NULL,NULL,'m','assessment',4294967295,61.5);
-INSERT INTO "trials" VALUES(9,'2023-02-01T00:00:00Z','c','s','touch','/a/c.vtrial',0,0,'[]',0.1,2.0,3.5,3.0,4.0,5.0,6.0,7.0,8.0,9.0,10.0,11,5000000000,'mainstem',61.0,NULL,'u9','','','',NULL,NULL,NULL,'','practice',0,NULL);
+CREATE TABLE trials (id INTEGER PRIMARY KEY AUTOINCREMENT, finished_utc TEXT NOT NULL, curriculum_id TEXT NOT NULL, scenario_id TEXT NOT NULL, device_kind TEXT NOT NULL, trial_path TEXT NOT NULL, complete INTEGER NOT NULL, passed INTEGER NOT NULL, reasons TEXT NOT NULL, peak_tongue_force_n REAL NOT NULL, time_of_peak_tongue_force_s REAL NOT NULL, time_to_trachea_visible_s REAL, glottis_visible_max_percent REAL NOT NULL, peak_gum_force_n REAL NOT NULL, time_of_peak_gum_force_s REAL NOT NULL, attempt_time_s REAL NOT NULL, attempt_start_s REAL NOT NULL, time_over_force_limit_s REAL NOT NULL, time_over_target_s REAL NOT NULL, loop_rate_hz REAL NOT NULL, deadline_misses INTEGER NOT NULL, ticks INTEGER NOT NULL, outcome TEXT, lowest_spo2_percent REAL, trainee_id INTEGER REFERENCES people (id), uid TEXT, started_utc TEXT NOT NULL DEFAULT '', station TEXT NOT NULL DEFAULT '', log_sha256 TEXT NOT NULL DEFAULT '', attempts INTEGER, time_to_pass_s REAL, lowest_heart_per_min REAL, module_id TEXT NOT NULL DEFAULT '', mode TEXT NOT NULL DEFAULT 'practice', attempt_seed INTEGER NOT NULL DEFAULT 0, duration_s REAL, points REAL);
+INSERT INTO "trials" VALUES(7,'2023-01-01T00:00:00Z','c','s','mouse','/a/b.vtrial',1,0,'["why"]',1.5,2.0,NULL,3.0,4.0,5.0,6.0,7.0,8.0,9.0,10.0,11,12,NULL,NULL,NULL,'u7','2022-12-31T23:59:00Z','here','abc',NULL,NULL,NULL,'m','assessment',4294967295,61.5,62.5);
+INSERT INTO "trials" VALUES(9,'2023-02-01T00:00:00Z','c','s','touch','/a/c.vtrial',0,0,'[]',0.1,2.0,3.5,3.0,4.0,5.0,6.0,7.0,8.0,9.0,10.0,11,5000000000,'mainstem',61.0,NULL,'u9','','','',NULL,NULL,NULL,'','practice',0,NULL,NULL);
 CREATE INDEX trials_by_time ON trials (finished_utc);
 CREATE UNIQUE INDEX trials_by_uid ON trials (uid);
 CREATE INDEX trials_by_trainee ON trials (trainee_id, scenario_id, device_kind);

@@ -1,0 +1,168 @@
+#include "gui/report/pdf_report.h"
+
+#include <algorithm>
+#include <map>
+#include <tuple>
+
+#include "curricula/records/progress.h"
+#include "curricula/score/points.h"
+#include "gui/report/curve_chart.h"
+#include "gui/report/force_chart.h"
+#include "gui/report/intubation_report.h"
+#include "gui/report/monitor_chart.h"
+#include "gui/report/pdf_pages.h"
+#include "gui/report/report.h"
+
+namespace vallecula::gui {
+namespace {
+
+using Cells = std::vector<std::string>;
+
+/// A table with a heading; cells are HTML.
+std::string table(const Cells& head, const std::vector<Cells>& rows) {
+  std::string html = "<table width=\"100%\" cellspacing=\"0\" cellpadding=\"3\"><thead><tr bgcolor=\"#dfe6ea\">";
+  for (const std::string& cell : head) html += "<th align=\"left\">" + cell + "</th>";
+  html += "</tr></thead>";
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    html += i % 2 == 0 ? "<tr>" : "<tr bgcolor=\"#f5f7f8\">";
+    for (const std::string& cell : rows[i]) html += "<td>" + cell + "</td>";
+    html += "</tr>";
+  }
+  return html + "</table>";
+}
+
+std::string heading(const std::string& text) { return "<h3>" + text + "</h3>"; }
+
+std::string verdict(const std::string& word) {
+  if (word.empty()) return "";
+  return word == "met" ? "<span style=\"color:#00795a\">met</span>" : "<b style=\"color:#b34f00\">" + word + "</b>";
+}
+
+std::string box(bool passed, const std::string& text) {
+  return std::string("<table width=\"100%\" cellspacing=\"0\" cellpadding=\"7\"><tr><td width=\"6\" bgcolor=\"") +
+         (passed ? "#009E73" : "#D55E00") + "\"></td><td bgcolor=\"#f6f4ec\">" + text + "</td></tr></table>";
+}
+
+std::string picture(const std::string& name) {
+  return "<p><img src=\"" + name + "\" width=\"" + std::to_string(kPdfWidthPx) + "\"></p>";
+}
+
+std::string points_table(const curricula::Score& score, const curricula::Scenario& scenario) {
+  std::vector<Cells> rows;
+  double earned = 0.0;
+  for (const curricula::MarkPoints& mark : points_of(score, scenario)) {
+    earned += mark.earned;
+    rows.push_back({escaped(mark.sentence), number(mark.earned, 0) + " of " + number(mark.of, 0), escaped(mark.source)});
+  }
+  if (rows.empty()) return "";
+  return heading("Points: " + number(earned, 0) + " of 100") + table({"Mark", "Points", "Where the mark comes from"}, rows);
+}
+
+/// "2026-05-03 10:20".
+std::string minute(const std::string& utc) {
+  std::string text = utc.substr(0, 16);
+  std::replace(text.begin(), text.end(), 'T', ' ');
+  return text;
+}
+
+std::string outcome(const curricula::RecordRow& row) {
+  return row.score.intubation ? name_of(row.score.intubation->outcome) : "";
+}
+
+/// Curriculum, scenario, device kind.
+using CurveOf = std::tuple<std::string, std::string, std::string>;
+
+}  // namespace
+
+void write_trial_pdf(const std::filesystem::path& file, const curricula::TrialLog& log, const std::string& name) {
+  const curricula::Scenario scenario = curricula::parse_scenario(log.header.scenario_yaml, file.string());
+  const curricula::Score score = curricula::score_trial(log, scenario);
+  PdfPages pages;
+  pages.title = QString::fromStdString("Trial: " + scenario.title);
+  pages.person = QString::fromStdString(name);
+  std::string html = "<h1>" + escaped(scenario.title) + "</h1><p style=\"color:#555\">Scenario " + escaped(scenario.id) +
+                     ", " + name_of(scenario.attempt.mode) + ", seed " + std::to_string(scenario.attempt.seed) +
+                     ", device " + escaped(log.header.device_kind) + ", patient " + escaped(log.header.package_name) +
+                     "</p>" + box(score.passed, escaped(summary_sentence(score, scenario)));
+  if (!log.footer.complete)
+    html += "<p><b>This trial was cut off: what stands here is what was recorded until then.</b></p>";
+  html += heading("Why") + "<ul>";
+  for (const std::string& reason : score.reasons) html += "<li>" + escaped(reason) + "</li>";
+  html += "</ul>" + points_table(score, scenario);
+  std::vector<Cells> rows;
+  for (const Row& row : report_rows(score, log, scenario))
+    rows.push_back({escaped(row.name), "<b>" + escaped(row.value) + "</b>", escaped(row.limit), verdict(row.verdict)});
+  html += heading("Figures") + table({"Figure", "Measured", "Demanded", ""}, rows);
+  if (score.intubation) html += attempts_html(score);
+  html += "<h3 style=\"page-break-before:always\">Over time</h3>" + picture("force.png");
+  pages.pictures["force.png"] = draw_force_chart(log, scenario, score);
+  if (score.intubation) {
+    html += picture("monitor.png");
+    pages.pictures["monitor.png"] = draw_monitor_chart(log, scenario, score);
+  }
+  html += heading("How it was recorded") +
+          table({"", ""}, {{"Device", escaped(log.header.device_kind) + ", limit " + number(log.header.device_limit_n, 1) + " N"},
+                           {"Ticks", std::to_string(score.ticks) + ", " + std::to_string(score.deadline_misses) +
+                                         " deadline misses, " + std::to_string(score.overruns) + " simulation steps dropped"},
+                           {"How it ended", escaped(log.footer.ended)},
+                           {"Vallecula", escaped(log.header.software_version) + ", build " + log.header.build_hash.substr(0, 12)},
+                           {"Scenario", "sha256 " + log.header.scenario_sha256.substr(0, 12)}});
+  pages.html = QString::fromStdString(html);
+  write_pdf(file, pages);
+}
+
+void write_trainee_pdf(const std::filesystem::path& file, long long trainee_id, const std::string& name,
+                       const std::vector<curricula::ExportTrial>& trials) {
+  const std::string who = trainee_id == 0 ? "Trials of nobody" : "Trainee " + std::to_string(trainee_id);
+  std::map<CurveOf, std::vector<curricula::RecordRow>> curves;
+  std::string first, last;
+  for (const curricula::ExportTrial& trial : trials) {
+    curves[{trial.row.curriculum_id, trial.row.scenario_id, trial.row.device_kind}].push_back(trial.row);
+    if (first.empty() || trial.row.finished_utc < first) first = trial.row.finished_utc;
+    last = std::max(last, trial.row.finished_utc);
+  }
+  PdfPages pages;
+  pages.title = QString::fromStdString(who);
+  pages.person = QString::fromStdString(name);
+  std::vector<Cells> summary;
+  std::string charts;
+  int number_of_chart = 0;
+  for (const auto& [of, rows] : curves) {
+    std::vector<bool> successes;
+    for (const curricula::RecordRow& row : rows)
+      if (row.score.complete) successes.push_back(curricula::procedure_succeeded(row));
+    const auto passed = std::count(successes.begin(), successes.end(), true);
+    const auto sums = curricula::cusum({}, successes);
+    const auto reached = std::find_if(sums.begin(), sums.end(), [](const curricula::CusumPoint& point) {
+      return point.verdict == curricula::CusumVerdict::competent;
+    });
+    const auto& [curriculum, scenario, device] = of;
+    summary.push_back({escaped(curriculum), escaped(scenario), escaped(device), std::to_string(successes.size()),
+                       std::to_string(rows.size() - successes.size()), std::to_string(passed),
+                       reached == sums.end() ? "not yet" : "at trial " + std::to_string(reached - sums.begin() + 1)});
+    if (successes.empty()) continue;
+    const std::string picture_name = "curve-" + std::to_string(++number_of_chart) + ".png";
+    pages.pictures[QString::fromStdString(picture_name)] = draw_curve_chart(rows);
+    charts += "<p><b>" + escaped(scenario) + "</b>, " + escaped(device) + "<br>" + "<img src=\"" + picture_name +
+              "\" width=\"" + std::to_string(kPdfWidthPx) + "\"></p>";
+  }
+  std::vector<Cells> all;
+  for (const curricula::ExportTrial& trial : trials) {
+    const curricula::RecordRow& row = trial.row;
+    const std::string result = !row.score.complete ? "cut off" : row.score.passed ? "passed" : "<b>not passed</b>";
+    all.push_back({minute(row.finished_utc), escaped(row.scenario_id), escaped(row.device_kind), name_of(row.mode), result,
+                   outcome(row), row.points ? number(*row.points, 0) : "", number(row.score.attempt_time_s, 1),
+                   number(row.score.peak_tongue_force_n, 1)});
+  }
+  pages.html = QString::fromStdString(
+      "<h1>" + escaped(name.empty() ? who : name) + "</h1><p style=\"color:#555\">" + std::to_string(trials.size()) +
+      (trials.size() == 1 ? " trial, " : " trials, ") + minute(first) + " to " + minute(last) + " UTC</p>" +
+      heading("By scenario and device") +
+      table({"Curriculum", "Scenario", "Device", "Trials", "Cut off", "Passed", "CUSUM says competent"}, summary) +
+      "<p>Passed: every mark met, within two attempts. Figures of different kinds of device are never put together.</p>" +
+      (charts.empty() ? "" : heading("Learning curves") + charts) + heading("All trials") +
+      table({"Finished (UTC)", "Scenario", "Device", "Mode", "Result", "Tube", "Points", "Attempt (s)", "Tongue (N)"}, all));
+  write_pdf(file, pages);
+}
+
+}  // namespace vallecula::gui
