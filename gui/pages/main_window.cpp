@@ -12,12 +12,14 @@
 #include <stdexcept>
 
 #include "device/factory.h"
+#include "gui/authoring/authoring_page.h"
 #include "gui/import/import_wizard.h"
 #include "gui/pages/background.h"
 #include "gui/pages/devices_page.h"
 #include "gui/pages/result_page.h"
 #include "gui/pages/trial_page.h"
 #include "gui/session/builtin_patient.h"
+#include "gui/session/curricula_files.h"
 #include "gui/session/device_choice.h"
 #include "gui/session/patient_fit.h"
 #include "gui/session/user_paths.h"
@@ -45,10 +47,11 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
   start_ = new StartPage(pages_);
   devices_ = new DevicesPage(pages_);
   import_ = new ImportWizard(pages_);
+  authoring_ = new AuthoringPage(pages_);
   prepare_page_ = make_prepare_page();
   trial_ = new TrialPage(pages_);
   result_ = new ResultPage(pages_);
-  for (QWidget* page : {static_cast<QWidget*>(start_), static_cast<QWidget*>(devices_), static_cast<QWidget*>(import_),
+  for (QWidget* page : {static_cast<QWidget*>(start_), static_cast<QWidget*>(devices_), static_cast<QWidget*>(import_), static_cast<QWidget*>(authoring_),
                         prepare_page_, static_cast<QWidget*>(trial_), static_cast<QWidget*>(result_)})
     pages_->addWidget(page);
   // The page that is seen says how small the window may be, not the largest of them all.
@@ -65,6 +68,17 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
   connect(start_, &StartPage::chosen, this, &MainWindow::prepare_choice);
   connect(start_, &StartPage::import_wanted, this, [this] { import_series(); });
   connect(start_, &StartPage::devices_wanted, this, [this] { pages_->setCurrentWidget(devices_); });
+  connect(start_, &StartPage::courses_wanted, this, [this] { write_course(); });
+  connect(authoring_, &AuthoringPage::left, this, &MainWindow::back_to_start);
+  connect(authoring_, &AuthoringPage::try_wanted, this, &MainWindow::try_scenario);
+  connect(authoring_, &AuthoringPage::courses_changed, this, [this] {
+    if (!has_start_) return;
+    try {
+      start_->set_curricula(find_curricula().curricula);
+    } catch (const std::exception& error) {
+      authoring_->set_message(QString::fromUtf8(error.what()));
+    }
+  });
   connect(devices_, &DevicesPage::left, this, &MainWindow::back_to_start);
   connect(devices_, &DevicesPage::found, start_, &StartPage::set_found_devices);
   connect(devices_, &DevicesPage::chosen, this, [this](const device::FoundDevice& device) {
@@ -164,14 +178,38 @@ void MainWindow::import_series(const QString& source) {
   import_->begin(source);
 }
 
+void MainWindow::write_course(const std::filesystem::path& file) {
+  pages_->setCurrentWidget(authoring_);
+  if (file.empty())
+    authoring_->begin();
+  else
+    authoring_->open_file(file);
+}
+
+void MainWindow::try_scenario(const QString& file, const QString& id) {
+  Choice choice = start_->hands();
+  choice.curriculum = file.toStdString();
+  try {
+    const curricula::Curriculum course = curricula::load_curriculum(choice.curriculum);
+    choice.scenario = *course.find(id.toStdString());
+  } catch (const curricula::CurriculumError& error) {
+    authoring_->set_message(QString::fromUtf8(error.what()));
+    return;
+  }
+  if (choice.device == "scripted:novice" && choice.scenario.intubation) choice.device = "scripted:expert";  // no tube
+  trying_ = true;
+  prepare_choice(choice);
+}
+
 void MainWindow::prepare_choice(const Choice& choice) {
   TrialSetup setup;
   setup.curriculum = choice.curriculum;
   setup.scenario = choice.scenario.id;
   setup.device = choice.device.toStdString();
   setup.second = choice.second.toStdString();
+  setup.taken = choice.taken;
   const auto kept = user_settings();
-  kept->setValue("scenario", QString::fromStdString(choice.scenario.id));
+  if (!trying_) kept->setValue("scenario", QString::fromStdString(choice.scenario.id));
   kept->setValue("device", choice.device);
   kept->setValue("patient", QString::fromStdString(choice.patient.string()));
   again_ = [this, choice] { prepare_choice(choice); };
@@ -252,13 +290,19 @@ void MainWindow::report_progress(const std::string& stage, double fraction) {
 }
 
 void MainWindow::show_failure(const QString& message) {
-  start_->set_message(message);
+  if (trying_)
+    authoring_->set_message(message);
+  else
+    start_->set_message(message);
   back_to_start();
   emit trial_failed(message);
 }
 
 void MainWindow::back_to_start() {
-  if (has_start_)
+  if (trying_) {
+    trying_ = false;
+    pages_->setCurrentWidget(authoring_);
+  } else if (has_start_)
     pages_->setCurrentWidget(start_);
   else
     close();  // opened for one trial only
@@ -269,12 +313,17 @@ QString MainWindow::page_name() const {
   return page == start_          ? "start"
          : page == devices_      ? "devices"
          : page == import_       ? "import"
+         : page == authoring_    ? "authoring"
          : page == prepare_page_ ? "prepare"
          : page == trial_        ? "trial"
                                  : "result";
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
+  if (!authoring_->may_leave()) {
+    event->ignore();
+    return;
+  }
   cancelled_ = true;
   import_->stop();
   trial_->close_trial();

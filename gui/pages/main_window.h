@@ -17,6 +17,7 @@ class QStackedWidget;
 
 namespace vallecula::gui {
 
+class AuthoringPage;
 class DevicesPage;
 class ImportWizard;
 class ResultPage;
@@ -34,11 +35,14 @@ class MainWindow : public QMainWindow {
   void prepare(const TrialSetup& setup, bool start_at_once);
   /// Opens the import of a CT; `source` (may be empty) is looked at at once.
   void import_series(const QString& source = {});
+  /// Opens the page where courses are written; `file` (may be empty) is opened in it.
+  void write_course(const std::filesystem::path& file = {});
+  AuthoringPage& authoring_page() { return *authoring_; }
   TrialPage& trial_page() { return *trial_; }
   StartPage& start_page() { return *start_; }
   ImportWizard& import_wizard() { return *import_; }
   DevicesPage& devices_page() { return *devices_; }
-  QString page_name() const;  ///< "start", "devices", "import", "prepare", "trial", "result"
+  QString page_name() const;  ///< "start", "devices", "import", "authoring", "prepare", "trial", "result"
 
  signals:
   void prepared();
@@ -56,6 +60,7 @@ class MainWindow : public QMainWindow {
   void show_failure(const QString& message);
   void back_to_start();
   void add_imported_patients();
+  void try_scenario(const QString& file, const QString& id);
   void choose_last_device(const QString& name);
   QWidget* make_prepare_page();
 
@@ -63,6 +68,7 @@ class MainWindow : public QMainWindow {
   StartPage* start_;
   DevicesPage* devices_;
   ImportWizard* import_;
+  AuthoringPage* authoring_;
   QWidget* prepare_page_;
   QLabel* prepare_stage_;
   QProgressBar* prepare_bar_;
@@ -75,6 +81,7 @@ class MainWindow : public QMainWindow {
   std::filesystem::path results_;
   std::function<void()> again_;
   bool has_start_ = false;
+  bool trying_ = false;  ///< a scenario out of the authoring page, to which the window returns
 };
 
 }  // namespace vallecula::gui

@@ -104,6 +104,11 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
   auto* left = new QVBoxLayout;
   left->addWidget(curriculum_);
   left->addWidget(list_, 1);
+  auto* courses = new QPushButton("&Write a course ...", this);
+  courses->setObjectName("courses");
+  courses->setToolTip("Create, change, try, compare and share courses");
+  connect(courses, &QPushButton::clicked, this, &StartPage::courses_wanted);
+  left->addWidget(courses);
   auto* patient_row = new QHBoxLayout;
   patient_row->setSpacing(8);
   patient_row->addWidget(patient_, 1);
@@ -124,6 +129,16 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
   form->addRow("Device", device_row);
   second_label_ = new QLabel("Tube's hand", this);
   form->addRow(second_label_, second_);
+  blade_label_ = new QLabel("Blade", this);
+  blade_ = new QComboBox(this);
+  blade_->setObjectName("blade");
+  tube_label_ = new QLabel("Tube", this);
+  tube_ = new QComboBox(this);
+  tube_->setObjectName("tube");
+  form->addRow(blade_label_, blade_);
+  form->addRow(tube_label_, tube_);
+  for (QComboBox* box : {blade_, tube_})
+    connect(box, qOverload<int>(&QComboBox::currentIndexChanged), this, &StartPage::allow_start);
   auto* right_panel = new QFrame(this);
   right_panel->setObjectName("panel");
   auto* right = new QVBoxLayout(right_panel);
@@ -153,7 +168,7 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
   connect(list_, &QListWidget::currentRowChanged, this, &StartPage::show_scenario);
   connect(list_, &QListWidget::itemActivated, this, [this] { go_->click(); });
   connect(go_, &QPushButton::clicked, this, [this] {
-    if (list_->currentRow() >= 0) emit chosen(choice());
+    if (list_->currentRow() >= 0 && go_->isEnabled()) emit chosen(choice());
   });
   go_->setEnabled(false);
 }
@@ -178,7 +193,7 @@ void StartPage::show_curriculum(int index) {
     for (const auto& scenario : curricula_[static_cast<std::size_t>(index)].scenarios)
       list_->addItem(QString::fromStdString(scenario.title));
   if (list_->count() > 0) list_->setCurrentRow(std::min(row, list_->count() - 1));
-  go_->setEnabled(list_->count() > 0);
+  allow_start();
 }
 
 const curricula::Scenario* StartPage::scenario_at(int row) const {
@@ -200,6 +215,33 @@ void StartPage::show_scenario(int row) {
   const bool choice = tube && !is_scripted(device.toStdString()) && device != "mouse";
   second_->setVisible(choice);
   second_label_->setVisible(choice);
+  offer(*scenario);
+}
+
+void StartPage::offer(const curricula::Scenario& scenario) {
+  const auto fill = [](QComboBox* box, QLabel* label, const std::vector<std::string>& offered, const char* form) {
+    const QSignalBlocker quiet(box);
+    box->clear();
+    box->addItem("Choose for this infant ...", QString());
+    for (const std::string& one : offered) {
+      const QString name = QString::fromStdString(one);
+      box->addItem(QString(form).arg(capitalised(QString(name).replace('-', ' '))), name);
+    }
+    box->setVisible(!offered.empty());
+    label->setVisible(!offered.empty());
+  };
+  fill(blade_, blade_label_, scenario.offered_blades, "%1");
+  fill(tube_, tube_label_, scenario.intubation ? scenario.intubation->offered_tubes : std::vector<std::string>(),
+       "%1 mm inner diameter");
+  allow_start();
+}
+
+void StartPage::allow_start() {
+  bool open = false;
+  for (const QComboBox* box : {blade_, tube_})
+    open = open || (box->count() > 1 && box->currentData().toString().isEmpty());
+  go_->setEnabled(list_->count() > 0 && !open);
+  go_->setToolTip(open ? "Choose blade and tube first: they count in the score" : "");
 }
 
 void StartPage::add_patient(const std::filesystem::path& package, bool choose) {
@@ -288,10 +330,19 @@ bool StartPage::select(const QString& scenario, const QString& device) {
   return found && index >= 0;
 }
 
+Choice StartPage::hands() const {
+  Choice choice;
+  choice.patient = patient_->currentData().toString().toStdString();
+  choice.device = device_->currentData().toString();
+  choice.second = second_->currentData().toString();
+  return choice;
+}
+
 Choice StartPage::choice() const {
   const auto& curriculum = curricula_.at(static_cast<std::size_t>(std::max(0, curriculum_->currentIndex())));
   return {curriculum.file, curriculum.scenarios.at(static_cast<std::size_t>(std::max(0, list_->currentRow()))),
           patient_->currentData().toString().toStdString(), device_->currentData().toString(),
+          {blade_->currentData().toString().toStdString(), tube_->currentData().toString().toStdString()},
           second_->isVisibleTo(this) ? second_->currentData().toString() : QString()};
 }
 
