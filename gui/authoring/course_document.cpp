@@ -52,7 +52,7 @@ CourseDocument::CourseDocument(QObject* parent) : QObject(parent) {
 }
 
 CourseDocument::~CourseDocument() {
-  undo_.disconnect(this);
+  undo_.disconnect();  // it tells of its own end, when the page is half gone
   if (worker_) worker_->wait();
 }
 
