@@ -201,7 +201,7 @@ std::string with_value(const YamlText& yaml, const std::string& path, const Yaml
   there = value;
   there.key = key;
   const std::string newline = newline_of(text);
-  const WriteStyle style{parent->flow, node->begin < node->end ? text[node->begin] : '\0'};
+  const WriteStyle style{parent->flow, node->value.empty() && node->children.empty() ? '\0' : text[node->begin]};
   const std::string one_line = yaml_inline(value, style);
   const bool was_line = node->kind == YamlNode::Kind::scalar && style.was != '|' && style.was != '>';
   if (!one_line.empty() && (was_line || node->flow) && node->begin < node->end)
