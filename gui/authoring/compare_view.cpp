@@ -19,7 +19,8 @@ QString row_of(const curricula::DiffLine& line) {
   const char* sign = line.kind == Kind::added ? "+" : line.kind == Kind::removed ? "-" : "&nbsp;";
   const auto number = [](int n) { return n > 0 ? QString::number(n) : QString(); };
   return QString(
-             "<tr bgcolor='%1'><td align='right'>%2&nbsp;</td><td align='right'>%3&nbsp;</td><td>%4&nbsp;</td>"
+             "<tr bgcolor='%1'><td width='44' align='right'>%2</td><td width='44' align='right'>%3</td><td "
+             "width='20'>%4</td>"
              "<td><pre style='margin:0'>%5</pre></td></tr>")
       .arg(colour, number(line.old_line), number(line.new_line), sign,
            QString::fromStdString(line.text).toHtmlEscaped());
@@ -57,7 +58,7 @@ void CompareView::show_difference(const QString& name, const std::string& other,
     for (std::size_t k = i < kAround ? 0 : i - kAround; k <= std::min(lines.size() - 1, i + kAround); ++k)
       shown[k] = true;
   }
-  QString html = "<table cellspacing='0' cellpadding='0' width='100%'>";
+  QString html = "<table cellspacing='0' cellpadding='0'>";
   bool gap = false;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     if (!shown[i]) {
