@@ -45,6 +45,7 @@ struct IntubationPass {
 
 struct IntubationSpec {
   std::string tube;  ///< inner diameter in mm: "2.5", "3.0", "3.5", "4.0"
+  std::vector<std::string> offered_tubes;  ///< to choose from; none: no choice
   bool stylet = false;
   double stylet_mm = 1.2;  ///< diameter of its metal
   int catheter_f = 8;      ///< suction catheter, French (a third of a millimetre); 0: none at hand

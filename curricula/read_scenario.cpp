@@ -157,13 +157,39 @@ Variation read_variation(const YAML::Node& node, const Scenario& s, const Valida
   return v;
 }
 
+/// The list of what is offered, with the right one among them.
+std::vector<std::string> read_offered(const YAML::Node& list, const std::string& right, const char* right_name,
+                                      const Validator& rules, const std::string& path) {
+  std::vector<std::string> offered;
+  read(list, offered);
+  for (std::size_t i = 0; i < offered.size(); ++i)
+    if (std::find(offered.begin(), offered.begin() + static_cast<std::ptrdiff_t>(i), offered[i]) !=
+        offered.begin() + static_cast<std::ptrdiff_t>(i))
+      rules.fail(list[i], path + "[" + std::to_string(i) + "]", "each once");
+  if (!offered.empty() && std::find(offered.begin(), offered.end(), right) == offered.end())
+    rules.fail(list, path, "the right one among them, " + std::string(right_name) + " = " + right);
+  return offered;
+}
+
+/// What was taken in place of the right one, which is remembered.
+void take(const YAML::Node& taken, const std::vector<std::string>& offered, std::string& used, std::string& right,
+          const Validator& rules, const std::string& path) {
+  if (!taken) return;
+  if (std::find(offered.begin(), offered.end(), taken.Scalar()) == offered.end())
+    rules.fail(taken, path, "one of what the scenario offers");
+  right = used;
+  used = taken.Scalar();
+}
+
 }  // namespace
 
 std::vector<std::string> marks_of(const YAML::Node& scenario) {
   std::vector<std::string> marks;
   for (const auto& entry : scenario["pass"]) marks.push_back(entry.first.Scalar());
+  if (scenario["offered_blades"]) marks.emplace_back("right_blade");
   const YAML::Node intubation = scenario["intubation"];
   if (!intubation) return marks;
+  if (intubation["offered_tubes"]) marks.emplace_back("right_tube");
   marks.emplace_back("outcomes");  // judged whether it is written or not
   for (const auto& entry : intubation["pass"])
     if (entry.first.Scalar() != "outcomes") marks.push_back(entry.first.Scalar());
@@ -179,10 +205,13 @@ Scenario read_scenario(const YAML::Node& node, const Validator& rules, const std
   read(node["after"], s.after);
   s.manikin = read_manikin(node["manikin"], rules, path + "manikin.");
   read(node["blade"], s.blade);
+  s.offered_blades = read_offered(node["offered_blades"], s.blade, "blade", rules, path + "offered_blades");
   read(node["tongue_young_pa"], s.tongue_young_pa);
   read_limits(node, s, rules, path);
   if (const YAML::Node intubation = node["intubation"]) {
     s.intubation = read_intubation(intubation, rules, path + "intubation.");
+    s.intubation->offered_tubes = read_offered(intubation["offered_tubes"], s.intubation->tube, "tube", rules,
+                                               path + "intubation.offered_tubes");
     const auto& weeks = s.manikin.gestation_weeks;
     if (weeks && *weeks != s.intubation->gestation_weeks)
       rules.fail(intubation["gestation_weeks"], path + "intubation.gestation_weeks",
@@ -203,6 +232,12 @@ Scenario read_scenario(const YAML::Node& node, const Validator& rules, const std
   if (const YAML::Node attempt = node["attempt"]) {
     s.attempt.mode = attempt["mode"].Scalar() == "assessment" ? Mode::assessment : Mode::practice;
     read(attempt["seed"], s.attempt.seed);
+    take(attempt["blade"], s.offered_blades, s.blade, s.attempt.right_blade, rules, path + "attempt.blade");
+    if (s.intubation)
+      take(attempt["tube"], s.intubation->offered_tubes, s.intubation->tube, s.attempt.right_tube, rules,
+           path + "attempt.tube");
+    else if (attempt["tube"])
+      rules.fail(attempt["tube"], path + "attempt.tube", "none without an intubation");
   }
   return s;
 }

@@ -157,7 +157,8 @@ std::vector<Problem> problems_of(const std::string& text) {
     YAML::Node document = parse_safely(text, "the text");
     const Validator newest(curriculum_schema_2(), "the text");
     const bool old = schema_of(document, newest) == 1;
-    std::vector<Problem> problems = (old ? Validator(curriculum_schema_1(), "the text") : newest).problems(document, "curriculum");
+    const Validator first(old ? curriculum_schema_1() : curriculum_schema_2(), "the text");
+    std::vector<Problem> problems = first.problems(document, "curriculum");
     if (problems.empty() && old) {
       migrate_1_to_2(document);
       problems = newest.problems(document, "curriculum");

@@ -101,6 +101,12 @@ struct Variation {
 struct AttemptOrigin {
   Mode mode = Mode::practice;
   std::uint32_t seed = 0;  ///< 0: everything as written
+  std::string right_blade, right_tube;  ///< where the trainee chose; then blade and tube are what was taken
+};
+
+/// What a trainee takes of what is offered; empty: the right one, without a choice.
+struct ToolChoice {
+  std::string blade, tube;
 };
 
 struct Scenario {
@@ -111,6 +117,7 @@ struct Scenario {
   std::vector<std::string> after;     ///< modules to be mastered before this scenario opens
   ManikinSpec manikin;
   std::string blade;                  ///< "miller-00", "miller-0", "miller-1", "miller-2", "miller-3"
+  std::vector<std::string> offered_blades;  ///< to choose from; none: no choice
   double tongue_young_pa = 0.0;       ///< 0: the package's own
   double sight_percent = 25.0;        ///< glottis counts as in sight from here on
   double max_attempt_s = 60.0;        ///< the trial ends by itself
@@ -145,7 +152,7 @@ Scenario parse_scenario(const std::string& yaml, const std::string& name_for_err
 
 /// One attempt at a scenario: what its variation leaves open is drawn from `seed`, the same for the same seed on every
 /// machine, and written into the scenario and its text; seed 0 draws nothing. In assessment nothing is drawn whatever
-/// the seed, and every help is off.
-Scenario attempt_of(const Scenario& scenario, Mode mode, std::uint32_t seed);
+/// the seed, and every help is off. `taken` must be offered; throws CurriculumError where it is not.
+Scenario attempt_of(const Scenario& scenario, Mode mode, std::uint32_t seed, const ToolChoice& taken = {});
 
 }  // namespace vallecula::curricula

@@ -67,12 +67,14 @@ void write_infant(YAML::Node manikin, const Scenario& scenario, std::uint64_t nu
 
 }  // namespace
 
-Scenario attempt_of(const Scenario& scenario, Mode mode, std::uint32_t seed) {
+Scenario attempt_of(const Scenario& scenario, Mode mode, std::uint32_t seed, const ToolChoice& taken) {
   if (!rules_of(mode).variation || !scenario.variation) seed = 0;
   YAML::Node node = parse_safely(scenario.yaml, "scenario " + scenario.id);
   node["attempt"] = YAML::Node();
   node["attempt"]["mode"] = name_of(mode);
   node["attempt"]["seed"] = seed;
+  if (!taken.blade.empty()) node["attempt"]["blade"] = taken.blade;
+  if (!taken.tube.empty()) node["attempt"]["tube"] = taken.tube;
   if (!rules_of(mode).assistance)
     for (const char* help : {"ghost_path", "glottis_highlight", "cut_view", "force_bar"})
       node["assistance"][help] = "false";

@@ -224,8 +224,7 @@ std::string with_scenario_moved(const YamlText& course, const std::string& scena
   const std::string list = place("modules", from) + ".scenarios";
   const std::size_t count = course.find(list)->children.size();
   if (from == module) return with_item_moved(course, list, at, std::min(position, count - 1));
-  if (count == 1)
-    throw std::runtime_error("it is the only scenario of its module, and a module has at least one");
+  if (count == 1) throw std::runtime_error("it is the only scenario of its module, and a module has at least one");
   return named_in_module(without_item(course, list, at), scenario, module, position);
 }
 
@@ -249,8 +248,7 @@ std::string with_modules(const YamlText& course) {
 }
 
 std::string with_id(const YamlText& course, const std::string& list, const std::string& id, const std::string& new_id) {
-  const std::string text =
-      with_value(course, place(list, index_of(course, list, id)) + ".id", yaml_text(new_id));
+  const std::string text = with_value(course, place(list, index_of(course, list, id)) + ".id", yaml_text(new_id));
   const char* named = list == "modules" ? "after" : "scenarios";
   return in_every_list(text, named, id, [&](const YamlText& now, const std::string& path, std::size_t index) {
     return with_value(now, place(path, index), yaml_text(new_id));

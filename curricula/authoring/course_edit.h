@@ -25,7 +25,8 @@ std::string with_scenario_copied(const YamlText& course, const YamlText& from, c
                                  std::size_t module, std::size_t position, std::string& id);
 /// A module with one new scenario; or a copy of one with copies of its scenarios.
 std::string with_new_module(const YamlText& course, std::string& id);
-std::string with_module_copied(const YamlText& course, const YamlText& from, const std::string& module, std::string& id);
+std::string with_module_copied(const YamlText& course, const YamlText& from, const std::string& module,
+                               std::string& id);
 /// With its id in its module; a module's last scenario stays, for a module has one.
 std::string without_scenario(const YamlText& course, const std::string& scenario);
 /// With its scenarios, and where others wait for it.

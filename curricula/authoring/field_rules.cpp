@@ -40,7 +40,8 @@ FieldRule rule_of(const QJsonObject& document, const QString& name, const QJsonO
   rule.unit = values.value("unit").toString();
   rule.help = schema.value("description").toString(items.value("description").toString());
   rule.left_out = schema.value("left_out").toString();
-  if (rule.left_out.isEmpty() && schema.contains("default")) rule.left_out = schema.value("default").toVariant().toString();
+  if (rule.left_out.isEmpty() && schema.contains("default"))
+    rule.left_out = schema.value("default").toVariant().toString();
   rule.minimum = values.value("minimum").toDouble();
   rule.maximum = values.value("maximum").toDouble();
   rule.longest = values.value("maxLength").toInt();
@@ -75,11 +76,14 @@ QString FieldRule::allowed() const {
   switch (kind) {
     case Kind::number:
     case Kind::whole_number:
-    case Kind::range: return number_text(minimum) + " to " + number_text(maximum) + with_unit;
+    case Kind::range:
+      return number_text(minimum) + " to " + number_text(maximum) + with_unit;
     case Kind::plain_text:
     case Kind::text:
-    case Kind::texts: return longest > 0 ? "up to " + QString::number(longest) + " characters" : "";
-    default: return "";
+    case Kind::texts:
+      return longest > 0 ? "up to " + QString::number(longest) + " characters" : "";
+    default:
+      return "";
   }
 }
 

@@ -22,12 +22,12 @@ struct FieldRule {
     groups,      ///< a list of groups of `fields`
   };
   Kind kind = Kind::plain_text;
-  QString name, label;      ///< as in the file; in plain words
+  QString name, label;  ///< as in the file; in plain words
   QString unit, help;
-  QString left_out;         ///< what holds where the field is not given; may be empty
+  QString left_out;  ///< what holds where the field is not given; may be empty
   bool required = false;
   double minimum = 0.0, maximum = 0.0;  ///< of numbers
-  int longest = 0;          ///< characters of a text
+  int longest = 0;                      ///< characters of a text
   QStringList words;
   bool words_are_text = false;  ///< tubes are named, catheters counted
   std::vector<FieldRule> fields;

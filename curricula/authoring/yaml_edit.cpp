@@ -46,10 +46,10 @@ std::pair<std::string, std::string> parent_of(const std::string& path) {
 YamlNode* find_in(YamlNode& root, const std::string& path) {
   YamlNode* node = &root;
   for (const YamlStep& step : yaml_steps(path)) {
-    const auto found = step.key.empty()
-                           ? node->children.begin() + static_cast<std::ptrdiff_t>(std::min(step.index, node->children.size()))
-                           : std::find_if(node->children.begin(), node->children.end(),
-                                          [&](const YamlNode& child) { return child.key == step.key; });
+    const auto found = step.key.empty() ? node->children.begin() +
+                                              static_cast<std::ptrdiff_t>(std::min(step.index, node->children.size()))
+                                        : std::find_if(node->children.begin(), node->children.end(),
+                                                       [&](const YamlNode& child) { return child.key == step.key; });
     if (found == node->children.end()) return nullptr;
     node = &*found;
   }
@@ -64,9 +64,9 @@ std::string checked(std::string text, const YamlNode& meant, const std::string& 
 
 /// A list's entries as pieces of the text, with what stands between them.
 struct Pieces {
-  std::size_t begin = 0, end = 0;           ///< of all
-  std::vector<std::string> entries, gaps;   ///< one gap less than entries
-  std::size_t dash_column = 0;              ///< of a list in lines
+  std::size_t begin = 0, end = 0;          ///< of all
+  std::vector<std::string> entries, gaps;  ///< one gap less than entries
+  std::size_t dash_column = 0;             ///< of a list in lines
 };
 
 /// The dash before an entry, which stands first on its line.
@@ -173,7 +173,8 @@ std::string with_field_added(const std::string& text, const YamlNode& group, con
     return spliced(text, group.children.back().end, group.children.back().end, ", " + field);
   }
   const std::size_t at = line_end(text, group.end), indent = column(text, group.children.front().key_begin);
-  return spliced(text, at, at, newline + std::string(indent, ' ') + key + ":" + yaml_after(value, indent + 2, {}, newline));
+  return spliced(text, at, at,
+                 newline + std::string(indent, ' ') + key + ":" + yaml_after(value, indent + 2, {}, newline));
 }
 
 }  // namespace
@@ -186,8 +187,8 @@ std::string with_value(const YamlText& yaml, const std::string& path, const Yaml
   YamlNode meant = yaml.root();
   if (node == nullptr) {
     if (last.empty() || last[0] == '[') refuse(path);
-    const bool is_group = parent != nullptr && parent->kind == YamlNode::Kind::group &&
-                          (parent->flow || !parent->children.empty());
+    const bool is_group =
+        parent != nullptr && parent->kind == YamlNode::Kind::group && (parent->flow || !parent->children.empty());
     if (!is_group) {
       if (parent_path.empty() || (parent != nullptr && !parent->value.empty())) refuse(path);
       return with_value(yaml, parent_path, yaml_group({{last, value}}));
@@ -200,12 +201,13 @@ std::string with_value(const YamlText& yaml, const std::string& path, const Yaml
   there = value;
   there.key = key;
   const std::string newline = newline_of(text);
-  const WriteStyle style{parent->flow, node->begin < node->end ? text[node->begin] : '\0'};
+  const WriteStyle style{parent->flow, node->value.empty() && node->children.empty() ? '\0' : text[node->begin]};
   const std::string one_line = yaml_inline(value, style);
   const bool was_line = node->kind == YamlNode::Kind::scalar && style.was != '|' && style.was != '>';
   if (!one_line.empty() && (was_line || node->flow) && node->begin < node->end)
     return checked(spliced(text, node->begin, node->end, one_line), meant, path);
-  const std::size_t indent = (key.empty() ? column(text, dash_of(text, *node, path)) : column(text, node->key_begin)) + 2;
+  const std::size_t indent =
+      (key.empty() ? column(text, dash_of(text, *node, path)) : column(text, node->key_begin)) + 2;
   const std::size_t from = key.empty() ? dash_of(text, *node, path) + 1 : node->key_end;
   std::string after = yaml_after(value, indent, style, newline);
   if (key.empty()) after = beside_dash(after, indent, newline);

@@ -16,10 +16,10 @@ struct YamlNode {
   bool is_text = false;            ///< a scalar that was quoted or written as a block; a number or true is not
   std::vector<YamlNode> children;  ///< of a list or group, in the file's order
 
-  int line = 0;  ///< of the value's first byte, from 1
-  bool flow = false;                            ///< in brackets or braces
-  std::size_t key_begin = 0, key_end = 0;       ///< the field's name and its colon
-  std::size_t begin = 0, end = 0;               ///< the value's own bytes
+  int line = 0;                            ///< of the value's first byte, from 1
+  bool flow = false;                       ///< in brackets or braces
+  std::size_t key_begin = 0, key_end = 0;  ///< the field's name and its colon
+  std::size_t begin = 0, end = 0;          ///< the value's own bytes
 
   const YamlNode* child(const std::string& name) const;  ///< null: none
 };
@@ -34,7 +34,7 @@ bool same_value(const YamlNode& a, const YamlNode& b);
 
 /// "scenarios[0].pass.attempt_time_s", as in messages, taken apart.
 struct YamlStep {
-  std::string key;        ///< empty: an index
+  std::string key;  ///< empty: an index
   std::size_t index = 0;
 };
 std::vector<YamlStep> yaml_steps(const std::string& path);

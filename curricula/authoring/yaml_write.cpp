@@ -51,8 +51,8 @@ std::string double_quoted(const std::string& value) {
 }
 
 std::string inline_scalar(const YamlNode& value, const WriteStyle& style) {
-  if (!value.is_text) return plain_is_safe(value.value, style.flow) || value.value[0] == '-' ? value.value
-                                                                                             : double_quoted(value.value);
+  if (!value.is_text)
+    return plain_is_safe(value.value, style.flow) || value.value[0] == '-' ? value.value : double_quoted(value.value);
   const bool plain = style.was != '"' && style.was != '\'' && plain_is_safe(value.value, style.flow) &&
                      !looks_like_no_text(value.value);
   return plain ? value.value : double_quoted(value.value);

@@ -14,7 +14,7 @@ std::string mark_of(const std::string& criterion) {
   for (const char* same : {"peak_tongue_force_n", "peak_gum_force_n", "attempt_time_s", "time_over_target_s",
                            "lowest_spo2_percent", "lowest_heart_per_min", "tube_force_n", "time_to_pass_s", "attempts",
                            "co2_confirmed", "depth_neutral", "oesophagus_in_time",
-                           "no_severe_desaturation"})
+                           "no_severe_desaturation", "right_blade", "right_tube"})
     if (criterion == same) return criterion;
   return "";
 }

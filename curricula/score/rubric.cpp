@@ -1,5 +1,6 @@
 #include "curricula/score/rubric.h"
 
+#include "curricula/score/choice_rubric.h"
 #include "curricula/score/criterion.h"
 #include "curricula/score/intubation_rubric.h"
 #include "curricula/score/mouth.h"
@@ -78,6 +79,7 @@ void judge(const TrialLog& log, const Scenario& scenario, const Moments& moments
         "A recorded force is not a number at " + second(moments.not_finite_s) + ": please report this trial's log"));
   }
 
+  judge_choice(scenario, score.criteria);
   if (score.intubation) judge_intubation(scenario, *score.intubation, score.criteria);
 
   score.passed = true;

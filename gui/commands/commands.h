@@ -27,6 +27,8 @@ void add_lab_command(CLI::App& app, int& exit_code);
 int run_window_command();
 /// `vallecula import SERIES --window`: the window, opened on the import of this series. Returns the exit code.
 int run_window_import(const std::string& series);
+/// `vallecula curriculum edit [FILE]`: the window, opened where courses are written. Returns the exit code.
+int run_window_course(const std::string& file);
 /// `vallecula trial` without --headless: the same trial, seen and (with a live device) done by a person.
 int run_window_trial(const TrialSetup& setup);
 /// `vallecula replay TRIAL --window`: the trial, looked at; `at_s` negative: from its beginning. `patient` may be empty.

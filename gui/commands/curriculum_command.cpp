@@ -2,7 +2,6 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
-#include <algorithm>
 #include <cmath>
 #include <iostream>
 #include <memory>
@@ -13,7 +12,7 @@
 #include "curricula/score/points.h"
 #include "gui/commands/commands.h"
 #include "gui/commands/number_options.h"
-#include "gui/session/user_paths.h"
+#include "gui/session/curricula_files.h"
 
 namespace vallecula::gui {
 
@@ -118,10 +117,7 @@ void print(const Curriculum& curriculum, bool marks) {
 int list(const std::string& file, bool json, bool marks) {
   std::vector<fs::path> files{file};
   if (file.empty()) {
-    files.clear();
-    for (const auto& entry : fs::directory_iterator(curricula_folder()))
-      if (entry.is_regular_file() && entry.path().extension() == ".yaml") files.push_back(entry.path());
-    std::sort(files.begin(), files.end());
+    files = curriculum_files();
   }
   QJsonArray all;
   for (const fs::path& one : files) {
@@ -153,11 +149,15 @@ void add_curriculum_command(CLI::App& app, int& exit_code) {
   checking->callback([options, &exit_code] { exit_code = check(options->file); });
 
   CLI::App* listing =
-      command->add_subcommand("list", "Modules and scenarios of a curriculum, or of all that were shipped");
-  listing->add_option("FILE", options->file, "Curriculum (YAML); left out: all shipped ones");
+      command->add_subcommand("list", "Modules and scenarios of a curriculum, or of all shipped ones and your own");
+  listing->add_option("FILE", options->file, "Curriculum (YAML); left out: all shipped ones and your own");
   listing->add_flag("--marks", options->marks, "With the pass marks' weights and sources");
   listing->add_flag("--json", options->json, "The list as JSON");
   listing->callback([options, &exit_code] { exit_code = list(options->file, options->json, options->marks); });
+
+  CLI::App* editing = command->add_subcommand("edit", "Write a course: opens the window with form, text and problems");
+  editing->add_option("FILE", options->file, "Curriculum (YAML); left out: a new one");
+  editing->callback([options, &exit_code] { exit_code = run_window_course(options->file); });
 
   CLI::App* table = command->add_subcommand("table", "All fields of a curriculum as a Markdown table");
   table->callback([&exit_code] {

@@ -29,7 +29,8 @@ namespace fs = std::filesystem;
 namespace {
 
 struct TrialOptions {
-  std::string patient, scenario, curriculum, device, second, out, tool, tool_unit = "mm", tool_tip, tool_handle, tool_face;
+  std::string patient, scenario, curriculum, device, second, out, tool, tool_unit = "mm", tool_tip, tool_handle, tool_face, blade,
+      tube;
   std::uint32_t attempt_seed = 0;
   bool assessment = false;
   bool headless = false, as_fast_as_possible = false, json = false;
@@ -145,6 +146,8 @@ void add_trial_command(CLI::App& app, int& exit_code) {
       ->add_option("--attempt-seed", options->attempt_seed,
                    "What the scenario's variation is drawn with; the same seed gives the same attempt, 0 what is written")
       ->check(whole_number_within(0, kLargestSeed));
+  command->add_option("--blade", options->blade, "Of the blades that the scenario offers; left out: the right one, unasked");
+  command->add_option("--tube", options->tube, "Of the tubes that it offers, likewise");
   command->add_option("--device", options->device, device_names() + " (t,x,y,z[,qw,qx,qy,qz]; s, m)")->required();
   command->add_option("--second", options->second,
                       std::string("In a scenario with a tube, the device of the hand that has it: as --device, or ") +
@@ -189,6 +192,7 @@ void add_trial_command(CLI::App& app, int& exit_code) {
       throw CLI::ValidationError("--attempt-seed", "an assessment takes the scenario as written; leave out one of the two");
     setup.mode = options->assessment ? curricula::Mode::assessment : curricula::Mode::practice;
     setup.attempt_seed = options->attempt_seed;
+    setup.taken = {options->blade, options->tube};
     setup.patient = options->patient;
     setup.device = options->device;
     setup.second = options->second;

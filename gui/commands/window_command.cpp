@@ -1,7 +1,6 @@
 // The trainer's window: without a subcommand, for `vallecula trial` without --headless, and for `vallecula replay --window`.
 #include <spdlog/spdlog.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <functional>
 #include <stdexcept>
@@ -11,36 +10,21 @@
 #include "gui/commands/commands.h"
 #include "gui/pages/main_window.h"
 #include "gui/pages/window_application.h"
+#include "gui/session/curricula_files.h"
 #include "gui/session/device_choice.h"
 #include "gui/session/trial_record.h"
-#include "gui/session/user_paths.h"
 
 namespace vallecula::gui {
 
 namespace {
 
-/// What is practised from: the default curriculum first, then the others that lie beside it.
-std::vector<curricula::Curriculum> curricula_to_choose_from() {
-  const std::filesystem::path first = default_curriculum();
-  std::vector<curricula::Curriculum> curricula{curricula::load_curriculum(first)};
-  std::vector<std::filesystem::path> files;
-  for (const auto& entry : std::filesystem::directory_iterator(first.parent_path()))
-    if (entry.path().extension() == ".yaml" && entry.path() != first) files.push_back(entry.path());
-  std::sort(files.begin(), files.end());
-  for (const auto& file : files) try {
-      curricula.push_back(curricula::load_curriculum(file));
-    } catch (const std::exception& error) {
-      spdlog::warn("{}", error.what());  // one that is being written must not keep the others away
-    }
-  return curricula;
-}
-
 int run_window(const std::function<void(MainWindow&)>& opened) {
   WindowApplication application;
   for (const std::string& told : tidy_records()) spdlog::warn("{}", told);
-  auto curricula = curricula_to_choose_from();
+  FoundCurricula found = find_curricula();
+  for (const std::string& told : found.refused) spdlog::warn("{}", told);
   MainWindow window;
-  window.show_start(std::move(curricula));
+  window.show_start(std::move(found.curricula));
   window.show();
   opened(window);
   return application.qt().exec();
@@ -50,6 +34,10 @@ int run_window(const std::function<void(MainWindow&)>& opened) {
 
 int run_window_command() {
   return run_window([](MainWindow&) {});
+}
+
+int run_window_course(const std::string& file) {
+  return run_window([&](MainWindow& window) { window.write_course(file); });
 }
 
 int run_window_import(const std::string& series) {

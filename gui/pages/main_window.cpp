@@ -15,6 +15,7 @@
 
 #include "curricula/records/progress.h"
 #include "device/factory.h"
+#include "gui/authoring/authoring_page.h"
 #include "gui/import/import_wizard.h"
 #include "gui/pages/background.h"
 #include "gui/pages/devices_page.h"
@@ -24,6 +25,7 @@
 #include "gui/pages/trial_page.h"
 #include "gui/records_pages/records_page.h"
 #include "gui/session/builtin_patient.h"
+#include "gui/session/curricula_files.h"
 #include "gui/session/device_choice.h"
 #include "gui/session/past_results.h"
 #include "gui/session/patient_fit.h"
@@ -54,14 +56,16 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
   devices_ = new DevicesPage(pages_);
   records_ = new RecordsPage(pages_);
   import_ = new ImportWizard(pages_);
+  authoring_ = new AuthoringPage(pages_);
   prepare_page_ = make_prepare_page();
   trial_ = new TrialPage(pages_);
   rating_ = new SelfRatingPage(pages_);
   result_ = new ResultPage(pages_);
   replay_ = new ReplayPage(pages_);
-  for (QWidget* page : {static_cast<QWidget*>(start_), static_cast<QWidget*>(devices_), static_cast<QWidget*>(records_),
-                        static_cast<QWidget*>(import_), prepare_page_, static_cast<QWidget*>(trial_),
-                        static_cast<QWidget*>(rating_), static_cast<QWidget*>(result_), static_cast<QWidget*>(replay_)})
+  for (QWidget* page :
+       {static_cast<QWidget*>(start_), static_cast<QWidget*>(devices_), static_cast<QWidget*>(records_),
+        static_cast<QWidget*>(import_), static_cast<QWidget*>(authoring_), prepare_page_, static_cast<QWidget*>(trial_),
+        static_cast<QWidget*>(rating_), static_cast<QWidget*>(result_), static_cast<QWidget*>(replay_)})
     pages_->addWidget(page);
   // The page that is seen says how small the window may be, not the largest of them all.
   const auto only_current_counts = [this] {
@@ -89,6 +93,17 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
   connect(records_, &RecordsPage::left, this, &MainWindow::back_to_start);
   connect(records_, &RecordsPage::trial_wanted, this, &MainWindow::show_trial);
   connect(&records_->desk(), &RecordsDesk::changed, this, &MainWindow::read_past);
+  connect(start_, &StartPage::courses_wanted, this, [this] { write_course(); });
+  connect(authoring_, &AuthoringPage::left, this, &MainWindow::back_to_start);
+  connect(authoring_, &AuthoringPage::try_wanted, this, &MainWindow::try_scenario);
+  connect(authoring_, &AuthoringPage::courses_changed, this, [this] {
+    if (!has_start_) return;
+    try {
+      start_->set_curricula(find_curricula().curricula);
+    } catch (const std::exception& error) {
+      authoring_->set_message(QString::fromUtf8(error.what()));
+    }
+  });
   connect(devices_, &DevicesPage::left, this, &MainWindow::back_to_start);
   connect(devices_, &DevicesPage::found, start_, &StartPage::set_found_devices);
   connect(devices_, &DevicesPage::chosen, this, [this](const device::FoundDevice& device) {
@@ -207,6 +222,29 @@ void MainWindow::import_series(const QString& source) {
   import_->begin(source);
 }
 
+void MainWindow::write_course(const std::filesystem::path& file) {
+  pages_->setCurrentWidget(authoring_);
+  if (file.empty())
+    authoring_->begin();
+  else
+    authoring_->open_file(file);
+}
+
+void MainWindow::try_scenario(const QString& file, const QString& id) {
+  Choice choice = start_->hands();
+  choice.curriculum = file.toStdString();
+  try {
+    const curricula::Curriculum course = curricula::load_curriculum(choice.curriculum);
+    choice.scenario = *course.find(id.toStdString());
+  } catch (const curricula::CurriculumError& error) {
+    authoring_->set_message(QString::fromUtf8(error.what()));
+    return;
+  }
+  if (choice.device == "scripted:novice" && choice.scenario.intubation) choice.device = "scripted:expert";  // no tube
+  trying_ = true;
+  prepare_choice(choice);
+}
+
 void MainWindow::prepare_choice(const Choice& choice, std::uint32_t seed) {
   TrialSetup setup;
   setup.curriculum = choice.curriculum;
@@ -215,8 +253,9 @@ void MainWindow::prepare_choice(const Choice& choice, std::uint32_t seed) {
   setup.second = choice.second.toStdString();
   setup.trainee_id = records_->desk().person().id;
   setup.mode = choice.mode;
+  setup.taken = choice.taken;
   const auto kept = user_settings();
-  kept->setValue("scenario", QString::fromStdString(choice.scenario.id));
+  if (!trying_) kept->setValue("scenario", QString::fromStdString(choice.scenario.id));
   kept->setValue("device", choice.device);
   kept->setValue("patient", QString::fromStdString(choice.patient.string()));
   again_ = [this, choice] { prepare_choice(choice); };
@@ -346,7 +385,10 @@ void MainWindow::report_progress(const std::string& stage, double fraction) {
 }
 
 void MainWindow::show_failure(const QString& message) {
-  start_->set_message(message);
+  if (trying_)
+    authoring_->set_message(message);
+  else
+    start_->set_message(message);
   back_to_start();
   emit trial_failed(message);
 }
@@ -377,7 +419,10 @@ void MainWindow::read_past() {
 }
 
 void MainWindow::back_to_start() {
-  if (has_start_) {
+  if (trying_) {
+    trying_ = false;
+    pages_->setCurrentWidget(authoring_);
+  } else if (has_start_) {
     pages_->setCurrentWidget(start_);
     read_past();
   } else {
@@ -400,6 +445,7 @@ QString MainWindow::page_name() const {
          : page == devices_      ? "devices"
          : page == records_      ? "records"
          : page == import_       ? "import"
+         : page == authoring_    ? "authoring"
          : page == prepare_page_ ? "prepare"
          : page == trial_        ? "trial"
          : page == replay_       ? "replay"
@@ -408,6 +454,10 @@ QString MainWindow::page_name() const {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
+  if (!authoring_->may_leave()) {
+    event->ignore();
+    return;
+  }
   cancelled_ = true;
   import_->stop();
   trial_->close_trial();

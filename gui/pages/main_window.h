@@ -17,6 +17,7 @@ class QStackedWidget;
 
 namespace vallecula::gui {
 
+class AuthoringPage;
 class DevicesPage;
 class ImportWizard;
 class RecordsPage;
@@ -43,12 +44,15 @@ class MainWindow : public QMainWindow {
   /// where its package is now, if it was moved.
   void replay(const std::filesystem::path& trial, double at_s = -1.0, const std::filesystem::path& patient = {});
   ReplayPage& replay_page() { return *replay_; }
+  /// Opens the page where courses are written; `file` (may be empty) is opened in it.
+  void write_course(const std::filesystem::path& file = {});
+  AuthoringPage& authoring_page() { return *authoring_; }
   TrialPage& trial_page() { return *trial_; }
   StartPage& start_page() { return *start_; }
   ImportWizard& import_wizard() { return *import_; }
   DevicesPage& devices_page() { return *devices_; }
   RecordsPage& records_page() { return *records_; }
-  /// "start", "records", "devices", "import", "prepare", "trial", "rating", "result", "replay"
+  /// "start", "records", "devices", "import", "authoring", "prepare", "trial", "rating", "result", "replay"
   QString page_name() const;
 
  signals:
@@ -77,6 +81,7 @@ class MainWindow : public QMainWindow {
   void show_trial(const QString& log, bool with_replay);
   void leave_replay();
   void add_imported_patients();
+  void try_scenario(const QString& file, const QString& id);
   void choose_last_device(const QString& name);
   QWidget* make_prepare_page();
 
@@ -86,6 +91,7 @@ class MainWindow : public QMainWindow {
   RecordsPage* records_;
   WhoStrip* who_;
   ImportWizard* import_;
+  AuthoringPage* authoring_;
   QWidget* prepare_page_;
   QLabel* prepare_stage_;
   QProgressBar* prepare_bar_;
@@ -102,6 +108,7 @@ class MainWindow : public QMainWindow {
   TrialOutcome outcome_;
   std::function<void()> again_, same_again_;
   bool has_start_ = false;
+  bool trying_ = false;  ///< a scenario out of the authoring page, to which the window returns
 };
 
 }  // namespace vallecula::gui

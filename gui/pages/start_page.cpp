@@ -19,6 +19,7 @@
 #include "gui/pages/devices_page.h"
 #include "gui/pages/module_tree.h"
 #include "gui/pages/module_words.h"
+#include "gui/pages/offered_tools.h"
 #include "gui/pages/pass_words.h"
 #include "gui/report/markdown.h"
 #include "gui/session/device_choice.h"
@@ -94,6 +95,11 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
   auto* left = new QVBoxLayout;
   left->addWidget(curriculum_);
   left->addWidget(tree_, 1);
+  auto* courses = new QPushButton("&Write a course ...", this);
+  courses->setObjectName("courses");
+  courses->setToolTip("Create, change, try, compare and share courses");
+  connect(courses, &QPushButton::clicked, this, &StartPage::courses_wanted);
+  left->addWidget(courses);
   auto* patient_row = new QHBoxLayout;
   patient_row->setSpacing(8);
   patient_row->addWidget(patient_, 1);
@@ -116,6 +122,9 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
   form->addRow(second_label_, second_);
   mode_label_ = new QLabel("Mode", this);
   form->addRow(mode_label_, mode_);
+  offered_ = new OfferedTools(this);
+  form->addRow(offered_);
+  connect(offered_, &OfferedTools::changed, this, &StartPage::allow_start);
   auto* right_panel = new QFrame(this);
   right_panel->setObjectName("panel");
   auto* right = new QVBoxLayout(right_panel);
@@ -158,7 +167,9 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
     connect(hand, qOverload<int>(&QComboBox::currentIndexChanged), this, &StartPage::show_modules);
   connect(tree_, &ModuleTree::chosen, this, &StartPage::show_chosen);
   connect(tree_, &QTreeWidget::itemActivated, this, [this] { go_->click(); });
-  connect(go_, &QPushButton::clicked, this, [this] { emit chosen(choice()); });
+  connect(go_, &QPushButton::clicked, this, [this] {
+    if (tree_->scenario() != nullptr && go_->isEnabled()) emit chosen(choice());
+  });
   go_->setEnabled(false);
 }
 
@@ -187,7 +198,7 @@ const curricula::Curriculum* StartPage::curriculum() const {
 
 bool StartPage::watching() const { return is_scripted(device_->currentData().toString().toStdString()); }
 
-std::string StartPage::hands() const {
+std::string StartPage::kinds() const {
   const auto kind = [](const QComboBox* box) { return box->currentData().toString().section(':', 0, 0).toStdString(); };
   const std::string blade = kind(device_), tube = kind(second_);
   return watching() || blade == "mouse" || tube.empty() ? blade : blade + "+" + tube;
@@ -195,8 +206,8 @@ std::string StartPage::hands() const {
 
 void StartPage::show_modules() {
   std::vector<curricula::PastResult> past;
-  if (curriculum() != nullptr) past = with_hands(past_[curriculum()->id], *curriculum(), hands());
-  tree_->show_course(curriculum(), past, hands(), all_open_ || watching());
+  if (curriculum() != nullptr) past = with_hands(past_[curriculum()->id], *curriculum(), kinds());
+  tree_->show_course(curriculum(), past, kinds(), all_open_ || watching());
 }
 
 QStringList StartPage::states() const { return tree_->states(); }
@@ -243,7 +254,6 @@ void StartPage::show_scenario(const curricula::Scenario& scenario) {
   const QString closed = tree_->why_closed(scenario);
   why_->setText(closed + (closed.isEmpty() ? "" : " A scripted hand can be watched at it before."));
   why_->setVisible(!closed.isEmpty());
-  go_->setEnabled(closed.isEmpty());
   mode_->setVisible(!watching());
   mode_label_->setVisible(!watching());
   const bool tube = scenario.intubation.has_value();
@@ -254,6 +264,14 @@ void StartPage::show_scenario(const curricula::Scenario& scenario) {
   const bool choice = tube && !watching() && device_->currentData().toString() != "mouse";
   second_->setVisible(choice);
   second_label_->setVisible(choice);
+  offered_->offer(scenario);
+  allow_start();
+}
+
+void StartPage::allow_start() {
+  const curricula::Scenario* scenario = tree_->scenario();
+  go_->setEnabled(scenario != nullptr && tree_->why_closed(*scenario).isEmpty() && !offered_->open());
+  go_->setToolTip(offered_->open() ? "Choose blade and tube first: they count in the score" : "");
 }
 
 void StartPage::add_patient(const std::filesystem::path& package, bool choose) {
@@ -341,6 +359,14 @@ bool StartPage::select(const QString& scenario, const QString& device) {
   return found && index >= 0;
 }
 
+Choice StartPage::hands() const {
+  Choice choice;
+  choice.patient = patient_->currentData().toString().toStdString();
+  choice.device = device_->currentData().toString();
+  choice.second = second_->currentData().toString();
+  return choice;
+}
+
 Choice StartPage::choice() const {
   const curricula::Scenario* scenario = tree_->scenario();
   if (scenario == nullptr) throw std::logic_error("no scenario is chosen");
@@ -349,6 +375,7 @@ Choice StartPage::choice() const {
           *scenario,
           patient_->currentData().toString().toStdString(),
           device_->currentData().toString(),
+          offered_->taken(),
           second_->isVisibleTo(this) ? second_->currentData().toString() : QString(),
           mode};
 }

@@ -18,12 +18,14 @@ class QPushButton;
 namespace vallecula::gui {
 
 class ModuleTree;
+class OfferedTools;
 
 struct Choice {
   std::filesystem::path curriculum;
   curricula::Scenario scenario;
   std::filesystem::path patient;  ///< empty: the built-in manikin that the scenario asks for
   QString device;                 ///< as `vallecula trial --device` takes it
+  curricula::ToolChoice taken;    ///< of what the scenario offers
   QString second;                 ///< as `--second`, of a scenario with a tube; empty: what goes with the device
   curricula::Mode mode = curricula::Mode::practice;
 };
@@ -34,8 +36,8 @@ class StartPage : public QWidget {
   explicit StartPage(QWidget* parent = nullptr);
   /// Replaces the curricula, the first is shown; keeps the last choice where it is still to be had.
   void set_curricula(std::vector<curricula::Curriculum> curricula);
-  /// What whoever sits here has done so far: says what is open and mastered. `all_open`: an instructor, for whom nothing
-  /// is closed.
+  /// What whoever sits here has done so far: says what is open and mastered. `all_open`: an instructor, for whom
+  /// nothing is closed.
   void set_past(PastResults past, bool all_open = false);
   void add_patient(const std::filesystem::path& package, bool choose);
   /// Offers what is plugged in beside what is always there; what is gone is no longer offered, unless it is chosen.
@@ -43,18 +45,21 @@ class StartPage : public QWidget {
   /// Offers this device and chooses it.
   void choose_device(const QString& name, const QString& label);
   void set_message(const QString& message);
-  /// The first scenario of this id, in whichever curriculum, and the device; false where one of them is not to be had. A
-  /// scenario that is not open yet is shown, but cannot be started.
+  /// The first scenario of this id, in whichever curriculum, and the device; false where one of them is not to be had.
+  /// A scenario that is not open yet is shown, but cannot be started.
   bool select(const QString& scenario, const QString& device);
   /// Throws std::logic_error when no scenario is chosen.
   Choice choice() const;
   /// What is said of the modules: "Handling the blade: open", one each.
   QStringList states() const;
+  /// Patient and devices of the choice alone, whatever the scenario.
+  Choice hands() const;
 
  signals:
   void chosen(const vallecula::gui::Choice& choice);
   void import_wanted();
   void devices_wanted();
+  void courses_wanted();
 
  private:
   /// Fills the tree anew.
@@ -65,8 +70,9 @@ class StartPage : public QWidget {
   /// Nobody learns by a scripted hand, so it may be watched at anything.
   bool watching() const;
   /// As LogHeader::device_kind, of what is chosen.
-  std::string hands() const;
+  std::string kinds() const;
   void browse();
+  void allow_start();  ///< where it is open and nothing is left to be chosen
   /// Of the chosen device, as it was last found; null: it was not, or has none.
   std::unique_ptr<QDialog> device_settings();
   std::vector<curricula::Curriculum> curricula_;
@@ -75,6 +81,7 @@ class StartPage : public QWidget {
   bool all_open_ = false;
   curricula::Mode mode_wanted_ = curricula::Mode::practice;  ///< where the module allows it
   ModuleTree* tree_;
+  OfferedTools* offered_;
   QLabel *heading_, *briefing_, *why_, *message_, *second_label_, *mode_label_;
   QComboBox *curriculum_, *patient_, *device_, *second_, *mode_;
   QPushButton* go_;

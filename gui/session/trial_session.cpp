@@ -45,10 +45,11 @@ curricula::Curriculum curriculum_with(const fs::path& file, const std::string& s
 
 /// As written, where nothing was asked for beyond practice of that.
 curricula::Scenario scenario_of(const TrialSetup& setup, const curricula::Scenario& written) {
-  if (setup.mode == curricula::Mode::practice && setup.attempt_seed == 0) return written;
+  const bool chosen = !setup.taken.blade.empty() || !setup.taken.tube.empty();
+  if (setup.mode == curricula::Mode::practice && setup.attempt_seed == 0 && !chosen) return written;
   if (setup.attempt_seed != 0 && !written.variation)
     throw std::runtime_error("scenario '" + written.id + "' has no variation that a seed could draw from; leave the seed out");
-  return curricula::attempt_of(written, setup.mode, setup.attempt_seed);
+  return curricula::attempt_of(written, setup.mode, setup.attempt_seed, setup.taken);
 }
 
 }  // namespace

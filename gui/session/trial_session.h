@@ -27,6 +27,7 @@ struct TrialSetup {
   std::string scenario;              ///< id in it
   curricula::Mode mode = curricula::Mode::practice;
   std::uint32_t attempt_seed = 0;    ///< what the scenario's variation is drawn with; 0: as written
+  curricula::ToolChoice taken;       ///< of the blades and tubes that the scenario offers
   std::string device;                ///< KIND[:ARG], one of device_names() (session/device_choice.h)
   std::string second;                ///< of the tube's hand, as HandsSetup (session/two_hands.h)
   /// A tool of its own (m, tool frame) instead of the scenario's blade; null: the blade.

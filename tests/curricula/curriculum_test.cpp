@@ -13,6 +13,7 @@
 #include "curricula/schema/reference_table.h"
 #include "curricula/schema/schema_text.h"
 #include "curricula/schema/validator.h"
+#include "curricula/score/choice_rubric.h"
 #include "tests/curricula/full_course.h"
 #include "tests/curricula/temporary_folder.h"
 
@@ -92,6 +93,9 @@ TEST_F(Course, ReadsEveryFieldOfSchemaTwo) {
     EXPECT_EQ(s.rubric.at("peak_tongue_force_n").weight, 2.0) << "the scenario's own";
     EXPECT_EQ(s.rubric.at("attempts").source, "NEAR4NEOS") << "the curriculum's, since the scenario says nothing";
     EXPECT_EQ(s.rubric.at("attempts").weight, 1.0);
+    EXPECT_EQ(s.offered_blades, (std::vector<std::string>{"miller-0", "miller-1"}));
+    EXPECT_EQ(s.blade, "miller-1") << "the right one, by weight";
+    EXPECT_EQ(s.intubation->offered_tubes, (std::vector<std::string>{"3.0", "3.5"}));
   }
   const Scenario& one = *c.find("one");
   EXPECT_EQ(one.rubric.at("peak_tongue_force_n").weight, 3.0);
@@ -219,6 +223,12 @@ TEST_F(Course, EveryContradictionNamesLineFieldAndWhatIsAllowed) {
       {"    blade: miller-0\n", "    blade: miller-0\n    variation: { distraction_delay_s: [0, 1] }\n",
        ":38: scenarios[0].variation.distraction_delay_s", "none without distractions"},
       {"catheter_f: 6", "catheter_f: 0", "scenarios[1].intubation.secretions_ml is '1.5'", "catheter_f is 0"},
+      {"[miller-0, miller-1]", "[miller-0, miller-2]", "scenarios[1].offered_blades is a list",
+       "the right one among them, blade = miller-1"},
+      {"[\"3.0\", \"3.5\"]", "[\"3.0\", \"3.0\"]", "scenarios[1].intubation.offered_tubes[1] is '3.0'", "each once"},
+      {"[\"3.0\", \"3.5\"]", "[\"3.0\"]", "scenarios[1].intubation.offered_tubes is a list of 1", "2 to 4"},
+      {"    blade: miller-0\n", "    blade: miller-0\n    rubric: { right_blade: { source: x } }\n",
+       "scenarios[0].rubric.right_blade", "the pass marks of this scenario"},
       {"source: NEAR4NEOS", "source: \"\"", ":16: rubric.attempts.source is ''", "where a number comes from"},
   };
   for (const auto& c : cases) {
@@ -296,6 +306,31 @@ void expect_wider(const QJsonObject& old_document, const QJsonObject& new_docume
     expect_wider(old_document, new_document, properties.value(name).toObject(), now.value(name).toObject(),
                  path + "." + name.toStdString());
   }
+}
+
+TEST_F(Course, WhatATraineeTakesStandsInTheAttemptBesideWhatIsRight) {
+  const Curriculum course = load_curriculum(write("course.yaml", kFullCourse));
+  const Scenario& two = *course.find("two");
+  const Scenario attempt = attempt_of(two, Mode::assessment, 0, {"miller-0", "3.0"});
+  for (const Scenario& s : {attempt, parse_scenario(attempt.yaml, "log")}) {
+    EXPECT_EQ(s.blade, "miller-0") << "what is used";
+    EXPECT_EQ(s.attempt.right_blade, "miller-1");
+    EXPECT_EQ(s.intubation->tube, "3.0");
+    EXPECT_EQ(s.attempt.right_tube, "3.0");
+    std::vector<Criterion> criteria;
+    judge_choice(s, criteria);
+    ASSERT_EQ(criteria.size(), 2u);
+    EXPECT_FALSE(criteria[0].met);
+    EXPECT_EQ(criteria[0].sentence, "The blade miller-0 was taken; right for this infant is miller-1");
+    EXPECT_TRUE(criteria[1].met);
+  }
+  const Scenario unasked = attempt_of(two, Mode::practice, 0);
+  EXPECT_EQ(unasked.blade, "miller-1");
+  std::vector<Criterion> none;
+  judge_choice(unasked, none);
+  EXPECT_TRUE(none.empty());
+  EXPECT_THROW(attempt_of(two, Mode::practice, 0, {"miller-3", ""}), CurriculumError);
+  EXPECT_THROW(attempt_of(*course.find("one"), Mode::practice, 0, {"", "3.0"}), CurriculumError);
 }
 
 TEST(CurriculumSchema, AScenarioOfSchemaOneIsOneOfSchemaTwo) {

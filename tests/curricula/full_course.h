@@ -100,8 +100,12 @@ scenarios:
       depth_neutral: { weight: 2, source: assumed }
       oesophagus_in_time: { weight: 2, source: assumed }
       no_severe_desaturation: { weight: 2, source: assumed }
+      right_blade: { weight: 2, source: assumed }
+      right_tube: { weight: 2, source: assumed }
+    offered_blades: [miller-0, miller-1]
     intubation:
       tube: "3.0"
+      offered_tubes: ["3.0", "3.5"]
       stylet: true
       stylet_mm: 1.5
       catheter_f: 6

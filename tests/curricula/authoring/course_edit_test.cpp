@@ -19,7 +19,8 @@ std::string shipped(const std::string& name) {
 }
 
 void expect_valid(const std::string& text) {
-  for (const Problem& problem : problems_of(text)) ADD_FAILURE() << problem.line << ": " << problem.message << "\n" << text;
+  for (const Problem& problem : problems_of(text))
+    ADD_FAILURE() << problem.line << ": " << problem.message << "\n" << text;
 }
 
 std::vector<std::string> order(const std::string& text, const std::string& module) {
@@ -38,8 +39,8 @@ TEST(CourseEdit, AnEmptyCourseIsValidWhateverItsTitle) {
 }
 
 TEST(CourseEdit, PartsAreAddedToAnyCourse) {
-  for (const std::string& whole : {shipped("neonatal-intubation.yaml"), std::string(testing::kFullCourse),
-                                   empty_course("mine", "My course")}) {
+  for (const std::string& whole :
+       {shipped("neonatal-intubation.yaml"), std::string(testing::kFullCourse), empty_course("mine", "My course")}) {
     std::string id, other;
     const std::string more = with_new_scenario(YamlText(whole), 0, id);
     expect_valid(more);
@@ -73,7 +74,8 @@ TEST(CourseEdit, AModuleOfAnotherCourseComesWithItsScenarios) {
   const std::string text = with_module_copied(YamlText(empty_course("mine", "Mine")), from, "handling-the-blade", id);
   EXPECT_EQ(order(text, id), (Ids{"way-in", "lift", "light-hand"}));
   // Its sizes by weight and its sources are the other course's: what is missing now is said by name.
-  for (const Problem& problem : problems_of(text)) EXPECT_NE(problem.field.find("blade"), std::string::npos) << problem.message;
+  for (const Problem& problem : problems_of(text))
+    EXPECT_NE(problem.field.find("blade"), std::string::npos) << problem.message;
 }
 
 TEST(CourseEdit, ScenariosMoveWithinAndBetweenModules) {

@@ -72,14 +72,18 @@ TEST(FieldRules, EveryFieldBeyondItsRangeIsToldByItsName) {
           each(rule.fields, here);
           std::vector<std::string> bad;
           if (rule.kind == Kind::number || rule.kind == Kind::whole_number)
-            bad = {QString::number(rule.minimum - 0.7, 'g', 15).toStdString(), QString::number(rule.maximum + 1, 'g', 15).toStdString(), "5 apples", ""};
+            bad = {QString::number(rule.minimum - 0.7, 'g', 15).toStdString(),
+                   QString::number(rule.maximum + 1, 'g', 15).toStdString(), "5 apples", ""};
           if (rule.kind == Kind::word || rule.kind == Kind::truth) bad = {"apples", ""};
           if (rule.name == "schema") bad = {"3", "0", "apples"};
-          if (rule.longest > 0 && rule.kind == Kind::plain_text) bad = {std::string(static_cast<std::size_t>(rule.longest) + 1, 'x')};
+          if (rule.longest > 0 && rule.kind == Kind::plain_text)
+            bad = {std::string(static_cast<std::size_t>(rule.longest) + 1, 'x')};
           for (const std::string& value : bad) {
             const std::string text = with_value(course, here, yaml_plain(value));
             const auto problems = problems_of(text);
-            const bool told = std::any_of(problems.begin(), problems.end(), [&](const Problem& p) { return p.field == here && !p.allowed.empty() && p.line == YamlText(text).find(here)->line; });
+            const bool told = std::any_of(problems.begin(), problems.end(), [&](const Problem& p) {
+              return p.field == here && !p.allowed.empty() && p.line == YamlText(text).find(here)->line;
+            });
             EXPECT_TRUE(told) << here << " = '" << value << "'" << (problems.empty() ? "" : ": " + problems[0].message);
             ++tried;
           }
@@ -94,7 +98,8 @@ TEST(LineDiff, LeadsFromOneTextToTheOther) {
   for (int round = 0; round < 200; ++round) {
     std::string before, after;
     for (std::string* text : {&before, &after})
-      for (unsigned n = random() % 12; n > 0; --n) *text += std::string(1, static_cast<char>('a' + random() % 3)) + "\n";
+      for (unsigned n = random() % 12; n > 0; --n)
+        *text += std::string(1, static_cast<char>('a' + random() % 3)) + "\n";
     std::string first, second;
     std::size_t same = 0;
     for (const DiffLine& line : line_diff(before, after)) {

@@ -45,7 +45,8 @@ std::string replaced(std::string text, const std::string& what, const std::strin
 
 TEST(YamlEdit, AValueChangesWhereItStands) {
   const YamlText text(kSmall);
-  EXPECT_EQ(with_value(text, "id", yaml_text("b\nc\n")), replaced(kSmall, "id: a   # short\n", "id: |   # short\n  b\n  c\n"));
+  EXPECT_EQ(with_value(text, "id", yaml_text("b\nc\n")),
+            replaced(kSmall, "id: a   # short\n", "id: |   # short\n  b\n  c\n"));
   EXPECT_EQ(with_value(text, "id", yaml_text("b")), replaced(kSmall, "id: a ", "id: b "));
   EXPECT_EQ(with_value(text, "group.x", yaml_plain("2.5")), replaced(kSmall, "x: 1,", "x: 2.5,"));
   EXPECT_EQ(with_value(text, "list[1].n", yaml_plain("-3")), replaced(kSmall, "n: 2 }", "n: -3 }"));
@@ -84,7 +85,8 @@ TEST(YamlEdit, EntriesMoveWithTheirComments) {
   EXPECT_EQ(with_item_moved(text, "list", 0, 1), swapped);
   EXPECT_EQ(with_item_moved(text, "group.y", 1, 0), replaced(kSmall, "[p, q]", "[q, p]"));
   EXPECT_EQ(without_item(text, "list", 1), replaced(kSmall, second + "\n", ""));
-  EXPECT_EQ(with_item(text, "list", 3, yaml_group({{"id", yaml_text("four")}})), std::string(kSmall) + "\n  - id: four\n");
+  EXPECT_EQ(with_item(text, "list", 3, yaml_group({{"id", yaml_text("four")}})),
+            std::string(kSmall) + "\n  - id: four\n");
   EXPECT_EQ(with_item(text, "group.y", 0, yaml_text("a, b")), replaced(kSmall, "[p, q]", "[\"a, b\", p, q]"));
   EXPECT_EQ(with_item_copied(text, "list", 1, YamlText("deep:\n- id: five\n  t: |\n    x\n\n     y\n"), "deep", 0),
             replaced(kSmall, "    n: 1\n\n", "    n: 1\n\n  - id: five\n    t: |\n      x\n\n       y\n\n"));
@@ -96,7 +98,7 @@ TEST(YamlEdit, EveryValueOfEveryCourseCanBeSetAndSetBack) {
     const YamlText text(whole);
     int changed = 0;
     const std::function<void(const YamlNode&, const std::string&)> walk = [&](const YamlNode& node,
-                                                                             const std::string& path) {
+                                                                              const std::string& path) {
       for (std::size_t i = 0; i < node.children.size(); ++i)
         walk(node.children[i], node.kind == YamlNode::Kind::list ? path + "[" + std::to_string(i) + "]"
                                : path.empty()                    ? node.children[i].key
@@ -120,18 +122,24 @@ TEST(YamlEdit, EveryValueOfEveryCourseCanBeSetAndSetBack) {
 }
 
 TEST(YamlEdit, WindowsLineEndsAndAByteOrderMarkStay) {
-  const YamlText text("\xef\xbb\xbf" "a: \xc3\xa4\r\nb: |\r\n  x\r\n  y\r\nc: [1]\r\n");
+  const YamlText text(
+      "\xef\xbb\xbf"
+      "a: \xc3\xa4\r\nb: |\r\n  x\r\n  y\r\nc: [1]\r\n");
   EXPECT_EQ(with_value(text, "c", yaml_list({yaml_plain("2")})),
-            "\xef\xbb\xbf" "a: \xc3\xa4\r\nb: |\r\n  x\r\n  y\r\nc: [2]\r\n");
+            "\xef\xbb\xbf"
+            "a: \xc3\xa4\r\nb: |\r\n  x\r\n  y\r\nc: [2]\r\n");
   EXPECT_EQ(with_value(text, "b", yaml_text("p\nq\n")),
-            "\xef\xbb\xbf" "a: \xc3\xa4\r\nb: |\r\n  p\r\n  q\r\nc: [1]\r\n");
+            "\xef\xbb\xbf"
+            "a: \xc3\xa4\r\nb: |\r\n  p\r\n  q\r\nc: [1]\r\n");
   EXPECT_EQ(with_value(text, "d", yaml_plain("1")), text.text() + "d: 1\r\n");
 }
 
 TEST(YamlEdit, HardTextsComeBackAsTheyAre) {
   for (const std::string value :
-       {"", " ", "true", "12", "- no list", "a: b", "a #b", "#x", "'q'", "\"q\"", "\\", "tab\tin", "two\nlines", "two\nlines\n",
-        "\n", "  indented\nfirst", "{x}", "[y]", "ends:", "caf\xc3\xa9", "% d", "a\n\n\nb\n", "&x", "*y", "!z", "0x10"}) {
+       {"",    " ",     "true",  "12",          "- no list",  "a: b",         "a #b", "#x",
+        "'q'", "\"q\"", "\\",    "tab\tin",     "two\nlines", "two\nlines\n", "\n",   "  indented\nfirst",
+        "{x}", "[y]",   "ends:", "caf\xc3\xa9", "% d",        "a\n\n\nb\n",   "&x",   "*y",
+        "!z",  "0x10"}) {
     for (const char* where : {"id", "group.x", "text", "list[1].id", "list[0].id"}) {
       const std::string edited = with_value(YamlText(kSmall), where, yaml_text(value));
       EXPECT_EQ(YamlText(edited).find(where)->value, value) << where << ":\n" << edited;
@@ -182,8 +190,9 @@ TEST(CurriculumProblems, BetweenFieldsAreFoundInEachScenario) {
 }
 
 TEST(CurriculumProblems, OfATextThatIsNoCurriculumAreOne) {
-  for (const std::string& bad : {std::string(), std::string("a: [\n"), std::string("\xff\xfe"), std::string("schema: 3\n"),
-                                 std::string("a: &x [1]\nb: *x\n"), std::string(11u << 20, 'x'), std::string("- 1\n")}) {
+  for (const std::string& bad :
+       {std::string(), std::string("a: [\n"), std::string("\xff\xfe"), std::string("schema: 3\n"),
+        std::string("a: &x [1]\nb: *x\n"), std::string(11u << 20, 'x'), std::string("- 1\n")}) {
     const auto problems = problems_of(bad);
     ASSERT_EQ(problems.size(), 1u) << bad.substr(0, 20);
     EXPECT_FALSE(problems[0].message.empty());

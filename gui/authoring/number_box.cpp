@@ -1,0 +1,47 @@
+#include "gui/authoring/number_box.h"
+
+#include <QLineEdit>
+#include <QWheelEvent>
+#include <algorithm>
+#include <cmath>
+
+namespace vallecula::gui {
+
+NumberBox::NumberBox(const curricula::FieldRule& rule, QWidget* parent)
+    : QAbstractSpinBox(parent), minimum_(rule.minimum), maximum_(rule.maximum) {
+  const double span = maximum_ - minimum_;
+  step_ = rule.kind == curricula::FieldRule::Kind::whole_number ? 1.0
+          : span <= 1.0                                         ? 0.01
+          : span <= 60.0                                        ? 0.1
+          : span <= 700.0                                       ? 1.0
+                                                                : 100.0;
+  setFocusPolicy(Qt::StrongFocus);
+  setFixedWidth(120);
+  lineEdit()->setPlaceholderText(rule.required ? "" : "left out");
+  connect(lineEdit(), &QLineEdit::textEdited, this, &NumberBox::edited);
+}
+
+QString NumberBox::value() const {
+  QString text = lineEdit()->text().trimmed();
+  bool is_number = false;
+  QString pointed = text;
+  pointed.replace(',', '.').toDouble(&is_number);
+  return is_number ? pointed.replace(',', '.') : text;
+}
+
+void NumberBox::set_value(const QString& value) {
+  if (this->value() != value) lineEdit()->setText(value);
+}
+
+void NumberBox::stepBy(int steps) {
+  bool is_number = false;
+  const double now = value().toDouble(&is_number);
+  const double next = is_number ? now + steps * step_ : minimum_;
+  const double rounded = std::round(std::clamp(next, minimum_, maximum_) / step_) * step_;
+  lineEdit()->setText(QString::number(std::clamp(rounded, minimum_, maximum_), 'g', 8));
+  emit edited();
+}
+
+void NumberBox::wheelEvent(QWheelEvent* event) { event->ignore(); }
+
+}  // namespace vallecula::gui
