@@ -5,7 +5,7 @@
 #include <QLabel>
 #include <QSignalBlocker>
 
-#include "gui/pages/module_words.h"
+#include "gui/views/capitalised.h"
 
 namespace vallecula::gui {
 
