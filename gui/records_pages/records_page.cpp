@@ -12,6 +12,7 @@
 #include "gui/records_pages/people_tab.h"
 #include "gui/records_pages/person_words.h"
 #include "gui/records_pages/progress_tab.h"
+#include "gui/records_pages/statements_line.h"
 
 namespace vallecula::gui {
 
@@ -56,11 +57,7 @@ RecordsPage::RecordsPage(QWidget* parent) : QWidget(parent) {
   all->addLayout(head);
   all->addLayout(bad);
   all->addWidget(tabs_, 1);
-  statements_ = new QLabel(this);
-  statements_->setObjectName("statements");
-  statements_->setWordWrap(true);
-  statements_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  statements_->hide();
+  statements_ = new StatementsLine(desk_, this);
   all->addWidget(statements_);
 
   connect(back, &QPushButton::clicked, this, &RecordsPage::left);
@@ -114,6 +111,7 @@ void RecordsPage::showEvent(QShowEvent* event) {
 
 void RecordsPage::refresh() {
   if (!isVisible()) return;
+  statements_->refresh();
   QWidget* seen = tabs_->currentWidget();
   if (seen == account_) account_->refresh();
   if (seen == progress_) progress_->refresh();
@@ -126,10 +124,7 @@ void RecordsPage::show_trouble(const QString& message) {
   again_->show();
 }
 
-void RecordsPage::tell_of_statements(const QString& line) {
-  statements_->setText(line);
-  statements_->show();
-}
+void RecordsPage::tell_of_statements(const QString& line) { statements_->tell(line); }
 
 void RecordsPage::tell(const QString& message) {
   trouble_->setText(message);
