@@ -64,6 +64,9 @@ QWidget* ProgressTab::make_left() {
   calendar_->setVerticalHeaderFormat(QCalendarWidget::NoVerticalHeader);
   calendar_->setFirstDayOfWeek(Qt::Monday);
   calendar_->setFixedHeight(190);
+  QTextCharFormat weekend;  // red on this ground can hardly be read
+  weekend.setForeground(theme::kFaint);
+  for (const auto day : {Qt::Saturday, Qt::Sunday}) calendar_->setWeekdayTextFormat(day, weekend);
   day_ = new QLabel(left);
   day_->setObjectName("faint");
   auto* column = new QVBoxLayout(left);
@@ -229,6 +232,7 @@ void ProgressTab::show_subject(Subject subject) {
     QTextCharFormat format;
     format.setFontWeight(QFont::Bold);
     format.setFontUnderline(true);
+    format.setForeground(theme::kText);
     format.setBackground(theme::kAccent.darker(160));
     format.setToolTip(words_of(day));
     calendar_->setDateTextFormat(QDate::fromString(QString::fromStdString(day.date), Qt::ISODate), format);

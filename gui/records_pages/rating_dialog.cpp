@@ -87,7 +87,7 @@ void RatingDialog::add_global(QVBoxLayout* column, const std::map<std::string, d
 void RatingDialog::add_items(QVBoxLayout* column, const std::vector<Item>& items,
                              const std::map<std::string, double>& before) {
   column->addSpacing(8);
-  column->addWidget(heading("What the recording cannot know", this));
+  column->addWidget(heading("What the recording could not tell", this));
   auto* grid = new QGridLayout;
   grid->setColumnStretch(0, 1);
   for (const Item& item : items) {

@@ -37,6 +37,8 @@ RecordsPage::RecordsPage(QWidget* parent) : QWidget(parent) {
   progress_ = new ProgressTab(desk_, courses_, tabs_);
   cohort_ = new CohortTab(desk_, courses_, tabs_);
   people_ = new PeopleTab(desk_, tabs_);
+  for (QWidget* tab : {static_cast<QWidget*>(cohort_), static_cast<QWidget*>(people_)})
+    tab->hide();  // no tab until an instructor signs in: else it would lie over the others
   tabs_->addTab(progress_, "Progress");
   tabs_->addTab(account_, "Sign in");
   auto* back = new QPushButton("Back", this);

@@ -38,7 +38,7 @@ StatementsLine::StatementsLine(RecordsDesk& desk, QWidget* parent) : QWidget(par
   };
   waiting_ = line("statements_waiting");
   told_ = line("statements");
-  send_ = new QPushButton("S&end now", this);
+  send_ = new QPushButton("&Send now", this);
   send_->hide();
   auto* lines = new QVBoxLayout;
   lines->addWidget(waiting_);

@@ -13,6 +13,7 @@ void make_readable(QTableView* table, const QString& name) {
   table->setSelectionMode(QAbstractItemView::SingleSelection);
   table->setTabKeyNavigation(false);  // Tab goes on to the next widget
   table->verticalHeader()->hide();
+  table->horizontalHeader()->setHighlightSections(false);
   table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   table->horizontalHeader()->setStretchLastSection(true);
 }

@@ -155,13 +155,14 @@ void TrialsPanel::open_row(int table_row) {
 void TrialsPanel::rate_own(const RecordRow& row) {
   auto* dialog = new QDialog(this);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setWindowTitle("Rate it first");
+  dialog->setWindowTitle("Rate it first: " + for_people(row.finished_utc));
+  dialog->setMinimumWidth(560);
   auto* page = new SelfRatingPage(dialog);
   page->layout()->setContentsMargins(10, 10, 10, 10);
   auto* all = new QVBoxLayout(dialog);
   all->addWidget(page);
   curricula::Scenario asked;  // the course may be another or unknown by now; the row knows whether there was a tube
-  asked.title = (courses_.title(row.curriculum_id, row.scenario_id) + ", " + for_people(row.finished_utc)).toStdString();
+  asked.title = courses_.title(row.curriculum_id, row.scenario_id).toStdString();
   if (row.score.intubation) asked.intubation.emplace();
   connect(page, &SelfRatingPage::rated, this, [this, dialog, page, trial = row.id](const SelfRating& rating) {
     const curricula::Who who = desk_.who();
@@ -177,8 +178,9 @@ void TrialsPanel::rate_own(const RecordRow& row) {
         },
         [page](const QString& message) { page->set_message(message); });
   });
-  dialog->open();
   page->ask(asked);
+  dialog->open();
+  page->setFocus();
 }
 
 /// The log, where it is on this computer, tells what it leaves to the instructor.

@@ -113,6 +113,7 @@ TEST_F(WindowRating, AnInstructorRatesATrialAndItsTraineeReadsIt) {
   click(progress(), "Rate ...");
   auto* form = dialog<RatingDialog>();
   ASSERT_NE(form, nullptr);
+  QApplication::processEvents();
   keep_picture(*form, "rating-1-dialog.png");
   click(form, "Keep the rating");
   EXPECT_NE(seen<QLabel>(form, "Nothing is judged yet"), nullptr);
@@ -178,6 +179,7 @@ TEST_F(WindowRating, AnAssessmentShowsNothingUntilItsTraineeHasRatedIt) {
   click(progress(), "Rate it first");
   auto* questions = dialog<SelfRatingPage>();
   ASSERT_NE(questions, nullptr);
+  QApplication::processEvents();
   keep_picture(*questions->window(), "rating-4-own.png");
   press(questions, Qt::Key_3);
   press(questions, Qt::Key_Return);

@@ -36,6 +36,7 @@ TEST_F(WindowRecords, FromTheFirstInstructorToATraineesOwnProgress) {
   ASSERT_EQ(window_->page_name(), "records");
   settle();
   EXPECT_TRUE(text_of("sign_in_message").contains("register as a trainee")) << text_of("sign_in_message").toStdString();
+  EXPECT_FALSE(page().findChild<PeopleTab*>()->isVisible()) << "an instructor's";
   keep_picture(*window_, "records-1-sign-in.png");
   click(&page(), "Set up the first instructor");
   fill({"Boss", "4321", "4322"});
