@@ -114,7 +114,10 @@ void CohortTab::refresh() {
   if (!desk_.instructor()) return;
   const curricula::SignedIn who = *desk_.who();
   desk_.ask<std::vector<curricula::CurveSummary>>(
-      this, [who, period = period()](curricula::Records& records) { return curricula::Progress(records).cohort(who, period); },
+      this,
+      [who, period = period()](curricula::Records& records) {
+        return curricula::Progress(records).cohort(who, period);
+      },
       [this](std::vector<curricula::CurveSummary> curves) {
         model_->set_curves(std::move(curves));
         fill_filters();

@@ -77,8 +77,9 @@ void HandOn::hand_on(Shown shown, const QString& file, std::function<void(const 
         return static_cast<int>(trials.size());
       },
       [this, file](int count) {
-        emit told(QString("Written: %1, %2.")
-                      .arg(QFileInfo(file).fileName(), count == 1 ? QString("1 trial") : QString("%1 trials").arg(count)));
+        emit told(
+            QString("Written: %1, %2.")
+                .arg(QFileInfo(file).fileName(), count == 1 ? QString("1 trial") : QString("%1 trials").arg(count)));
       },
       [this, file](QString message) {  // a folder may name a person
         emit told("Not handed on. " + message.remove(QFileInfo(file).path() + "/"));

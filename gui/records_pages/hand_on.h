@@ -18,7 +18,7 @@ class HandOn : public QPushButton {
  public:
   /// What is shown when the menu is opened.
   struct Shown {
-    curricula::ExportFilter filter;  ///< with trainee_id: that trainee's report can be had
+    curricula::ExportFilter filter;                         ///< with trainee_id: that trainee's report can be had
     std::function<bool(const curricula::RecordRow&)> with;  ///< which of those; empty: all. Called on another thread
     std::optional<curricula::RecordRow> trial;              ///< chosen; nothing: none whose figures may be seen
   };

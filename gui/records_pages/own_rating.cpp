@@ -23,8 +23,8 @@ std::set<long long> to_rate_first(curricula::Records& records, const curricula::
 }
 
 std::vector<RecordRow> take_out(std::vector<RecordRow>& rows, const std::set<long long>& ids) {
-  const auto taken = std::stable_partition(rows.begin(), rows.end(),
-                                           [&ids](const RecordRow& row) { return ids.count(row.id) == 0; });
+  const auto taken =
+      std::stable_partition(rows.begin(), rows.end(), [&ids](const RecordRow& row) { return ids.count(row.id) == 0; });
   std::vector<RecordRow> out(std::make_move_iterator(taken), std::make_move_iterator(rows.end()));
   rows.erase(taken, rows.end());
   return out;

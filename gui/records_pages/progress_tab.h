@@ -34,7 +34,7 @@ class ProgressTab : public QWidget {
 
  private:
   struct Subject {
-    std::vector<curricula::Person> people;  ///< to choose from; an instructor's
+    std::vector<curricula::Person> people;        ///< to choose from; an instructor's
     std::vector<curricula::CurveSummary> curves;  ///< without what is to be rated first
     std::vector<int> to_rate;                     ///< of each curve
     std::vector<curricula::Day> days;             ///< by local time

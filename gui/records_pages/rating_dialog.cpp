@@ -117,7 +117,8 @@ std::vector<curricula::Rating> RatingDialog::ratings() const {
   if (global_->checkedId() > 0)
     ratings.push_back({"instructor", curricula::kGlobalRating, static_cast<double>(global_->checkedId())});
   for (const auto& [id, group] : items_)
-    if (group->checkedId() != kNotJudged) ratings.push_back({"instructor", id, static_cast<double>(group->checkedId())});
+    if (group->checkedId() != kNotJudged)
+      ratings.push_back({"instructor", id, static_cast<double>(group->checkedId())});
   return ratings;
 }
 

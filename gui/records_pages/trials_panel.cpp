@@ -90,7 +90,8 @@ void TrialsPanel::show_figure(const Figure* figure) {
   for (int i = 0; i < rows(); ++i) {
     const RecordRow& row = *at(i);
     if (hidden(i)) {
-      fill_row(table_, i, {"-", for_people(row.finished_utc), curricula::name_of(row.mode), "rate it first", "-", "-", "-"});
+      fill_row(table_, i,
+               {"-", for_people(row.finished_utc), curricula::name_of(row.mode), "rate it first", "-", "-", "-"});
       continue;
     }
     const auto value = figure == nullptr ? std::nullopt : value_of(row, *figure);
@@ -220,9 +221,9 @@ void TrialsPanel::rate(const RecordRow& row, const Checklist& checklist) {
   std::map<std::string, double> before;
   for (const Rating& rating : checklist.ratings)
     if (rating.by == "instructor" && rating.author_id == desk_.person().id) before[rating.item] = rating.value;
-  auto* dialog = new RatingDialog(
-      this, courses_.title(row.curriculum_id, row.scenario_id) + ", " + for_people(row.finished_utc), checklist.items,
-      before, checklist.remark);
+  auto* dialog =
+      new RatingDialog(this, courses_.title(row.curriculum_id, row.scenario_id) + ", " + for_people(row.finished_utc),
+                       checklist.items, before, checklist.remark);
   connect(dialog, &RatingDialog::given, this, [this, dialog, trial = row.id] {
     desk_.ask<bool>(
         dialog,

@@ -17,6 +17,7 @@
 #include "gui/records_pages/progress_tab.h"
 #include "gui/records_pages/rating_dialog.h"
 #include "gui/records_pages/tables.h"
+#include "gui/records_pages/trial_log_here.h"
 #include "gui/session/files.h"
 #include "tests/curricula/export/small_lrs.h"
 #include "tests/gui/records_pages/window_records.h"
@@ -124,11 +125,15 @@ TEST_F(WindowRating, AnInstructorRatesATrialAndItsTraineeReadsIt) {
   ASSERT_NE(no, nullptr) << "the log leaves it to the instructor";
   no->click();
   click(form, "Keep the rating");
-  ASSERT_TRUE(wait_for([&] { return text_of("ratings").contains("You as the instructor: 4 of 5, alone, with flaws"); },
-                       10000))
+  ASSERT_TRUE(
+      wait_for([&] { return text_of("ratings").contains("You as the instructor: 4 of 5, alone, with flaws"); }, 10000))
       << text_of("ratings").toStdString();
   EXPECT_TRUE(text_of("ratings").contains("Handle in left hand: no"));
   keep_picture(*window_, "rating-2-rated.png");
+  window_->resize(1024, 700);
+  QApplication::processEvents();
+  EXPECT_EQ(window_->size(), QSize(1024, 700)) << "as small as any page";
+  keep_picture(*window_, "rating-8-small.png");
   const auto kept = ratings(trial);
   ASSERT_EQ(kept.size(), 2u) << "what was not judged is not kept";
   EXPECT_EQ(kept[0].value, 4.0);
@@ -151,6 +156,20 @@ TEST_F(WindowRating, AnInstructorRatesATrialAndItsTraineeReadsIt) {
   EXPECT_TRUE(wait_for([&] { return text_of("ratings").contains("An instructor: 4 of 5"); }, 10000));
   for (auto* button : progress()->findChildren<QPushButton*>())
     EXPECT_FALSE(button->isVisible() && button->text().contains("Ra&te")) << "instructors only";
+}
+
+TEST_F(WindowRating, ALogThatIsAnotherTrialsIsReadForNoOther) {
+  RecordRow one = row(kiwi_, 1, true);
+  one.trial_path = write_log().string();
+  one.log_sha256 = sha256_of_file(one.trial_path);
+  EXPECT_EQ(read_log_here(one).ticks.size(), 20u);
+  one.log_sha256[0] = one.log_sha256[0] == '0' ? '1' : '0';
+  try {
+    read_log_here(one);
+    ADD_FAILURE() << "the bytes are not this trial's";
+  } catch (const std::runtime_error& error) {
+    EXPECT_NE(std::string(error.what()).find("another trial's"), std::string::npos) << error.what();
+  }
 }
 
 TEST_F(WindowRating, AnAssessmentShowsNothingUntilItsTraineeHasRatedIt) {

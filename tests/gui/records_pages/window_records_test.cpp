@@ -1,4 +1,6 @@
 // The records as a person uses them: with mouse and keys, on a real database.
+#include "tests/gui/records_pages/window_records.h"
+
 #include <QCalendarWidget>
 #include <QComboBox>
 #include <QLabel>
@@ -20,7 +22,6 @@
 #include "gui/records_pages/cohort_tab.h"
 #include "gui/records_pages/people_tab.h"
 #include "gui/records_pages/progress_tab.h"
-#include "tests/gui/records_pages/window_records.h"
 
 namespace vallecula::gui::window_test {
 namespace {
