@@ -84,6 +84,17 @@ struct TrialLogWriter::Impl : OpenPart {
   bool events = false, intubation = false, areas = false;  ///< of the trial, by its header
   std::string pending;      ///< encoded ticks of the block being filled
 
+  /// A recovery may rename the old file between the two calls: what is then open is a kept trial, not ours to empty.
+  void open_and_lock() {
+    for (;;) {
+      descriptor = ::open(part.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0644);
+      if (descriptor < 0) fail("cannot be created", "check that its folder exists and may be written to");
+      if (!lock()) fail("is being written by another trial", "choose another folder");
+      if (in_place()) return;
+      ::close(descriptor);
+    }
+  }
+
   void flush_ticks() {
     if (pending.empty()) return;
     const std::string bytes = block("TICK", blocks, pending);
@@ -104,9 +115,7 @@ TrialLogWriter::TrialLogWriter(const fs::path& path, const LogHeader& header) : 
   impl_->intubation = header.has_intubation;
   impl_->areas = header.has_contact_areas;
   impl_->pending.reserve(kTicksPerBlock * tick_bytes(header.has_intubation, header.has_contact_areas));
-  impl_->descriptor = ::open(impl_->part.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0644);
-  if (impl_->descriptor < 0) impl_->fail("cannot be created", "check that its folder exists and may be written to");
-  if (!impl_->lock()) impl_->fail("is being written by another trial", "choose another folder");
+  impl_->open_and_lock();
   if (::ftruncate(impl_->descriptor, 0) != 0 && errno != EINVAL) impl_->fail("cannot be written", "check the disk");
   impl_->write_all(file_head() + block("HEAD", impl_->blocks++, json));
   impl_->sync();

@@ -197,6 +197,9 @@ class TrialLogWriter {
 /// Reads a log (a .vtrial file, a .part left by a crash, or the folder that holds trial.vtrial). Throws TrialLogError.
 TrialLog read_trial_log(const std::filesystem::path& path);
 
+/// PATH.part is held by its writer, of this program or another.
+bool is_being_written(const std::filesystem::path& path);
+
 enum class CutLog {
   nothing,        ///< there is neither PATH nor a tick in PATH.part, which is removed
   being_written,  ///< its writer lives

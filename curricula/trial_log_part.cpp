@@ -31,6 +31,13 @@ void OpenPart::fail(const std::string& what, const std::string& mend) const {
 
 bool OpenPart::lock() const { return ::flock(descriptor, LOCK_EX | LOCK_NB) == 0; }
 
+bool OpenPart::in_place() const {
+  struct stat opened {
+  }, there{};
+  return ::fstat(descriptor, &opened) == 0 && ::stat(part.c_str(), &there) == 0 && opened.st_ino == there.st_ino &&
+         opened.st_dev == there.st_dev;
+}
+
 void OpenPart::write_all(const std::string& bytes) {
   std::size_t done = 0;
   while (done < bytes.size()) {
@@ -55,6 +62,12 @@ void OpenPart::finish() {
   descriptor = -1;
 }
 
+bool is_being_written(const fs::path& path) {
+  OpenPart log(path);
+  log.descriptor = ::open(log.part.c_str(), O_RDONLY | O_CLOEXEC);
+  return log.descriptor >= 0 && !log.lock() && errno == EWOULDBLOCK;
+}
+
 CutLog close_cut_log(const fs::path& path) {
   OpenPart cut(path);
   cut.descriptor = ::open(cut.part.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
@@ -64,11 +77,7 @@ CutLog close_cut_log(const fs::path& path) {
     return fs::exists(path, error) ? CutLog::whole : CutLog::nothing;
   }
   if (!cut.lock()) return CutLog::being_written;
-  struct stat opened {
-  }, there{};
-  const bool same = ::fstat(cut.descriptor, &opened) == 0 && ::stat(cut.part.c_str(), &there) == 0 &&
-                    opened.st_ino == there.st_ino && opened.st_dev == there.st_dev;
-  if (!same) return CutLog::being_written;  // its writer has just given it its own name
+  if (!cut.in_place()) return CutLog::being_written;  // its writer has just given it its own name
   const Reading reading = read_blocks(cut.part);
   if (reading.log.ticks.empty()) {
     ::unlink(cut.part.c_str());

@@ -22,6 +22,7 @@ struct OpenPart {
 
   [[noreturn]] void fail(const std::string& what, const std::string& mend) const;  ///< with errno's words
   bool lock() const;                                                               ///< false: another holds it
+  bool in_place() const;  ///< the open file still has the name PATH.part; true under the lock: nobody takes it away
   void write_all(const std::string& bytes);
   void sync();
   /// Syncs, gives the file its own name and lets go of it. Renamed under the lock: nobody takes it for a cut one.

@@ -176,16 +176,18 @@ TEST_P(AnyRecords, ALogThatIsBeingWrittenIsNobodyElses) {
             std::string::npos);
   EXPECT_EQ(bytes_of(log.string() + ".part"), before);
   EXPECT_EQ(close_cut_log(log), CutLog::being_written);
+  EXPECT_TRUE(is_being_written(log));
+  EXPECT_TRUE(files_of_trial(log).empty()) << "an older trial's files go, not those of the one that has begun";
 }
 
 TEST(TrialFiles, AreThoseOfTheLogAndNoOthers) {
   const fs::path folder = fs::path(::testing::TempDir()) / ("vallecula-trial-files-" + std::to_string(::getpid()));
   fs::create_directories(folder);
   for (const char* name : {"trial.vtrial", "score.json", "report.html", "force.png", "fault.csv", "tool.ply",
-                           "operator-1.png", "sagittal-2.png", "holiday.png", "before-reset-1.vtrial",
+                           "operator-1.png", "sagittal-2.png", "replay-3s.png", "holiday.png", "before-reset-1.vtrial",
                            "before-reset-1.tool.ply", "before-reset-1.fault.csv", "notes.txt"})
     std::ofstream(folder / name) << name;
-  EXPECT_EQ(files_of_trial(folder / "trial.vtrial").size(), 8u);
+  EXPECT_EQ(files_of_trial(folder / "trial.vtrial").size(), 9u);
   EXPECT_EQ(files_of_trial(folder / "trial.vtrial").back(), folder / "trial.vtrial");
   EXPECT_EQ(files_of_trial(folder / "before-reset-1.vtrial").size(), 3u);
   EXPECT_TRUE(files_of_trial(folder / "other.vtrial").empty());
