@@ -24,6 +24,7 @@ fs::path part_of(const fs::path& path) { return fs::path(path.string() + ".part"
 /// One block as it stands in a file; ok is false with the reason in `problem`.
 struct Block {
   bool ok = false;
+  bool ends = false;  ///< not ok: the file ends there
   std::string problem;
   std::string kind, payload;
 };
@@ -33,10 +34,12 @@ Block read_block(std::istream& in, std::uint32_t expected_number) {
   std::string bytes(kBlockHeadBytes, '\0');
   in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   if (in.gcount() == 0) {
+    block.ends = true;
     block.problem = "it ends before its footer";
     return block;
   }
   if (in.gcount() != static_cast<std::streamsize>(bytes.size())) {
+    block.ends = true;
     block.problem = "it ends inside a block";
     return block;
   }
@@ -48,6 +51,7 @@ Block read_block(std::istream& in, std::uint32_t expected_number) {
   bytes.resize(kBlockHeadBytes + size + kChecksumBytes);
   in.read(bytes.data() + kBlockHeadBytes, static_cast<std::streamsize>(size + kChecksumBytes));
   if (in.gcount() != static_cast<std::streamsize>(size + kChecksumBytes)) {
+    block.ends = true;
     block.problem = "it ends inside a block";
     return block;
   }
@@ -197,6 +201,7 @@ Reading read_blocks(const fs::path& path) {
       Block block = read_block(in, number);
       if (!block.ok) {
         problem = block.problem;
+        reading.ends = block.ends;
       } else if ((number == 0) != (block.kind == "HEAD")) {
         problem = "its header is missing or stands twice";
       } else if (block.kind == "HEAD") {

@@ -7,6 +7,7 @@
 
 #include <cerrno>
 #include <cstring>
+#include <system_error>
 
 #include "curricula/trial_log_format.h"
 
@@ -68,22 +69,50 @@ bool is_being_written(const fs::path& path) {
   return log.descriptor >= 0 && !log.lock() && errno == EWOULDBLOCK;
 }
 
+namespace {
+
+/// More than a cut leaves behind the last whole block: some of it may be worth a look.
+bool damaged(const Reading& reading, const fs::path& file) {
+  using namespace log_format;
+  if (reading.problem.empty()) return false;
+  const LogHeader& header = reading.log.header;
+  const std::size_t one_block = kBlockHeadBytes + kChecksumBytes +
+                                kTicksPerBlock * tick_bytes(header.has_intubation, header.has_contact_areas);
+  std::error_code error;
+  return !reading.ends || fs::file_size(file, error) - reading.bytes > one_block;
+}
+
+}  // namespace
+
 CutLog close_cut_log(const fs::path& path) {
   OpenPart cut(path);
   cut.descriptor = ::open(cut.part.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
   if (cut.descriptor < 0) {
     if (errno != ENOENT && errno != ENOTDIR) cut.fail("cannot be opened", "check its permission");
     std::error_code error;
-    return fs::exists(path, error) ? CutLog::whole : CutLog::nothing;
+    if (fs::exists(path, error)) return CutLog::whole;
+    const fs::path folder = path.parent_path();
+    return folder.empty() || fs::is_directory(folder, error) ? CutLog::nothing : CutLog::no_folder;
   }
   if (!cut.lock()) return CutLog::being_written;
   if (!cut.in_place()) return CutLog::being_written;  // its writer has just given it its own name
   const Reading reading = read_blocks(cut.part);
+  const bool more = damaged(reading, cut.part);
+  if (more && reading.log.ticks.empty())
+    throw TrialLogError("trial log " + cut.part.string() + ": is damaged (" + reading.problem +
+                        ") before its first whole block of ticks: nothing can be recovered; use a copy");
   if (reading.log.ticks.empty()) {
     ::unlink(cut.part.c_str());
     return CutLog::nothing;
   }
   if (!reading.problem.empty()) {
+    if (more) {
+      std::error_code error;
+      fs::copy_file(cut.part, path.string() + ".damaged", fs::copy_options::overwrite_existing, error);
+      if (error)
+        throw TrialLogError("trial log " + cut.part.string() + ": is damaged and cannot be copied (" + error.message() +
+                            "); free some space on the disk");
+    }
     const auto ticks = static_cast<std::int64_t>(reading.log.ticks.size());
     if (::ftruncate(cut.descriptor, static_cast<off_t>(reading.bytes)) != 0)
       cut.fail("cannot be cut", "check the disk");

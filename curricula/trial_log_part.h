@@ -39,6 +39,7 @@ struct Reading {
   std::uint32_t blocks = 0;  ///< whole ones
   std::uint64_t bytes = 0;   ///< up to the end of the last of them
   std::string problem;       ///< what follows them; empty: nothing, the footer was the last
+  bool ends = false;         ///< the problem is that the file ends, as one does that was cut off
 };
 /// Throws TrialLogError when not even the header is whole.
 Reading read_blocks(const std::filesystem::path& file);

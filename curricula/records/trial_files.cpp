@@ -39,6 +39,7 @@ std::vector<fs::path> files_of_trial(const fs::path& log) {
     for (const char* name : {"score.json", "report.html", "force.png", "fault.csv", "tool.ply"})
       candidates.push_back(folder / name);
   }
+  candidates.push_back(log.string() + ".damaged");
   if (!is_being_written(log)) candidates.push_back(log.string() + ".part");
   candidates.push_back(log);
   std::vector<fs::path> files;
