@@ -80,7 +80,7 @@ std::vector<fs::path> files_of(Connection& connection, const Pending& one) {
 
 /// What was deleted still stands in the write-ahead log until it is emptied; false: another program reads it.
 bool empty_write_ahead_log(Connection& connection) {
-  constexpr int kTries = 3;  // each waits as long as the connection does for a lock
+  constexpr int kTries = 2;  // each waits as long as the connection does for a lock
   for (int i = 0; i < kTries; ++i) {
     QSqlQuery query = connection.run("PRAGMA wal_checkpoint(TRUNCATE)");
     if (query.next() && query.value(0).toInt() == 0) return true;

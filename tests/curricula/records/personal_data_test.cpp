@@ -191,7 +191,9 @@ TEST_P(AnyRecords, FilesOnADiskThatIsNotThereAreDeletedWhenItIs) {
 
 TEST_P(AnyRecords, AWriteAheadLogThatAnotherReadsIsReported) {
   if (on_server()) return;
-  Desk desk(at_station("here"), folder_);
+  RecordsLocation here = at_station("here");
+  here.patience_s = 0.2;
+  Desk desk(here, folder_);
   {
     QSqlDatabase reader = QSqlDatabase::addDatabase("QSQLITE", "reader");
     reader.setDatabaseName(QString::fromStdString(setting_));
