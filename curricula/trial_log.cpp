@@ -24,6 +24,7 @@ fs::path part_of(const fs::path& path) { return fs::path(path.string() + ".part"
 /// One block as it stands in a file; ok is false with the reason in `problem`.
 struct Block {
   bool ok = false;
+  bool ends = false;  ///< not ok: the file ends there
   std::string problem;
   std::string kind, payload;
 };
@@ -33,10 +34,12 @@ Block read_block(std::istream& in, std::uint32_t expected_number) {
   std::string bytes(kBlockHeadBytes, '\0');
   in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   if (in.gcount() == 0) {
+    block.ends = true;
     block.problem = "it ends before its footer";
     return block;
   }
   if (in.gcount() != static_cast<std::streamsize>(bytes.size())) {
+    block.ends = true;
     block.problem = "it ends inside a block";
     return block;
   }
@@ -48,6 +51,7 @@ Block read_block(std::istream& in, std::uint32_t expected_number) {
   bytes.resize(kBlockHeadBytes + size + kChecksumBytes);
   in.read(bytes.data() + kBlockHeadBytes, static_cast<std::streamsize>(size + kChecksumBytes));
   if (in.gcount() != static_cast<std::streamsize>(size + kChecksumBytes)) {
+    block.ends = true;
     block.problem = "it ends inside a block";
     return block;
   }
@@ -84,6 +88,17 @@ struct TrialLogWriter::Impl : OpenPart {
   bool events = false, intubation = false, areas = false;  ///< of the trial, by its header
   std::string pending;      ///< encoded ticks of the block being filled
 
+  /// A recovery may rename the old file between the two calls: what is then open is a kept trial, not ours to empty.
+  void open_and_lock() {
+    for (;;) {
+      descriptor = ::open(part.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0644);
+      if (descriptor < 0) fail("cannot be created", "check that its folder exists and may be written to");
+      if (!lock()) fail("is being written by another trial", "choose another folder");
+      if (in_place()) return;
+      ::close(descriptor);
+    }
+  }
+
   void flush_ticks() {
     if (pending.empty()) return;
     const std::string bytes = block("TICK", blocks, pending);
@@ -104,9 +119,7 @@ TrialLogWriter::TrialLogWriter(const fs::path& path, const LogHeader& header) : 
   impl_->intubation = header.has_intubation;
   impl_->areas = header.has_contact_areas;
   impl_->pending.reserve(kTicksPerBlock * tick_bytes(header.has_intubation, header.has_contact_areas));
-  impl_->descriptor = ::open(impl_->part.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0644);
-  if (impl_->descriptor < 0) impl_->fail("cannot be created", "check that its folder exists and may be written to");
-  if (!impl_->lock()) impl_->fail("is being written by another trial", "choose another folder");
+  impl_->open_and_lock();
   if (::ftruncate(impl_->descriptor, 0) != 0 && errno != EINVAL) impl_->fail("cannot be written", "check the disk");
   impl_->write_all(file_head() + block("HEAD", impl_->blocks++, json));
   impl_->sync();
@@ -188,6 +201,7 @@ Reading read_blocks(const fs::path& path) {
       Block block = read_block(in, number);
       if (!block.ok) {
         problem = block.problem;
+        reading.ends = block.ends;
       } else if ((number == 0) != (block.kind == "HEAD")) {
         problem = "its header is missing or stands twice";
       } else if (block.kind == "HEAD") {

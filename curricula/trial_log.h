@@ -197,16 +197,21 @@ class TrialLogWriter {
 /// Reads a log (a .vtrial file, a .part left by a crash, or the folder that holds trial.vtrial). Throws TrialLogError.
 TrialLog read_trial_log(const std::filesystem::path& path);
 
+/// PATH.part is held by its writer, of this program or another.
+bool is_being_written(const std::filesystem::path& path);
+
 enum class CutLog {
   nothing,        ///< there is neither PATH nor a tick in PATH.part, which is removed
+  no_folder,      ///< not even the folder is there: its disk may be elsewhere
   being_written,  ///< its writer lives
   whole,          ///< PATH is there, closed by its writer
   kept            ///< PATH.part has become PATH
 };
 /// Makes the log of a writer that was cut off (killed, power cut) a whole one: PATH.part is cut after its last whole
 /// block and gets a footer that says so (complete is false, ended "interrupted"), then the name PATH. What is recorded
-/// before stays as it is, to the byte. May be cut off itself and done again. Throws TrialLogError: the header is damaged
-/// (PATH.part stays), the disk is full.
+/// before stays as it is, to the byte; where what follows is damage and not a cut, PATH.damaged keeps the file as it was.
+/// May be cut off itself and done again. Throws TrialLogError: the header or the first ticks are damaged (PATH.part
+/// stays), the disk is full.
 CutLog close_cut_log(const std::filesystem::path& path);
 
 }  // namespace vallecula::curricula

@@ -22,6 +22,7 @@ struct OpenPart {
 
   [[noreturn]] void fail(const std::string& what, const std::string& mend) const;  ///< with errno's words
   bool lock() const;                                                               ///< false: another holds it
+  bool in_place() const;  ///< the open file still has the name PATH.part; true under the lock: nobody takes it away
   void write_all(const std::string& bytes);
   void sync();
   /// Syncs, gives the file its own name and lets go of it. Renamed under the lock: nobody takes it for a cut one.
@@ -38,6 +39,7 @@ struct Reading {
   std::uint32_t blocks = 0;  ///< whole ones
   std::uint64_t bytes = 0;   ///< up to the end of the last of them
   std::string problem;       ///< what follows them; empty: nothing, the footer was the last
+  bool ends = false;         ///< the problem is that the file ends, as one does that was cut off
 };
 /// Throws TrialLogError when not even the header is whole.
 Reading read_blocks(const std::filesystem::path& file);

@@ -77,6 +77,22 @@ YamlNode new_scenario(const std::string& id) {
                                        {"time_over_device_limit_s", "0.2"}})}});
 }
 
+/// What a copied scenario was judged by in its own course: weights and sources that neither it nor its new course has.
+std::string with_rubric_of(std::string text, std::size_t scenario, const YamlText& from) {
+  const YamlNode* rubric = from.find("rubric");
+  if (rubric == nullptr) return text;
+  for (const YamlNode& mark : rubric->children) {
+    const YamlText course(text);
+    const std::string own = place("scenarios", scenario) + ".rubric." + mark.key;
+    if (course.find("rubric." + mark.key) != nullptr || course.find(own) != nullptr) continue;
+    std::vector<std::pair<std::string, YamlNode>> fields;
+    for (const YamlNode& field : mark.children)
+      fields.emplace_back(field.key, field.is_text ? yaml_text(field.value) : yaml_plain(field.value));
+    text = with_value(course, own, yaml_group(std::move(fields)));
+  }
+  return text;
+}
+
 /// Everywhere that `name` stands in the lists `field` of modules and scenarios.
 template <class Change>
 std::string in_every_list(std::string text, const char* field, const std::string& name, const Change& change) {
@@ -149,7 +165,7 @@ std::string with_scenario_copied(const YamlText& course, const YamlText& from, c
   std::string text = with_item_copied(course, "scenarios", to, from, "scenarios", source);
   text = with_value(YamlText(text), place("scenarios", to) + ".id", yaml_text(id));
   // What it waited for, and sizes by weight, are the other course's.
-  if (!own) text = without_value(YamlText(text), place("scenarios", to) + ".after");
+  if (!own) text = with_rubric_of(without_value(YamlText(text), place("scenarios", to) + ".after"), to, from);
   return named_in_module(text, id, module, position);
 }
 
@@ -180,7 +196,8 @@ std::string with_module_copied(const YamlText& course, const YamlText& from, con
     const std::string copy = free_id(taken, scenario);
     text = with_item_copied(now, "scenarios", taken.size(), from, "scenarios", index_of(from, "scenarios", scenario));
     text = with_value(YamlText(text), place("scenarios", taken.size()) + ".id", yaml_text(copy));
-    if (&course != &from) text = without_value(YamlText(text), place("scenarios", taken.size()) + ".after");
+    if (&course != &from)
+      text = with_rubric_of(without_value(YamlText(text), place("scenarios", taken.size()) + ".after"), taken.size(), from);
     names.push_back(yaml_text(copy));
   }
   return with_value(YamlText(text), place("modules", to) + ".scenarios", yaml_list(std::move(names)));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "curricula/records/connection.h"
 #include "curricula/records/trial_rows.h"
@@ -40,22 +41,25 @@ void keep(Connection& connection, long long trial_id, const std::string& refused
 }
 
 /// A store takes all of a POST or nothing, and does not say of which statement it speaks: halves, until it is one.
-/// Returns the first answer that is not about the statements; `refusal` gets the reason of those refused.
-LrsClient::Answer post_each(LrsClient& client, const Statements& statements, std::string& refusal,
+/// Returns the first answer that is not about the statements; `refusal` gets the reason of those refused, `any` that one
+/// was not.
+LrsClient::Answer post_each(LrsClient& client, const Statements& statements, std::string& refusal, bool& any,
                             const std::atomic<bool>* stop) {
   const LrsClient::Answer answer = client.post(statements, stop);
   const bool about_them = answer.answer == LrsAnswer::conflict || answer.answer == LrsAnswer::refused ||
                           answer.answer == LrsAnswer::too_large;
+  if (answer.answer == LrsAnswer::taken || answer.answer == LrsAnswer::conflict) any = true;
   if (!about_them) return answer;
   if (statements.size() == 1) {
     // It has this id: it was sent before, by a program that did not live to see the answer, or by another version.
     if (answer.answer != LrsAnswer::conflict) refusal = answer.reason;
+    if (answer.answer == LrsAnswer::too_large) any = true;  // of its size it speaks, not of itself
     return {LrsAnswer::taken, ""};
   }
   const auto half = statements.begin() + static_cast<std::ptrdiff_t>(statements.size() / 2);
-  const LrsClient::Answer first = post_each(client, Statements(statements.begin(), half), refusal, stop);
+  const LrsClient::Answer first = post_each(client, Statements(statements.begin(), half), refusal, any, stop);
   if (first.answer != LrsAnswer::taken) return first;
-  return post_each(client, Statements(half, statements.end()), refusal, stop);
+  return post_each(client, Statements(half, statements.end()), refusal, any, stop);
 }
 
 }  // namespace
@@ -100,13 +104,24 @@ Delivery send_waiting(Records& records, const LrsSettings& settings, const XapiS
       continue;
     }
     if (answer.answer == LrsAnswer::not_now || answer.answer == LrsAnswer::unusable) return leave(answer);
+    std::vector<std::pair<long long, std::string>> answered;
+    bool any = false;
     for (const RecordRow& row : rows) {  // one of them is not to its liking: trial by trial
       std::string refusal;
-      answer = post_each(client, statements_of(row, source), refusal, stop);
-      if (answer.answer != LrsAnswer::taken) return leave(answer);
-      keep(connection, row.id, refusal);
-      ++(refusal.empty() ? delivery.sent : delivery.refused);
+      answer = post_each(client, statements_of(row, source), refusal, any, stop);
+      if (answer.answer != LrsAnswer::taken) break;
+      answered.emplace_back(row.id, refusal);
     }
+    if (any) {
+      for (const auto& [id, refusal] : answered) {
+        keep(connection, id, refusal);
+        ++(refusal.empty() ? delivery.sent : delivery.refused);
+      }
+    }
+    if (answer.answer != LrsAnswer::taken) return leave(answer);
+    if (!any)
+      return leave({LrsAnswer::unusable, "the store refuses every statement (" + answered.back().second +
+                                             "); check its address and version; all of them wait"});
   }
 }
 

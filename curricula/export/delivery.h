@@ -20,7 +20,8 @@ struct Delivery {
   std::string problem;       ///< why the rest was left; empty: nothing is left
 };
 /// Sends what waits, oldest first, until nothing is left or the store cannot be used. A statement that the store refuses
-/// is kept aside with the reason, and its trial's others are sent. May be killed at any time: what was sent without its
+/// is kept aside with the reason, and its trial's others are sent; a store that refuses every one of them (up to 20
+/// trials) cannot be used, and all wait. May be killed at any time: what was sent without its
 /// answer is sent again under the same ids, of which a store keeps one. Throws RecordsError when the records cannot be
 /// used, or the setting cannot.
 Delivery send_waiting(Records& records, const LrsSettings& settings, const XapiSource& source,

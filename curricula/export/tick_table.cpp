@@ -58,6 +58,12 @@ std::vector<Column> blade_columns() {
       {{"time_s", "s", "trial time", ""}, [](const LogTick& t) { return number(t.time_s); }},
       {{"paused", "", "1: the device could not be used; nothing that happens is the hand's doing", ""},
        [](const LogTick& t) { return yes_or_no(paused(t)); }},
+      {{"device_valid", "", "0: the device of the blade's hand could not be used", ""},
+       [](const LogTick& t) { return yes_or_no(t.device_valid); }},
+      {{"step_fed", "", "number of the simulation step that was given this tick's pose; -1: none", ""},
+       [](const LogTick& t) { return std::to_string(t.step_fed); }},
+      {{"step_used", "", "number of the step whose tissue this tick's force is of; -1: none yet", ""},
+       [](const LogTick& t) { return std::to_string(t.step_used); }},
       {{"state", "", "tracking, limited, lost or recovering, of the device's force limit", ""},
        [](const LogTick& t) { return std::string(word(t.state)); }},
       {{"buttons", "", "of the device, a bit each", ""}, [](const LogTick& t) { return std::to_string(t.buttons); }},
@@ -77,6 +83,8 @@ std::vector<Column> blade_columns() {
     add_vector(c, name + "_centre", "m", "centre of its contacts", [i](const LogTick& t) { return t.loads[i].centre_m; });
     c.push_back({{name + "_contacts", "", "their count", ""},
                  [i](const LogTick& t) { return std::to_string(t.loads[i].contacts); }});
+    c.push_back({{name + "_area_m2", "m2", "of its surface at rest that they stand for; empty: not known", ""},
+                 [i](const LogTick& t) { return t.has_areas ? number(t.loads[i].area_m2) : std::string(); }});
   }
   return c;
 }

@@ -227,8 +227,12 @@ std::vector<XapiStatement> statements_of(const RecordRow& trial, const XapiSourc
     bool success = trial.score.passed;
     if (trial.points) {
       const QJsonObject score = score_of(*trial.points);
-      result["score"] = score;
-      if (launch && launch->mastery_score) success = score["scaled"].toDouble() >= *launch->mastery_score;
+      const bool asked = launch && launch->mastery_score;
+      const bool reached = !asked || score["scaled"].toDouble() >= *launch->mastery_score;
+      success = success && reached;
+      // cmi5 9.3.5: a failed statement's score is below the mastery score. Points enough make no failed trial passed, and
+      // another number would be untrue: it goes without.
+      if (success || !asked || !reached) result["score"] = score;
     }
     result["success"] = success;
     if (const QJsonObject extensions = figures_of(trial); !extensions.isEmpty()) result["extensions"] = extensions;

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <system_error>
 
 #include "curricula/records/audit.h"
@@ -49,19 +50,42 @@ std::vector<Pending> pending_files(Connection& connection) {
   return pending;
 }
 
-/// True when what lies at the path is no longer the trial that is to be deleted.
-bool replaced(Connection& connection, const Pending& one) {
+/// Of what lies at the path, the files of the trial that is to be deleted: another's may be there by now.
+std::vector<fs::path> files_of(Connection& connection, const Pending& one) {
+  const auto other = [&](const char* table, const char* column) {
+    bool found = false;
+    connection.read([&] {
+      found = connection
+                  .run(QString("SELECT 1 FROM %1 WHERE %2 = ? AND (station = ? OR station = '')").arg(table, column),
+                       {bound(one.log.string()), bound(connection.location().station)}, Connection::kCannotBeRead)
+                  .next();
+    });
+    return found;
+  };
   std::error_code error;
-  if (!one.sha256.empty()) return fs::exists(one.log, error) && log_sha256(one.log) != one.sha256;
-  // Of an older record, or a trial that was cut off, the hash is not known: the path alone must do.
-  bool others = false;
-  connection.read([&] {
-    others = connection
-                 .run("SELECT id FROM trials WHERE trial_path = ? AND (station = ? OR station = '')",
-                      {bound(one.log.string()), bound(connection.location().station)}, Connection::kCannotBeRead)
-                 .next();
-  });
-  return others;
+  const bool there = fs::exists(one.log, error);
+  if (there && !one.sha256.empty() && log_sha256(one.log) != one.sha256) return {};
+  std::vector<fs::path> files = files_of_trial(one.log);
+  const fs::path part = one.log.string() + ".part";
+  if (other("open_trials", "log_path")) {  // a later trial, which removed the rest when it began
+    if (!there) return {};
+    files.erase(std::remove(files.begin(), files.end(), part), files.end());
+  }
+  // Of an older record, or a trial that was cut off, the hash is not known; a record of the same path has the rest.
+  if (there && one.sha256.empty() && other("trials", "trial_path"))
+    files.erase(std::remove_if(files.begin(), files.end(), [&](const fs::path& file) { return file != part; }),
+                files.end());
+  return files;
+}
+
+/// What was deleted still stands in the write-ahead log until it is emptied; false: another program reads it.
+bool empty_write_ahead_log(Connection& connection) {
+  constexpr int kTries = 2;  // each waits as long as the connection does for a lock
+  for (int i = 0; i < kTries; ++i) {
+    QSqlQuery query = connection.run("PRAGMA wal_checkpoint(TRUNCATE)");
+    if (query.next() && query.value(0).toInt() == 0) return true;
+  }
+  return false;
 }
 
 }  // namespace
@@ -69,28 +93,34 @@ bool replaced(Connection& connection, const Pending& one) {
 Deletion delete_pending_files(Records& records) {
   Connection& connection = records.connection();
   Deletion deletion;
+  std::vector<fs::path> folders;
   for (const Pending& one : pending_files(connection)) {
     std::error_code error;
-    if (!replaced(connection, one)) {
-      try {
-        if (close_cut_log(one.log) == CutLog::being_written) {
-          deletion.left.push_back(one.log.string() + ": the trial is still under way");
-          continue;
-        }
-      } catch (const TrialLogError&) {
-        // Damaged, and to be deleted all the same.
-      }
-      for (const fs::path& file : files_of_trial(one.log)) {
-        if (fs::remove(file, error)) ++deletion.files;
-        if (error) break;
-      }
-      if (error) {
-        deletion.left.push_back(one.log.string() + ": " + error.message() + "; check the folder's permission");
-        continue;
-      }
-      fs::remove(one.log.parent_path(), error);  // where nothing else is in it
+    const fs::path folder = one.log.parent_path();
+    if (!folder.empty() && !fs::is_directory(folder, error)) {
+      deletion.left.push_back(
+          "the folder of a trial is not there; connect the disk that it is on, then start again (or make the folder "
+          "again, empty, if it was deleted)");
+      continue;
+    }
+    if (is_being_written(one.log)) {
+      deletion.left.push_back(one.log.string() + ": the trial is still under way");
+      continue;
+    }
+    for (const fs::path& file : files_of(connection, one)) {
+      if (fs::remove(file, error)) ++deletion.files;
+      if (error) break;
+    }
+    if (error) {
+      deletion.left.push_back(one.log.string() + ": " + error.message() + "; check the folder's permission");
+      continue;
     }
     connection.write([&] { connection.run("DELETE FROM files_to_delete WHERE id = ?", {bound_id(one.id)}); });
+    folders.push_back(folder);
+  }
+  for (const fs::path& folder : folders) {
+    std::error_code not_empty;
+    fs::remove(folder, not_empty);
   }
   return deletion;
 }
@@ -131,11 +161,14 @@ Deletion delete_person(Records& records, const SignedIn& who, long long person_i
       throw RecordsError("there is no such person; look at the list again");
     add_to_audit(connection, who.id(), "person deleted", person_id);
   });
-  // What was deleted still stands in the write-ahead log until it is emptied.
-  if (connection.dialect() == Dialect::sqlite) connection.run("PRAGMA wal_checkpoint(TRUNCATE)");
+  const bool emptied = connection.dialect() != Dialect::sqlite || empty_write_ahead_log(connection);
   Deletion files = delete_pending_files(records);
   deletion.files = files.files;
   deletion.left = std::move(files.left);
+  if (!emptied)
+    deletion.left.push_back(
+        "what was deleted still stands in the records' write-ahead log, which another program reads; close the programs "
+        "that use the records: the last one removes it");
   return deletion;
 }
 

@@ -7,6 +7,7 @@
 #include <QSqlField>
 #include <QSqlRecord>
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
 #include <system_error>
 
@@ -44,17 +45,19 @@ QJsonArray rows(Connection& connection, const QString& sql, const QVariantList& 
   return all;
 }
 
-/// `path` and what was put into it, gone again unless it is kept.
+/// A folder of its own beside the target, gone again with what was put into it unless it is kept.
 class Aside {
  public:
-  explicit Aside(const fs::path& target) : target_(target), path_(target.string() + ".part") {
+  explicit Aside(const fs::path& target) : target_(target) {
     std::error_code error;
     if (fs::exists(fs::symlink_status(target, error)))
       throw RecordsError(target.string() + ": exists already; choose a new folder for the export");
-    fs::remove_all(path_, error);
-    if (!fs::create_directories(path_, error))
-      throw RecordsError(path_.string() + ": cannot be made (" + error.message() +
+    if (!target.parent_path().empty()) fs::create_directories(target.parent_path(), error);
+    std::string fresh = (target.parent_path() / ".vallecula-export-XXXXXX").string();
+    if (error || ::mkdtemp(fresh.data()) == nullptr)
+      throw RecordsError(target.string() + ": cannot be made (" + (error ? error.message() : std::strerror(errno)) +
                          "); choose a folder you may write to");
+    path_ = fresh;
   }
   ~Aside() {
     std::error_code ignored;

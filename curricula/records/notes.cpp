@@ -1,6 +1,7 @@
 #include "curricula/records/notes.h"
 
 #include <QTextCodec>
+#include <optional>
 
 #include "curricula/records/audit.h"
 #include "curricula/records/note_rows.h"
@@ -47,8 +48,23 @@ long long Notes::add(const Who& who, long long trial_id, double at_s, const std:
       kept.contains(QChar(0)))
     throw RecordsError("a note has 1 to 10000 bytes of UTF-8 text; shorten or correct it");
   long long id = 0;
+  std::optional<qlonglong> newest;  ///< before this one, when it was first tried
   Connection& connection = records_.connection();
   connection.write([&] {
+    if (newest) {  // done again: it is there where the answer alone was lost
+      QSqlQuery own = connection.run(
+          "SELECT id FROM notes WHERE id > ? AND trial_id = ? AND COALESCE(author_id, 0) = ? AND at_s = ? AND text = ?",
+          {*newest, bound_id(trial_id), static_cast<qlonglong>(who ? who->id() : 0), at_s, kept},
+          Connection::kCannotBeRead);
+      if (own.next()) {
+        id = own.value(0).toLongLong();
+        return;
+      }
+    } else {
+      QSqlQuery last = connection.run("SELECT COALESCE(MAX(id), 0) FROM notes", {}, Connection::kCannotBeRead);
+      last.next();
+      newest = last.value(0).toLongLong();
+    }
     require_own_or_instructor(connection, who, trainee_of(connection, trial_id));
     QSqlQuery query = connection.run(
         "INSERT INTO notes (trial_id, author_id, at_s, text, written_utc) VALUES (?, ?, ?, ?, ?) RETURNING id",

@@ -3,6 +3,7 @@
 #include <QCryptographicHash>
 #include <QDateTime>
 #include <QFile>
+#include <algorithm>
 #include <exception>
 
 #include "curricula/scenario.h"
@@ -20,6 +21,19 @@ std::string end_of(const std::string& started_utc, double recorded_s) {
       .toUTC()
       .toString(Qt::ISODate)
       .toStdString();
+}
+
+RecoveredTrial not_recovered(const OpenTrial& trial, const std::string& problem) {
+  RecoveredTrial lost;
+  lost.log = trial.log_path;
+  lost.problem = problem;
+  return lost;
+}
+
+/// False: its trainee was deleted while it was being recovered.
+bool still_open(const Records& records, const OpenTrial& trial) {
+  const std::vector<OpenTrial> open = records.open_trials();
+  return std::any_of(open.begin(), open.end(), [&](const OpenTrial& one) { return one.uid == trial.uid; });
 }
 
 RecoveredTrial recover(Records& records, const OpenTrial& trial) {
@@ -56,18 +70,20 @@ std::vector<RecoveredTrial> recover_trials(Records& records) {
         case CutLog::nothing:
           records.abandon(trial.uid);
           break;
+        case CutLog::no_folder:
+          found.push_back(not_recovered(trial,
+                                        "its folder is not there; connect the disk that it is on, then start again (or "
+                                        "make the folder again, empty, if it was deleted)"));
+          break;
         case CutLog::whole:
         case CutLog::kept:
           found.push_back(recover(records, trial));
           break;
       }
     } catch (const RecordsError&) {
-      throw;
+      if (still_open(records, trial)) throw;
     } catch (const std::exception& error) {
-      RecoveredTrial lost;
-      lost.log = trial.log_path;
-      lost.problem = error.what();
-      found.push_back(lost);
+      found.push_back(not_recovered(trial, error.what()));
     }
   }
   return found;

@@ -19,7 +19,7 @@ struct RecoveredTrial {
 
 /// To be called when a program starts. Of each trial that was begun on this station and whose writer is gone: the log
 /// is made whole up to its last whole block (close_cut_log), scored, and gets its record, as interrupted unless it had
-/// its end; one without a single tick is forgotten. Trials under way in other programs are left alone. May be cut off
+/// its end; one without a single tick is forgotten, one whose folder is not there waits, and is reported. Trials under way in other programs are left alone. May be cut off
 /// and done again, and done by two programs at once. A log that is damaged or not readable is reported each time, and
 /// kept. Throws RecordsError when the records cannot be used.
 std::vector<RecoveredTrial> recover_trials(Records& records);

@@ -28,6 +28,7 @@ std::string source_of(const Scenario& scenario, const std::string& mark) {
 
 std::vector<MarkPoints> points_of(const Score& score, const Scenario& scenario) {
   std::vector<MarkPoints> all;
+  const bool judged = score.complete && score.attempt_begun;  // whoever did nothing has kept every limit
   double weights = 0.0;
   for (const Criterion& c : score.criteria) {
     const std::string mark = mark_of(c.name);
@@ -35,7 +36,7 @@ std::vector<MarkPoints> points_of(const Score& score, const Scenario& scenario) 
     const auto found = scenario.rubric.find(mark);
     const double weight = found == scenario.rubric.end() ? PassMark{}.weight : found->second.weight;
     weights += weight;
-    all.push_back({mark, weight, c.met ? weight : 0.0, c.at_s, c.sentence, source_of(scenario, mark)});
+    all.push_back({mark, weight, judged && c.met ? weight : 0.0, c.at_s, c.sentence, source_of(scenario, mark)});
   }
   if (!(weights > 0.0)) return {};
   for (MarkPoints& points : all) {

@@ -44,8 +44,10 @@ CurveReading read_curve(const std::vector<curricula::RecordRow>& rows, const cur
   if (module != nullptr && module->mastery.by_cusum) {
     reading.rule = module->mastery.cusum;
     reading.attempts = module->mastery.attempts;
-    reading.rule_in_words =
-        "By the rule of the module \"" + module->title + "\" (" + module->mastery.source + "), on this scenario alone.";
+    reading.assessments_only = module->mastery.assessments_only;
+    reading.rule_in_words = "By the rule of the module \"" + module->title + "\" (" + module->mastery.source +
+                            "), on this scenario alone" +
+                            (reading.assessments_only ? ", and on assessments alone." : ".");
   } else {
     reading.rule_in_words =
         "By the published rule: 80 % success within two attempts (PMC8290971); unacceptable rate and risks are "
@@ -56,7 +58,8 @@ CurveReading read_curve(const std::vector<curricula::RecordRow>& rows, const cur
       ++reading.interrupted;
       continue;
     }
-    const bool success = row.score.passed && row.attempts <= reading.attempts;
+    if (reading.assessments_only && row.mode != curricula::Mode::assessment) continue;
+    const bool success = succeeded(row, reading);
     reading.successes.push_back(success);
     reading.in_a_row = success ? reading.in_a_row + 1 : 0;
   }
@@ -65,6 +68,10 @@ CurveReading read_curve(const std::vector<curricula::RecordRow>& rows, const cur
   for (std::size_t i = 0; i < reading.cusum.size() && reading.to_competent < 0; ++i)
     if (reading.cusum[i].verdict == CusumVerdict::competent) reading.to_competent = static_cast<int>(i) + 1;
   return reading;
+}
+
+bool succeeded(const curricula::RecordRow& row, const CurveReading& reading) {
+  return row.score.passed && row.attempts <= reading.attempts;
 }
 
 const char* name_of(CusumVerdict verdict) {

@@ -15,10 +15,11 @@ std::optional<double> pass_limit(const curricula::Scenario& scenario, const std:
 std::optional<double> training_target(const curricula::Scenario& scenario, const std::string& figure);
 
 struct CurveReading {
-  std::vector<bool> successes;               ///< one a whole trial; by rule and attempts below
+  std::vector<bool> successes;               ///< one a whole trial that counts; by rule and attempts below
   std::vector<curricula::CusumPoint> cusum;  ///< likewise
   curricula::CusumRule rule;
   int attempts = 2;           ///< of a procedure; more is no success
+  bool assessments_only = false;  ///< by the rule, practice counts in nothing
   std::string rule_in_words;  ///< whose rule it is, with its source
   int interrupted = 0;
   int to_three_in_a_row = -1;  ///< trials; -1: not reached
@@ -28,7 +29,11 @@ struct CurveReading {
 
 /// `rows`: one curve, as Progress::curve gives it. `curriculum`: theirs, where it is known (else null): a module with a
 /// CUSUM rule of its own is judged by that, else by the published one.
+/// The window and the paper show this reading, and no other.
 CurveReading read_curve(const std::vector<curricula::RecordRow>& rows, const curricula::Curriculum* curriculum);
+
+/// Passed, and in no more attempts than the reading's rule takes.
+bool succeeded(const curricula::RecordRow& row, const CurveReading& reading);
 
 const char* name_of(curricula::CusumVerdict verdict);  ///< "competent"
 /// Of the last test that ended: its verdict; "undecided" where none has, with the sum.

@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "curricula/progress/cusum.h"
-#include "curricula/records/progress.h"
 #include "gui/report/chart_panel.h"
 
 namespace vallecula::gui {
@@ -49,14 +48,13 @@ struct Frame {
 
 }  // namespace
 
-QImage draw_curve_chart(const std::vector<curricula::RecordRow>& trials, int width, int height) {
+QImage draw_curve_chart(const std::vector<curricula::RecordRow>& trials, const CurveReading& reading, int width,
+                        int height) {
   std::vector<const curricula::RecordRow*> whole;
-  std::vector<bool> successes;
   double highest = 1.0;
   for (const curricula::RecordRow& row : trials) {
     if (!row.score.complete) continue;
     whole.push_back(&row);
-    successes.push_back(curricula::procedure_succeeded(row));
     highest = std::max(highest, row.score.peak_tongue_force_n);
   }
   QImage image(width, height, QImage::Format_RGB32);
@@ -76,21 +74,23 @@ QImage draw_curve_chart(const std::vector<curricula::RecordRow>& trials, int wid
   force.axes(QStringLiteral("peak force on the tongue (N); \u25cf passed, \u25cb not"), 1);
   for (std::size_t i = 0; i < whole.size(); ++i) {
     const QPointF at(force.x(static_cast<double>(i) + 1.0), force.y(whole[i]->score.peak_tongue_force_n));
-    const QColor colour = successes[i] ? chart::kGreen : chart::kVermillion;
+    const bool success = succeeded(*whole[i], reading);
+    const QColor colour = success ? chart::kGreen : chart::kVermillion;
     painter.setPen(QPen(colour, 0.18 * em));
-    painter.setBrush(successes[i] ? QBrush(colour) : QBrush(Qt::white));
+    painter.setBrush(success ? QBrush(colour) : QBrush(Qt::white));
     painter.drawEllipse(at, 0.4 * em, 0.4 * em);
   }
 
-  const curricula::CusumLines lines = curricula::cusum_lines({});
-  const auto sums = curricula::cusum({}, successes);
+  const curricula::CusumLines lines = curricula::cusum_lines(reading.rule);
+  const auto& sums = reading.cusum;
   double low = lines.lower, high = lines.upper;
   for (const curricula::CusumPoint& point : sums) {
     low = std::min(low, point.sum);
     high = std::max(high, point.sum);
   }
   const double room = 0.12 * (high - low);
-  Frame cusum{painter, box(half), count, low - room, high + room, em};
+  const double counted = std::max(1.0, static_cast<double>(sums.size()));  // practice may count in nothing
+  Frame cusum{painter, box(half), counted, low - room, high + room, em};
   cusum.axes(QStringLiteral("cumulative sum; down is success"), 1);
   cusum.level(lines.lower, chart::kGreen, QStringLiteral("competent"));
   cusum.level(lines.upper, chart::kVermillion, QStringLiteral("deficient"));

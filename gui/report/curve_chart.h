@@ -4,12 +4,14 @@
 #include <QImage>
 #include <vector>
 
-#include "curricula/records/records.h"
+#include "gui/records_pages/curve_reading.h"
 
 namespace vallecula::gui {
 
 /// Left the peak force on the tongue of each whole trial, passed or not told by shape and colour; right the cumulative
-/// sum with its two lines. `trials` in the order they were recorded; at least one is whole. Needs a QGuiApplication.
-QImage draw_curve_chart(const std::vector<curricula::RecordRow>& trials, int width = 1600, int height = 520);
+/// sum of those that count with its two lines, as `reading` of the same trials has them. `trials` in the order they were
+/// recorded; at least one is whole. Needs a QGuiApplication.
+QImage draw_curve_chart(const std::vector<curricula::RecordRow>& trials, const CurveReading& reading, int width = 1600,
+                        int height = 520);
 
 }  // namespace vallecula::gui

@@ -4,14 +4,16 @@
 #include <map>
 #include <tuple>
 
-#include "curricula/records/progress.h"
 #include "curricula/score/points.h"
+#include "gui/records_pages/curve_reading.h"
+#include "gui/records_pages/known_courses.h"
 #include "gui/report/curve_chart.h"
 #include "gui/report/force_chart.h"
 #include "gui/report/intubation_report.h"
 #include "gui/report/monitor_chart.h"
 #include "gui/report/pdf_pages.h"
 #include "gui/report/report.h"
+#include "gui/session/curricula_files.h"
 
 namespace vallecula::gui {
 namespace {
@@ -121,6 +123,8 @@ void write_trainee_pdf(const std::filesystem::path& file, long long trainee_id, 
     if (first.empty() || trial.row.finished_utc < first) first = trial.row.finished_utc;
     last = std::max(last, trial.row.finished_utc);
   }
+  KnownCourses courses;
+  courses.set(find_curricula().curricula);
   PdfPages pages;
   pages.title = QString::fromStdString(who);
   pages.person = QString::fromStdString(name);
@@ -128,22 +132,19 @@ void write_trainee_pdf(const std::filesystem::path& file, long long trainee_id, 
   std::string charts;
   int number_of_chart = 0;
   for (const auto& [of, rows] : curves) {
-    std::vector<bool> successes;
-    for (const curricula::RecordRow& row : rows)
-      if (row.score.complete) successes.push_back(curricula::procedure_succeeded(row));
-    const auto passed = std::count(successes.begin(), successes.end(), true);
-    const auto sums = curricula::cusum({}, successes);
-    const auto reached = std::find_if(sums.begin(), sums.end(), [](const curricula::CusumPoint& point) {
-      return point.verdict == curricula::CusumVerdict::competent;
-    });
     const auto& [curriculum, scenario, device] = of;
-    summary.push_back({escaped(curriculum), escaped(scenario), escaped(device), std::to_string(successes.size()),
-                       std::to_string(rows.size() - successes.size()), std::to_string(passed),
-                       reached == sums.end() ? "not yet" : "at trial " + std::to_string(reached - sums.begin() + 1)});
-    if (successes.empty()) continue;
+    const CurveReading reading = read_curve(rows, courses.find(curriculum));
+    const std::size_t whole = rows.size() - static_cast<std::size_t>(reading.interrupted);
+    const auto passed = std::count_if(rows.begin(), rows.end(), [&](const curricula::RecordRow& row) {
+      return row.score.complete && succeeded(row, reading);
+    });
+    summary.push_back({escaped(curriculum), escaped(scenario), escaped(device), std::to_string(whole),
+                       std::to_string(reading.interrupted), std::to_string(passed),
+                       reading.to_competent < 0 ? "not yet" : "at trial " + std::to_string(reading.to_competent)});
+    if (whole == 0) continue;
     const std::string picture_name = "curve-" + std::to_string(++number_of_chart) + ".png";
-    pages.pictures[QString::fromStdString(picture_name)] = draw_curve_chart(rows);
-    charts += "<p><b>" + escaped(scenario) + "</b>, " + escaped(device) + "<br>" + "<img src=\"" + picture_name +
+    pages.pictures[QString::fromStdString(picture_name)] = draw_curve_chart(rows, reading);
+    charts += "<p><b>" + escaped(scenario) + "</b>, " + escaped(device) + "<br>" + escaped(reading.rule_in_words) + "<br><img src=\"" + picture_name +
               "\" width=\"" + std::to_string(kPdfWidthPx) + "\"></p>";
   }
   std::vector<Cells> all;
@@ -159,7 +160,7 @@ void write_trainee_pdf(const std::filesystem::path& file, long long trainee_id, 
       (trials.size() == 1 ? " trial, " : " trials, ") + minute(first) + " to " + minute(last) + " UTC</p>" +
       heading("By scenario and device") +
       table({"Curriculum", "Scenario", "Device", "Trials", "Cut off", "Passed", "CUSUM says competent"}, summary) +
-      "<p>Passed: every mark met, within two attempts. Figures of different kinds of device are never put together.</p>" +
+      "<p>Passed: every mark met, within the attempts of the rule, which each curve names (two by the published one). Figures of different kinds of device are never put together.</p>" +
       (charts.empty() ? "" : heading("Learning curves") + charts) + heading("All trials") +
       table({"Finished (UTC)", "Scenario", "Device", "Mode", "Result", "Tube", "Points", "Attempt (s)", "Tongue (N)"}, all));
   write_pdf(file, pages);

@@ -17,7 +17,8 @@ namespace vallecula::gui {
 void write_trial_pdf(const std::filesystem::path& file, const curricula::TrialLog& log, const std::string& name);
 
 /// `trials` of one trainee in the order they were recorded, at least one: by scenario and device kind (never pooled) the
-/// learning curve with its cumulative sum, then all trials.
+/// learning curve with its cumulative sum, by the rule of the course where this user has it (find_curricula), then all
+/// trials.
 void write_trainee_pdf(const std::filesystem::path& file, long long trainee_id, const std::string& name,
                        const std::vector<curricula::ExportTrial>& trials);
 

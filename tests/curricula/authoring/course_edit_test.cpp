@@ -68,6 +68,23 @@ TEST(CourseEdit, CopiesHaveIdsOfTheirOwn) {
   EXPECT_EQ(order(module, id), (Ids{"tube-stylet-2", "tube-plain-2", "tube-secretions-2"}));
 }
 
+TEST(CourseEdit, WeightsAndSourcesComeWithACopiedScenario) {
+  const std::string to = empty_course("mine", "Mine") +
+                         "rubric:\n  peak_gum_force_n: { weight: 7, source: ours }\n";
+  const YamlText from(empty_course("theirs", "Theirs") +
+                      "rubric:\n  peak_gum_force_n: { weight: 2, source: theirs }\n"
+                      "  peak_tongue_force_n: { weight: 3, source: a study }\n");
+  std::string id;
+  const std::string text = with_scenario_copied(YamlText(to), from, "first-scenario", 0, 1, id);
+  expect_valid(text);
+  const YamlText course(text);
+  const YamlNode* copy = course.find(path_of(course, "scenarios", id) + ".rubric");
+  ASSERT_NE(copy, nullptr);
+  ASSERT_EQ(copy->children.size(), 1u) << "of the other mark the course has its own";
+  EXPECT_EQ(copy->child("peak_tongue_force_n")->child("weight")->value, "3");
+  EXPECT_EQ(copy->child("peak_tongue_force_n")->child("source")->value, "a study");
+}
+
 TEST(CourseEdit, AModuleOfAnotherCourseComesWithItsScenarios) {
   const YamlText from(shipped("neonatal-intubation.yaml"));
   std::string id;

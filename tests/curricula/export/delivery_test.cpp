@@ -111,6 +111,19 @@ TEST_F(Deliveries, WhatIsRefusedIsKeptAsideWithTheReasonAndTheOthersGo) {
   expect_all_there(9);
 }
 
+TEST_F(Deliveries, AStoreThatRefusesEverythingIsNotUsed) {
+  add_trials(2);
+  lrs_.refuse("verbs/");
+  const Delivery delivery = send();
+  EXPECT_EQ(delivery.refused, 0);
+  EXPECT_EQ(delivery.left, 2);
+  EXPECT_FALSE(delivery.again_later);
+  EXPECT_NE(delivery.problem.find("refuses every statement"), std::string::npos) << delivery.problem;
+  EXPECT_EQ(waiting_statements(records()).refused, 0);
+  lrs_.refuse("");
+  EXPECT_EQ(send().sent, 2);
+}
+
 TEST_F(Deliveries, OneStatementOfATrialThatIsRefusedDoesNotKeepItsOthers) {
   add_trials(1);
   lrs_.refuse("verbs/completed");

@@ -158,6 +158,10 @@ TEST(TickTable, EveryTickIsARowWithWhatTheLogHas) {
     t.loads[kLarynx].force_n = {0.0, 0.0, 1.0 / 3.0};
     t.model_force_n = {1.0, -2.0, 3.0};
   }
+  log.ticks[0].step_fed = 7;
+  log.ticks[0].step_used = 6;
+  log.ticks[0].has_areas = true;
+  log.ticks[0].loads[kTongue].area_m2 = 2.5e-05;
   log.ticks[1].has_sight = true;
   log.ticks[1].glottis_visible = 0.25;
   log.ticks[2].device_valid = false;
@@ -172,6 +176,11 @@ TEST(TickTable, EveryTickIsARowWithWhatTheLogHas) {
   EXPECT_EQ(at(plain, 1, "model_force_y_n"), "-2");
   EXPECT_EQ(std::stod(at(plain, 1, "larynx_force_z_n")), 1.0 / 3.0);
   EXPECT_EQ(at(plain, 1, "proxy_qw"), "1");
+  EXPECT_EQ(at(plain, 1, "step_fed"), "7");
+  EXPECT_EQ(at(plain, 1, "step_used"), "6");
+  EXPECT_EQ(at(plain, 2, "device_valid") + at(plain, 3, "device_valid"), "10");
+  EXPECT_EQ(at(plain, 1, "tongue_area_m2"), "2.5e-05");
+  EXPECT_EQ(at(plain, 2, "tongue_area_m2"), "") << "not known is not none";
 
   log.header.has_intubation = true;
   for (LogTick& t : log.ticks) t.has_intubation = true;

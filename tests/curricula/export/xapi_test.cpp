@@ -169,12 +169,17 @@ TEST(Xapi, ALaunchGivesActorActivityRegistrationAndContext) {
   EXPECT_NE(session[0]["id"], objects(statements_of(trial(), kSource))[0]["id"]);
 }
 
-TEST(Xapi, AMasteryScoreDecides) {
+TEST(Xapi, AMasteryScoreIsAskedBesidesThePassMarks) {
   RecordRow row = trial();  // passed, with 62.5 points
   EXPECT_EQ(verbs(objects(statements_of(row, kSource, launch(R"(,"masteryScore":0.63)"))))[2], "failed");
   EXPECT_EQ(verbs(objects(statements_of(row, kSource, launch(R"(,"masteryScore":0.625)"))))[2], "passed");
   row.score.passed = false;
-  EXPECT_EQ(verbs(objects(statements_of(row, kSource, launch(R"(,"masteryScore":0.6)"))))[2], "passed");
+  const auto enough = objects(statements_of(row, kSource, launch(R"(,"masteryScore":0.6)")));
+  EXPECT_EQ(verbs(enough)[2], "failed") << "points enough, but a pass mark was not met";
+  EXPECT_FALSE(enough[2]["result"].toObject().contains("score")) << "cmi5: it would have to be below the mastery score";
+  expect_by_the_rules(enough, true);
+  const auto too_few = objects(statements_of(row, kSource, launch(R"(,"masteryScore":0.63)")));
+  EXPECT_EQ(too_few[2]["result"].toObject()["score"].toObject()["scaled"].toDouble(), 0.625);
   EXPECT_EQ(verbs(objects(statements_of(row, kSource, launch())))[2], "failed");
 }
 

@@ -4,6 +4,8 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QSqlDatabase>
+#include <QSqlQuery>
 #include <fstream>
 #include <iterator>
 
@@ -100,7 +102,10 @@ TEST_P(AnyRecords, ATraineeTakesAllOwnDataAlong) {
             std::string::npos);
   EXPECT_NE(error_of<NotAllowed>([&] { export_person(desk.records, *desk.kiwi, desk.emu_id, folder_ / "x"); }), "");
   EXPECT_FALSE(fs::exists(folder_ / "x"));
+  put(folder_ / "emu.part" / "thesis.txt", "nobody's business");
   export_person(desk.records, *desk.boss, desk.emu_id, folder_ / "emu");
+  EXPECT_TRUE(fs::exists(folder_ / "emu" / "records.json"));
+  EXPECT_EQ(bytes_of(folder_ / "emu.part" / "thesis.txt"), "nobody's business");
 }
 
 TEST_P(AnyRecords, ATraineeIsDeletedWholeAndNobodyElseIsTouched) {
@@ -152,6 +157,54 @@ TEST_P(AnyRecords, ATraineeIsDeletedWholeAndNobodyElseIsTouched) {
     EXPECT_EQ(bytes_of(setting_).find("Kiwi Kiwison"), std::string::npos);
     EXPECT_EQ(bytes_of(setting_ + "-wal").find("Kiwi Kiwison"), std::string::npos);
   }
+}
+
+/// Its path once was another trainee's, whose log was removed when it began.
+TEST_P(AnyRecords, WhatADeletedTraineesCutOffTrialLeftGoes) {
+  Desk desk(at_station("here"), folder_);
+  desk.trial(desk.emu_id, "again", "emu's log");
+  fs::remove(folder_ / "again" / "trial.vtrial");
+  desk.records.begin({"", "2024-05-03T09:59:00Z", "c", "s", "mouse", folder_ / "again" / "trial.vtrial", desk.kiwi_id});
+  put(folder_ / "again" / "trial.vtrial.part", "cut off");
+  put(folder_ / "again" / "replay-3s.png", "a picture of it");
+  desk.trial(desk.emu_id, "beside", "emu's log");
+  desk.records.begin({"", "2024-05-03T09:59:00Z", "c", "s", "mouse", folder_ / "beside" / "trial.vtrial", desk.kiwi_id});
+  put(folder_ / "beside" / "trial.vtrial.part", "cut off");
+  EXPECT_TRUE(delete_person(desk.records, *desk.kiwi, desk.kiwi_id).left.empty());
+  EXPECT_FALSE(fs::exists(folder_ / "again"));
+  EXPECT_FALSE(fs::exists(folder_ / "beside" / "trial.vtrial.part"));
+  EXPECT_EQ(bytes_of(folder_ / "beside" / "trial.vtrial"), "emu's log");
+}
+
+TEST_P(AnyRecords, FilesOnADiskThatIsNotThereAreDeletedWhenItIs) {
+  Desk desk(at_station("here"), folder_);
+  desk.trial(desk.kiwi_id, "first", "log one");
+  fs::rename(folder_ / "first", folder_ / "unplugged");
+  const Deletion deletion = delete_person(desk.records, *desk.kiwi, desk.kiwi_id);
+  ASSERT_EQ(deletion.left.size(), 1u);
+  EXPECT_EQ(deletion.left[0].find(folder_.string()), std::string::npos) << deletion.left[0];
+  EXPECT_EQ(ask("SELECT COUNT(*) FROM files_to_delete"), "1");
+  fs::rename(folder_ / "unplugged", folder_ / "first");
+  EXPECT_EQ(delete_pending_files(desk.records).files, 2);
+  EXPECT_FALSE(fs::exists(folder_ / "first"));
+}
+
+TEST_P(AnyRecords, AWriteAheadLogThatAnotherReadsIsReported) {
+  if (on_server()) return;
+  RecordsLocation here = at_station("here");
+  here.patience_s = 0.2;
+  Desk desk(here, folder_);
+  {
+    QSqlDatabase reader = QSqlDatabase::addDatabase("QSQLITE", "reader");
+    reader.setDatabaseName(QString::fromStdString(setting_));
+    ASSERT_TRUE(reader.open());
+    QSqlQuery view(reader);
+    ASSERT_TRUE(view.exec("BEGIN") && view.exec("SELECT COUNT(*) FROM people") && view.next());
+    const Deletion deletion = delete_person(desk.records, *desk.kiwi, desk.kiwi_id);
+    ASSERT_EQ(deletion.left.size(), 1u);
+    EXPECT_NE(deletion.left[0].find("write-ahead log"), std::string::npos);
+  }
+  QSqlDatabase::removeDatabase("reader");
 }
 
 TEST_P(AnyRecords, FilesOnAnotherStationGoWhenThatOneStarts) {

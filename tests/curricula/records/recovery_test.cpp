@@ -167,6 +167,54 @@ TEST_P(AnyRecords, WhatLeftNothingBehindIsForgottenAndWhatIsDamagedIsReportedAnd
   EXPECT_TRUE(records.newest(5).empty());
 }
 
+TEST_P(AnyRecords, ATrialOnADiskThatIsNotThereWaits) {
+  Records records(location());
+  const fs::path log = folder_ / "disk" / "trial.vtrial";
+  fs::create_directories(log.parent_path());
+  records.begin(open_trial(log));
+  {
+    TrialLogWriter writer(log, header());
+    for (int n = 0; n < 300; ++n) writer.append(tick(n));
+  }
+  fs::rename(folder_ / "disk", folder_ / "unplugged");
+  const auto waiting = recover_trials(records);
+  ASSERT_EQ(waiting.size(), 1u);
+  EXPECT_NE(waiting[0].problem.find("connect the disk"), std::string::npos) << waiting[0].problem;
+  EXPECT_EQ(waiting[0].problem.find(folder_.string()), std::string::npos);
+  EXPECT_EQ(records.open_trials().size(), 1u);
+  fs::rename(folder_ / "unplugged", folder_ / "disk");
+  EXPECT_NE(recover_trials(records).at(0).record_id, 0);
+  EXPECT_TRUE(records.open_trials().empty());
+}
+
+/// One byte of block `block` is wrong (0: the header), and whole blocks follow.
+void damage(const fs::path& part, std::size_t block) {
+  std::string bytes = bytes_of(part);
+  std::size_t at = bytes.find("HEAD");
+  for (std::size_t i = 0; i < block; ++i) at = bytes.find("TICK", at + 4);
+  ASSERT_LT(at, bytes.size());
+  bytes[at + 40] = static_cast<char>(bytes[at + 40] ^ 1);
+  std::ofstream(part, std::ios::binary) << bytes;
+}
+
+TEST_P(AnyRecords, WhatIsBehindDamageIsKept) {
+  const fs::path first = folder_ / "first.vtrial", second = folder_ / "second.vtrial";
+  for (const fs::path& log : {first, second}) {
+    TrialLogWriter writer(log, header());
+    for (int n = 0; n < 1000; ++n) writer.append(tick(n));
+  }
+  damage(first.string() + ".part", 1);
+  damage(second.string() + ".part", 2);
+  const std::string no_tick = bytes_of(first.string() + ".part"), some = bytes_of(second.string() + ".part");
+  EXPECT_NE(error_of<TrialLogError>([&] { close_cut_log(first); }).find("damaged"), std::string::npos);
+  EXPECT_EQ(bytes_of(first.string() + ".part"), no_tick);
+  EXPECT_EQ(close_cut_log(second), CutLog::kept);
+  EXPECT_EQ(read_trial_log(second).ticks.size(), 256u);
+  EXPECT_EQ(bytes_of(second.string() + ".damaged"), some);
+  const auto files = files_of_trial(second);
+  EXPECT_EQ(files, (std::vector<fs::path>{second.string() + ".damaged", second}));
+}
+
 TEST_P(AnyRecords, ALogThatIsBeingWrittenIsNobodyElses) {
   const fs::path log = folder_ / "trial.vtrial";
   TrialLogWriter writer(log, header());
@@ -176,16 +224,18 @@ TEST_P(AnyRecords, ALogThatIsBeingWrittenIsNobodyElses) {
             std::string::npos);
   EXPECT_EQ(bytes_of(log.string() + ".part"), before);
   EXPECT_EQ(close_cut_log(log), CutLog::being_written);
+  EXPECT_TRUE(is_being_written(log));
+  EXPECT_TRUE(files_of_trial(log).empty()) << "an older trial's files go, not those of the one that has begun";
 }
 
 TEST(TrialFiles, AreThoseOfTheLogAndNoOthers) {
   const fs::path folder = fs::path(::testing::TempDir()) / ("vallecula-trial-files-" + std::to_string(::getpid()));
   fs::create_directories(folder);
   for (const char* name : {"trial.vtrial", "score.json", "report.html", "force.png", "fault.csv", "tool.ply",
-                           "operator-1.png", "sagittal-2.png", "holiday.png", "before-reset-1.vtrial",
+                           "operator-1.png", "sagittal-2.png", "replay-3s.png", "holiday.png", "before-reset-1.vtrial",
                            "before-reset-1.tool.ply", "before-reset-1.fault.csv", "notes.txt"})
     std::ofstream(folder / name) << name;
-  EXPECT_EQ(files_of_trial(folder / "trial.vtrial").size(), 8u);
+  EXPECT_EQ(files_of_trial(folder / "trial.vtrial").size(), 9u);
   EXPECT_EQ(files_of_trial(folder / "trial.vtrial").back(), folder / "trial.vtrial");
   EXPECT_EQ(files_of_trial(folder / "before-reset-1.vtrial").size(), 3u);
   EXPECT_TRUE(files_of_trial(folder / "other.vtrial").empty());

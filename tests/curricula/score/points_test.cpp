@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+
 namespace vallecula::curricula {
 namespace {
 
@@ -15,6 +17,7 @@ TEST(Points, WeightsShareAHundredAndEachSaysWhenAndWhy) {
   scenario.rubric["glottis_visible_percent"] = {0.0, "assumed"};
   scenario.rubric["outcomes"] = {4.0, "assumed"};
   Score score;
+  score.complete = score.attempt_begun = true;
   score.criteria = {judged("trial_complete", true, 40.0), judged("peak_tongue_force_n", false, 12.5),
                     judged("glottis_visible_max_percent", false, -1.0), judged("outcome", true, 20.0),
                     judged("time_over_force_limit_s", true, -1.0)};
@@ -34,6 +37,19 @@ TEST(Points, WeightsShareAHundredAndEachSaysWhenAndWhy) {
   EXPECT_EQ(points[3].mark, "time_over_device_limit_s");
   EXPECT_NEAR(points[3].earned, 12.5, 1e-12);
   EXPECT_EQ(points[3].source, "no source given; not validated");
+}
+
+TEST(Points, WhatCouldNotBeJudgedEarnsNone) {
+  for (const auto& [complete, begun] : {std::pair(false, true), std::pair(true, false)}) {
+    Score score;
+    score.complete = complete;
+    score.attempt_begun = begun;
+    score.criteria = {judged("peak_tongue_force_n", true, -1.0), judged("attempt_time_s", true, -1.0)};
+    const auto points = points_of(score, Scenario{});
+    ASSERT_EQ(points.size(), 2u);
+    EXPECT_EQ(points[0].of, 50.0);
+    EXPECT_EQ(points[0].earned + points[1].earned, 0.0);
+  }
 }
 
 TEST(Points, WithoutAnyWeightThereAreNone) {

@@ -75,6 +75,12 @@ TEST(CurveReading, GoesByTheModulesOwnRuleWhereItIsKnown) {
   EXPECT_EQ(read_curve(rows, nullptr).successes.back(), true);
   EXPECT_NE(reading.rule_in_words.find("The view"), std::string::npos);
   EXPECT_NE(reading.rule_in_words.find("a faculty's own"), std::string::npos);
+  rule.assessments_only = true;
+  const auto of_assessments = course_with(rule);
+  rows.front().mode = curricula::Mode::assessment;
+  EXPECT_EQ(read_curve(rows, &of_assessments).successes, std::vector<bool>{true}) << "practice counts in nothing";
+  EXPECT_EQ(read_curve(rows, &of_assessments).cusum.size(), 1u);
+  EXPECT_NE(read_curve(rows, &of_assessments).rule_in_words.find("assessments alone"), std::string::npos);
   rule.by_cusum = false;
   const auto by_passes = course_with(rule);
   EXPECT_NE(read_curve(rows, &by_passes).rule_in_words.find("published"), std::string::npos);
