@@ -289,7 +289,7 @@ void MainWindow::prepare(const TrialSetup& setup, bool start_at_once) {
 }
 
 void MainWindow::prepare(TrialSetup setup, std::function<std::filesystem::path()> patient, bool start_at_once) {
-  if (worker_) return;
+  if (worker_ && !worker_->isFinished()) return;
   results_ = setup.final_out.empty() ? setup.out : setup.final_out;
   start_->set_message("");
   cancelled_ = false;
@@ -331,7 +331,7 @@ void MainWindow::prepare(TrialSetup setup, std::function<std::filesystem::path()
 }
 
 void MainWindow::replay(const std::filesystem::path& trial, double at_s, const std::filesystem::path& patient) {
-  if (worker_) return;
+  if (worker_ && !worker_->isFinished()) return;  // its object outlives its work
   QWidget* from = pages_->currentWidget();
   replay_from_ = from == result_ || from == records_ ? from : nullptr;
   result_->tell("");

@@ -80,7 +80,7 @@ void NotesPanel::write() {
 
 void NotesPanel::add() {
   const std::string text = text_->text().trimmed().toStdString();
-  if (text.empty() || working_) return;
+  if (text.empty() || busy()) return;
   ask([who = who_, at_s = at_s_, text](curricula::Notes& notes, long long trial) {
     notes.add(who, trial, at_s, text);
   });
@@ -88,13 +88,13 @@ void NotesPanel::add() {
 
 void NotesPanel::remove() {
   const int row = list_->currentRow();
-  if (row < 0 || working_) return;
+  if (row < 0 || busy()) return;
   ask([who = who_, id = list_->id_of(row)](curricula::Notes& notes, long long) { notes.remove(who, id); });
 }
 
 void NotesPanel::ask(std::function<void(curricula::Notes&, long long)> change) {
   using Answer = std::optional<std::vector<curricula::Note>>;
-  const bool written = static_cast<bool>(change), writing = text_->hasFocus();
+  const bool written = static_cast<bool>(change), writing = window()->focusWidget() == text_;
   allow(false);
   working_ = run_in_background<Answer>(
       this,

@@ -30,7 +30,7 @@ class NotesPanel : public QWidget {
   /// Where a note that is written now will stand.
   void show_time(double at_s);
   void write();  ///< to the field
-  bool busy() const { return working_ != nullptr; }
+  bool busy() const { return working_ && !working_->isFinished(); }  ///< the thread's object outlives its work
 
  signals:
   void wanted(double at_s);

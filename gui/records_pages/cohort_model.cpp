@@ -22,7 +22,7 @@ constexpr Heading kHeadings[CohortModel::kColumns] = {
      "the last verdict of the cumulative sum by the published rule: 80 % success within two attempts "
      "(PMC8290971), its other numbers assumed"},
     {"Cut off", "interrupted trials: in no other figure"},
-    {"Last (UTC)", "when the last trial ended"}};
+    {"Last", "when the last trial ended"}};
 
 }  // namespace
 

@@ -6,15 +6,27 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
+#include <QPushButton>
 #include <QSet>
 #include <QTableView>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <set>
+#include <tuple>
 
+#include "gui/records_pages/hand_on.h"
 #include "gui/records_pages/records_desk.h"
 #include "gui/records_pages/tables.h"
 
 namespace vallecula::gui {
+namespace {
+
+using Key = std::tuple<long long, std::string, std::string, std::string>;
+Key key_of(const curricula::CurveKey& key) {
+  return {key.trainee_id, key.curriculum_id, key.scenario_id, key.device_kind};
+}
+
+}  // namespace
 
 CohortTab::CohortTab(RecordsDesk& desk, const KnownCourses& courses, QWidget* parent) : QWidget(parent), desk_(desk) {
   model_ = new CohortModel(courses, this);
@@ -44,14 +56,38 @@ CohortTab::CohortTab(RecordsDesk& desk, const KnownCourses& courses, QWidget* pa
   count_ = new QLabel(this);
   count_->setObjectName("faint");
   count_->setWordWrap(true);
+  open_ = new QPushButton("&Open", this);
+  open_->setToolTip("Enter, or a double click on the curve");
   auto* all = new QVBoxLayout(this);
   all->addLayout(row);
   all->addWidget(table_, 1);
-  all->addWidget(count_);
+  hand_on_ = new HandOn(
+      desk_,
+      [this] {
+        HandOn::Shown shown;
+        shown.filter.since_utc = period().since_utc;
+        std::set<Key> keys;
+        for (int row = 0; row < shown_->rowCount(); ++row)
+          keys.insert(key_of(model_->curve(shown_->mapToSource(shown_->index(row, 0)).row()).key));
+        shown.with = [keys](const curricula::RecordRow& trial) {
+          return keys.count({trial.trainee_id, trial.curriculum_id, trial.scenario_id, trial.device_kind}) > 0;
+        };
+        return shown;
+      },
+      this);
+  connect(hand_on_, &HandOn::told, count_, &QLabel::setText);
+  auto* foot = new QHBoxLayout;
+  foot->addWidget(count_, 1);
+  foot->addWidget(open_);
+  foot->addWidget(hand_on_);
+  all->addLayout(foot);
   connect(name_, &QLineEdit::textChanged, shown_, &CohortFilterModel::set_name_contains);
   connect(period_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, &CohortTab::refresh);
-  connect(table_, &QTableView::activated, this,
-          [this](const QModelIndex& index) { emit curve_wanted(model_->curve(shown_->mapToSource(index).row()).key); });
+  const auto open = [this](const QModelIndex& index) {
+    if (index.isValid()) emit curve_wanted(model_->curve(shown_->mapToSource(index).row()).key);
+  };
+  connect(table_, &QTableView::activated, this, open);
+  connect(open_, &QPushButton::clicked, this, [this, open] { open(table_->currentIndex()); });
   for (const auto signal : {&QAbstractItemModel::rowsInserted, &QAbstractItemModel::rowsRemoved})
     connect(shown_, signal, this, &CohortTab::show_count);
   connect(shown_, &QAbstractItemModel::modelReset, this, &CohortTab::show_count);
@@ -67,14 +103,21 @@ QComboBox* CohortTab::filter(const QString& name, CohortModel::Column column) {
   return box;
 }
 
-void CohortTab::refresh() {
-  if (!desk_.instructor()) return;
-  const curricula::SignedIn who = *desk_.who();
+curricula::CohortFilter CohortTab::period() const {
   curricula::CohortFilter period;
   if (const int days = period_->currentData().toInt(); days > 0)
     period.since_utc = QDateTime::currentDateTimeUtc().addDays(-days).toString(Qt::ISODate).toStdString();
+  return period;
+}
+
+void CohortTab::refresh() {
+  if (!desk_.instructor()) return;
+  const curricula::SignedIn who = *desk_.who();
   desk_.ask<std::vector<curricula::CurveSummary>>(
-      this, [who, period](curricula::Records& records) { return curricula::Progress(records).cohort(who, period); },
+      this,
+      [who, period = period()](curricula::Records& records) {
+        return curricula::Progress(records).cohort(who, period);
+      },
       [this](std::vector<curricula::CurveSummary> curves) {
         model_->set_curves(std::move(curves));
         fill_filters();

@@ -8,10 +8,12 @@
 class QComboBox;
 class QLabel;
 class QLineEdit;
+class QPushButton;
 class QTableView;
 
 namespace vallecula::gui {
 
+class HandOn;
 class RecordsDesk;
 
 class CohortTab : public QWidget {
@@ -27,6 +29,7 @@ class CohortTab : public QWidget {
   QComboBox* filter(const QString& name, CohortModel::Column column);
   void fill_filters();
   void show_count();
+  curricula::CohortFilter period() const;
 
   RecordsDesk& desk_;
   CohortModel* model_;
@@ -36,6 +39,8 @@ class CohortTab : public QWidget {
   QComboBox* period_;
   std::vector<std::pair<QComboBox*, CohortModel::Column>> filters_;
   QLabel* count_;
+  QPushButton* open_;
+  HandOn* hand_on_;
 };
 
 }  // namespace vallecula::gui

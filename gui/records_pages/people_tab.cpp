@@ -35,8 +35,8 @@ struct Everybody {
 }  // namespace
 
 PeopleTab::PeopleTab(RecordsDesk& desk, QWidget* parent) : QWidget(parent), desk_(desk) {
-  table_ = new_table(this, "People", {"Name", "Role", "Since (UTC)"});
-  audit_ = new_table(this, "Audit trail", {"When (UTC)", "Who", "Did", "With"});
+  table_ = new_table(this, "People", {"Name", "Role", "Since"});
+  audit_ = new_table(this, "Audit trail", {"When", "Who", "Did", "With"});
   auto* heading = new QLabel("Audit trail", this);
   heading->setObjectName("heading");
   auto* about = new QLabel(

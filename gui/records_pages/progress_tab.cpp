@@ -5,16 +5,17 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QListWidget>
-#include <QTableWidget>
 #include <QTextCharFormat>
 #include <QVBoxLayout>
-#include <filesystem>
+#include <limits>
 
 #include "curricula/score/figures.h"
 #include "gui/records_pages/curve_charts.h"
+#include "gui/records_pages/own_rating.h"
 #include "gui/records_pages/person_words.h"
 #include "gui/records_pages/records_desk.h"
 #include "gui/records_pages/tables.h"
+#include "gui/records_pages/trials_panel.h"
 #include "gui/views/theme.h"
 
 namespace vallecula::gui {
@@ -63,6 +64,9 @@ QWidget* ProgressTab::make_left() {
   calendar_->setVerticalHeaderFormat(QCalendarWidget::NoVerticalHeader);
   calendar_->setFirstDayOfWeek(Qt::Monday);
   calendar_->setFixedHeight(190);
+  QTextCharFormat weekend;  // red on this ground can hardly be read
+  weekend.setForeground(theme::kFaint);
+  for (const auto day : {Qt::Saturday, Qt::Sunday}) calendar_->setWeekdayTextFormat(day, weekend);
   day_ = new QLabel(left);
   day_->setObjectName("faint");
   auto* column = new QVBoxLayout(left);
@@ -96,10 +100,7 @@ QWidget* ProgressTab::make_right() {
   rule_->setWordWrap(true);
   learning_ = new TrialChart(right);
   sum_ = new TrialChart(right);
-  trials_ = new_table(right, "Trials", {"Trial", "Ended (UTC)", "Mode", "Result", "Figure", "Attempts", "Length (s)"});
-  message_ = new QLabel(right);
-  message_->setObjectName("faint");
-  message_->setWordWrap(true);
+  trials_ = new TrialsPanel(desk_, courses_, right);
   auto* charts = new QHBoxLayout;
   auto* first = new QVBoxLayout;
   first->addWidget(figure_);
@@ -111,20 +112,16 @@ QWidget* ProgressTab::make_right() {
   column->addLayout(charts, 3);
   column->addWidget(mastery_);
   column->addWidget(rule_);
-  column->addWidget(trials_, 2);
-  column->addWidget(message_);
+  column->addWidget(trials_, 3);
   connect(figure_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, [this] {
     show_figure();
-    show_trials();
+    trials_->show_figure(figure());
   });
-  connect(trials_, &QTableWidget::currentCellChanged, this, [this](int table_row, int, int, int) {
-    const int index = table_row < 0 ? -1 : static_cast<int>(rows_.size()) - 1 - table_row;
-    learning_->set_current(index);
-  });
-  connect(trials_, &QTableWidget::activated, this,
-          [this](const QModelIndex& index) { open_trial(static_cast<int>(rows_.size()) - 1 - index.row()); });
-  connect(learning_, &TrialChart::pointed_at, this, &ProgressTab::choose_trial);
-  connect(learning_, &TrialChart::wanted, this, &ProgressTab::open_trial);
+  connect(trials_, &TrialsPanel::chosen, learning_, &TrialChart::set_current);
+  connect(trials_, &TrialsPanel::trial_wanted, this, &ProgressTab::trial_wanted);
+  connect(trials_, &TrialsPanel::own_rated, this, &ProgressTab::refresh);
+  connect(learning_, &TrialChart::pointed_at, trials_, &TrialsPanel::choose);
+  connect(learning_, &TrialChart::wanted, trials_, &TrialsPanel::open);
   return right;
 }
 
@@ -155,16 +152,36 @@ void ProgressTab::refresh() {
   desk_.ask<Subject>(
       this,
       [who, of, instructor](curricula::Records& records) {
-        Subject subject;
+        Subject subject = ask_subject(records, who, of);
         if (instructor) subject.people = curricula::People(records).list();
-        const curricula::Progress progress(records);
-        subject.curves = progress.curves(who, of);
-        subject.days = progress.calendar(who, of);
         return subject;
       },
       [this, asker = desk_.person().id](Subject subject) {
         if (desk_.person().id == asker) show_subject(std::move(subject));
       });
+}
+
+ProgressTab::Subject ProgressTab::ask_subject(curricula::Records& records, const curricula::Who& who, long long of) {
+  const curricula::Progress progress(records);
+  Subject subject;
+  subject.curves = progress.curves(who, of);
+  subject.to_rate.resize(subject.curves.size(), 0);
+  std::vector<RecordRow> rows = progress.trials(who, of, std::numeric_limits<int>::max());
+  for (const RecordRow& row : take_out(rows, to_rate_first(records, who, rows)))
+    for (std::size_t i = 0; i < subject.curves.size(); ++i) {
+      CurveSummary& curve = subject.curves[i];
+      if (!same(curve.key, {row.trainee_id, row.curriculum_id, row.scenario_id, row.device_kind})) continue;
+      ++subject.to_rate[i];
+      --(row.score.complete ? curve.trials : curve.interrupted);
+      if (row.score.complete && curricula::procedure_succeeded(row)) --curve.passed;
+    }
+  for (auto row = rows.rbegin(); row != rows.rend(); ++row) {  // the newest is the first
+    const std::string date = for_people(row->finished_utc).left(10).toStdString();
+    if (subject.days.empty() || subject.days.back().date != date) subject.days.push_back({date, 0, 0});
+    ++subject.days.back().trials;
+    subject.days.back().passed += curricula::procedure_succeeded(*row) ? 1 : 0;
+  }
+  return subject;
 }
 
 void ProgressTab::fill_people(const std::vector<curricula::Person>& people) {
@@ -202,7 +219,8 @@ void ProgressTab::show_subject(Subject subject) {
                          .arg(QString::fromStdString(curve.key.device_kind))
                          .arg(curve.passed)
                          .arg(curve.trials) +
-                     (curve.interrupted > 0 ? QString(" · %1 cut off").arg(curve.interrupted) : QString()));
+                     (curve.interrupted > 0 ? QString(" · %1 cut off").arg(curve.interrupted) : QString()) +
+                     (subject.to_rate[i] > 0 ? QString(" · %1 to rate").arg(subject.to_rate[i]) : QString()));
       list_->item(static_cast<int>(i))->setToolTip(courses_.title(curve.key.curriculum_id));
       if (same(curve.key, wanted_)) row = static_cast<int>(i);
     }
@@ -214,6 +232,7 @@ void ProgressTab::show_subject(Subject subject) {
     QTextCharFormat format;
     format.setFontWeight(QFont::Bold);
     format.setFontUnderline(true);
+    format.setForeground(theme::kText);
     format.setBackground(theme::kAccent.darker(160));
     format.setToolTip(words_of(day));
     calendar_->setDateTextFormat(QDate::fromString(QString::fromStdString(day.date), Qt::ISODate), format);
@@ -229,9 +248,9 @@ void ProgressTab::show_subject(Subject subject) {
 
 void ProgressTab::show_days() {
   const std::string chosen = calendar_->selectedDate().toString(Qt::ISODate).toStdString();
-  QString text = "no trial on this day (UTC)";
+  QString text = "no trial on this day";
   for (const curricula::Day& day : days_)
-    if (day.date == chosen) text = words_of(day) + " on this day (UTC)";
+    if (day.date == chosen) text = words_of(day) + " on this day";
   day_->setText(text);
 }
 
@@ -240,16 +259,21 @@ void ProgressTab::ask_curve() {
   if (row < 0 || row >= static_cast<int>(curves_.size())) return;
   const CurveKey key = curves_[static_cast<std::size_t>(row)].key;
   const curricula::Who who = desk_.who();
-  desk_.ask<std::vector<RecordRow>>(
-      this, [who, key](curricula::Records& records) { return curricula::Progress(records).curve(who, key); },
-      [this, key, asker = desk_.person().id](std::vector<RecordRow> rows) {
+  desk_.ask<Curve>(
+      this,
+      [who, key](curricula::Records& records) {
+        Curve curve{curricula::Progress(records).curve(who, key), {}};
+        curve.to_rate = take_out(curve.seen, to_rate_first(records, who, curve.seen));
+        return curve;
+      },
+      [this, key, asker = desk_.person().id](Curve curve) {
         if (desk_.person().id != asker) return;
         const int now = list_->currentRow();
         if (now < 0 || now >= static_cast<int>(curves_.size()) ||
             !same(curves_[static_cast<std::size_t>(now)].key, key))
           return;  // another was chosen meanwhile
-        rows_ = std::move(rows);
-        show_curve();
+        rows_ = std::move(curve.seen);
+        show_curve(std::move(curve.to_rate));
       });
 }
 
@@ -260,11 +284,17 @@ void ProgressTab::empty_curve(const QString& say) {
   sum_->show_content({"Cumulative sum (CUSUM)", {}, {}, say});
   mastery_->clear();
   rule_->clear();
-  show_trials();
+  trials_->show_trials(subject(), {}, {}, figure());
 }
 
-void ProgressTab::show_curve() {
-  reading_ = read_curve(rows_, courses_.find(rows_.empty() ? std::string() : rows_.front().curriculum_id));
+void ProgressTab::show_curve(std::vector<RecordRow> to_rate) {
+  const long long whose = subject();
+  if (rows_.empty()) {
+    empty_curve("Rate the assessment in the table below first: then it is a point here.");
+    trials_->show_trials(whose, {}, std::move(to_rate), figure());
+    return;
+  }
+  reading_ = read_curve(rows_, courses_.find(rows_.front().curriculum_id));
   sum_->show_content(cusum_chart(reading_));
   mastery_->setText(QString("Three in a row: %1.  CUSUM competent: %2.  Now: %3, %4 in a row.%5")
                         .arg(after_trials(reading_.to_three_in_a_row), after_trials(reading_.to_competent),
@@ -275,50 +305,18 @@ void ProgressTab::show_curve() {
                                  : QString("  Interrupted: %1, counted in nothing.").arg(reading_.interrupted)));
   rule_->setText(QString::fromStdString(reading_.rule_in_words) + " No pass mark is validated.");
   show_figure();
-  show_trials();
+  trials_->show_trials(whose, rows_, std::move(to_rate), figure());
+}
+
+const Figure* ProgressTab::figure() const {
+  return curricula::find_figure(figure_->currentData().toString().toStdString());
 }
 
 void ProgressTab::show_figure() {
-  const Figure* figure = curricula::find_figure(figure_->currentData().toString().toStdString());
-  if (figure == nullptr || rows_.empty()) return;
+  const Figure* chosen = figure();
+  if (chosen == nullptr || rows_.empty()) return;
   learning_->show_content(
-      learning_chart(rows_, *figure, courses_.find(rows_.front().curriculum_id, rows_.front().scenario_id)));
-}
-
-void ProgressTab::show_trials() {
-  const Figure* figure = curricula::find_figure(figure_->currentData().toString().toStdString());
-  trials_->setRowCount(static_cast<int>(rows_.size()));
-  if (figure != nullptr) trials_->horizontalHeaderItem(4)->setText(with_unit(*figure));
-  for (std::size_t i = 0; i < rows_.size(); ++i) {  // the newest first
-    const RecordRow& row = rows_[rows_.size() - 1 - i];
-    const auto value = figure == nullptr ? std::nullopt : value_of(row, *figure);
-    fill_row(trials_, static_cast<int>(i),
-             {QString::number(rows_.size() - i), for_people(row.finished_utc), curricula::name_of(row.mode),
-              result_of(row), value ? QString::number(*value, 'g', 4) : QString("-"),
-              row.attempts > 0 ? QString::number(row.attempts) : QString("-"),
-              row.duration_s ? QString::number(*row.duration_s, 'f', 1) : QString("-")});
-  }
-  message_->setText(rows_.empty() ? QString()
-                                  : "Enter or a double click opens a trial. Squares were interrupted, crosses not "
-                                    "passed, discs passed.");
-}
-
-void ProgressTab::choose_trial(int row) {
-  trials_->setCurrentCell(static_cast<int>(rows_.size()) - 1 - row, 0);
-  trials_->setFocus();
-}
-
-void ProgressTab::open_trial(int row) {
-  if (row < 0 || row >= static_cast<int>(rows_.size())) return;
-  const RecordRow& trial = rows_[static_cast<std::size_t>(row)];
-  std::error_code error;
-  if (std::filesystem::exists(trial.trial_path, error)) {
-    emit trial_wanted(QString::fromStdString(trial.trial_path),
-                      desk_.instructor() || curricula::rules_of(trial.mode).replay);
-    return;
-  }
-  message_->setText(
-      "This trial's files are not on this computer: they are on the station it was done at, or were moved.");
+      learning_chart(rows_, *chosen, courses_.find(rows_.front().curriculum_id, rows_.front().scenario_id)));
 }
 
 }  // namespace vallecula::gui

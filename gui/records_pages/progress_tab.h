@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "curricula/records/people.h"
+#include "curricula/score/figures.h"
 #include "gui/records_pages/curve_reading.h"
 #include "gui/records_pages/known_courses.h"
 #include "gui/records_pages/trial_chart.h"
@@ -13,11 +14,11 @@ class QCalendarWidget;
 class QComboBox;
 class QLabel;
 class QListWidget;
-class QTableWidget;
 
 namespace vallecula::gui {
 
 class RecordsDesk;
+class TrialsPanel;
 
 class ProgressTab : public QWidget {
   Q_OBJECT
@@ -33,10 +34,15 @@ class ProgressTab : public QWidget {
 
  private:
   struct Subject {
-    std::vector<curricula::Person> people;  ///< to choose from; an instructor's
-    std::vector<curricula::CurveSummary> curves;
-    std::vector<curricula::Day> days;
+    std::vector<curricula::Person> people;        ///< to choose from; an instructor's
+    std::vector<curricula::CurveSummary> curves;  ///< without what is to be rated first
+    std::vector<int> to_rate;                     ///< of each curve
+    std::vector<curricula::Day> days;             ///< by local time
   };
+  struct Curve {
+    std::vector<curricula::RecordRow> seen, to_rate;
+  };
+  static Subject ask_subject(curricula::Records& records, const curricula::Who& who, long long of);
   QWidget* make_left();
   QWidget* make_right();
   long long subject() const;
@@ -45,11 +51,9 @@ class ProgressTab : public QWidget {
   void forget();  ///< whoever signs in next sees nothing of it
   void show_days();
   void ask_curve();
-  void show_curve();
+  void show_curve(std::vector<curricula::RecordRow> to_rate);
+  const curricula::Figure* figure() const;  ///< chosen
   void show_figure();
-  void show_trials();
-  void choose_trial(int row);
-  void open_trial(int row);
   void empty_curve(const QString& say);
 
   RecordsDesk& desk_;
@@ -57,14 +61,14 @@ class ProgressTab : public QWidget {
   curricula::CurveKey wanted_;
   std::vector<curricula::CurveSummary> curves_;
   std::vector<curricula::Day> days_;
-  std::vector<curricula::RecordRow> rows_;  ///< of the curve shown, in the order they were recorded
+  std::vector<curricula::RecordRow> rows_;  ///< of the curve shown, in the order they were recorded; those to be seen
   CurveReading reading_;
   QComboBox *whose_, *figure_;
-  QLabel *whose_label_, *day_, *mastery_, *rule_, *message_;
+  QLabel *whose_label_, *day_, *mastery_, *rule_;
   QListWidget* list_;
   QCalendarWidget* calendar_;
   TrialChart *learning_, *sum_;
-  QTableWidget* trials_;
+  TrialsPanel* trials_;
 };
 
 }  // namespace vallecula::gui

@@ -12,6 +12,7 @@
 #include "gui/records_pages/people_tab.h"
 #include "gui/records_pages/person_words.h"
 #include "gui/records_pages/progress_tab.h"
+#include "gui/records_pages/statements_line.h"
 
 namespace vallecula::gui {
 
@@ -36,6 +37,8 @@ RecordsPage::RecordsPage(QWidget* parent) : QWidget(parent) {
   progress_ = new ProgressTab(desk_, courses_, tabs_);
   cohort_ = new CohortTab(desk_, courses_, tabs_);
   people_ = new PeopleTab(desk_, tabs_);
+  for (QWidget* tab : {static_cast<QWidget*>(cohort_), static_cast<QWidget*>(people_)})
+    tab->hide();  // no tab until an instructor signs in: else it would lie over the others
   tabs_->addTab(progress_, "Progress");
   tabs_->addTab(account_, "Sign in");
   auto* back = new QPushButton("Back", this);
@@ -56,11 +59,7 @@ RecordsPage::RecordsPage(QWidget* parent) : QWidget(parent) {
   all->addLayout(head);
   all->addLayout(bad);
   all->addWidget(tabs_, 1);
-  statements_ = new QLabel(this);
-  statements_->setObjectName("statements");
-  statements_->setWordWrap(true);
-  statements_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  statements_->hide();
+  statements_ = new StatementsLine(desk_, this);
   all->addWidget(statements_);
 
   connect(back, &QPushButton::clicked, this, &RecordsPage::left);
@@ -114,6 +113,7 @@ void RecordsPage::showEvent(QShowEvent* event) {
 
 void RecordsPage::refresh() {
   if (!isVisible()) return;
+  statements_->refresh();
   QWidget* seen = tabs_->currentWidget();
   if (seen == account_) account_->refresh();
   if (seen == progress_) progress_->refresh();
@@ -126,10 +126,7 @@ void RecordsPage::show_trouble(const QString& message) {
   again_->show();
 }
 
-void RecordsPage::tell_of_statements(const QString& line) {
-  statements_->setText(line);
-  statements_->show();
-}
+void RecordsPage::tell_of_statements(const QString& line) { statements_->tell(line); }
 
 void RecordsPage::tell(const QString& message) {
   trouble_->setText(message);

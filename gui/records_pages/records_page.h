@@ -17,6 +17,7 @@ class AccountTab;
 class CohortTab;
 class PeopleTab;
 class ProgressTab;
+class StatementsLine;
 
 class RecordsPage : public QWidget {
   Q_OBJECT
@@ -47,8 +48,9 @@ class RecordsPage : public QWidget {
   ProgressTab* progress_;
   CohortTab* cohort_;
   PeopleTab* people_;
-  QLabel *who_, *waiting_, *trouble_, *statements_;
+  QLabel *who_, *waiting_, *trouble_;
   QPushButton* again_;
+  StatementsLine* statements_;
 };
 
 /// Over the first page: who is signed in, and the way to the records.

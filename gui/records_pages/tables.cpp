@@ -1,5 +1,6 @@
 #include "gui/records_pages/tables.h"
 
+#include <QDateTime>
 #include <QHeaderView>
 #include <QTableWidget>
 
@@ -12,6 +13,7 @@ void make_readable(QTableView* table, const QString& name) {
   table->setSelectionMode(QAbstractItemView::SingleSelection);
   table->setTabKeyNavigation(false);  // Tab goes on to the next widget
   table->verticalHeader()->hide();
+  table->horizontalHeader()->setHighlightSections(false);
   table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   table->horizontalHeader()->setStretchLastSection(true);
 }
@@ -31,6 +33,10 @@ void fill_row(QTableWidget* table, int row, const QStringList& cells) {
   }
 }
 
-QString for_people(const std::string& utc) { return QString::fromStdString(utc).left(16).replace('T', ' '); }
+QString for_people(const std::string& utc) {
+  QDateTime time = QDateTime::fromString(QString::fromStdString(utc), Qt::ISODate);
+  if (time.timeSpec() == Qt::LocalTime) time.setTimeSpec(Qt::UTC);  // no zone was written
+  return time.toLocalTime().toString("yyyy-MM-dd HH:mm");
+}
 
 }  // namespace vallecula::gui

@@ -14,7 +14,7 @@ namespace vallecula::gui {
 void make_readable(QTableView* table, const QString& name);
 QTableWidget* new_table(QWidget* parent, const QString& name, const QStringList& headings);
 void fill_row(QTableWidget* table, int row, const QStringList& cells);
-/// "2026-05-03 10:00" of "2026-05-03T10:00:00Z".
+/// By local time, as the clock on the wall: "2026-05-03 12:00" of "2026-05-03T10:00:00Z" in Berlin.
 QString for_people(const std::string& utc);
 
 }  // namespace vallecula::gui

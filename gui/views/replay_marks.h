@@ -33,7 +33,7 @@ class ReplayMarks {
   void show_path(bool on);
   void show_expert(bool on);
   int arrows_shown() const;
-  std::size_t path_points_shown() const { return path_points_; }
+  std::size_t path_points_shown() const { return path_->GetVisibility() != 0 ? path_points_ : 0; }
 
  private:
   void place_arrows();

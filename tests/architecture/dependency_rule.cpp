@@ -33,7 +33,7 @@ const char kMachineHeaders[] =
     "pthread\\.h|semaphore\\.h|sched\\.h|unistd\\.h|sys/(mman|prctl|resource|syscall|time|types)\\.h|linux/sched(/types)?\\.h|"
     "(imm|xmm|emm|pmm|smm)intrin\\.h|cpuid\\.h|cxxabi\\.h|malloc\\.h";
 const char kFileHeaders[] =
-    "fstream|filesystem|fcntl\\.h|dirent\\.h|ftw\\.h|glob\\.h|poll\\.h|spawn\\.h|pwd\\.h|libgen\\.h|"
+    "fstream|filesystem|fcntl\\.h|dirent\\.h|ftw\\.h|glob\\.h|poll\\.h|spawn\\.h|pwd\\.h|libgen\\.h|termios\\.h|"
     "sys/(file|ioctl|select|socket|stat|statvfs|un|wait)\\.h";
 
 bool matches(const std::string& text, const std::string& pattern) {

@@ -430,7 +430,8 @@ TEST_F(Course, TheShippedCourseHasFiveModulesWithASourceForEveryPassMark) {
     EXPECT_EQ(s.rubric.size(), marks) << s.id << ": a pass mark without a source";
     EXPECT_LT(s.pass.peak_tongue_force_n, 7.9) << s.id << ": no simulated device could exceed it";
     if (s.intubation) {
-      EXPECT_EQ(s.intubation->tube, s.manikin.weight_kg < 1.0 ? "2.5" : s.manikin.weight_kg < 2.0 ? "3.0" : "3.5");
+      // By weight (CLINICAL), but at 1.2 kg one less: a 3.0 does not pass the cricoid that the manikin has there.
+      EXPECT_EQ(s.intubation->tube, s.manikin.weight_kg < 1.5 ? "2.5" : s.manikin.weight_kg < 2.0 ? "3.0" : "3.5") << s.id;
       EXPECT_GE(s.max_attempt_s, *s.intubation->pass.attempts * s.pass.attempt_time_s + 30.0) << s.id;
     }
     distracted = distracted || !s.distractions.empty();

@@ -463,9 +463,8 @@ TEST_F(WindowAuthoring, OfferedBladesAndTubesAreChosenBeforeTheTrial) {
   const fs::path file = written("choice.yaml", curricula::testing::kFullCourse);
   StartPage& start = window_->start_page();
   curricula::Curriculum course = curricula::load_curriculum(file);
-  course.scenarios.erase(course.scenarios.begin());
   for (curricula::Module& module : course.modules) module.after.clear();
-  course.scenarios[0].after.clear();
+  for (curricula::Scenario& scenario : course.scenarios) scenario.after.clear();
   start.set_curricula({course});
   start.select("two", "mouse");
   auto* go = start.findChild<QPushButton*>("primary");

@@ -1,0 +1,43 @@
+#include "gui/records_pages/rating_words.h"
+
+#include <QStringList>
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "curricula/score/checklist.h"
+
+namespace vallecula::gui {
+namespace {
+
+using curricula::Rating;
+
+QString words_of(const Rating& rating) {
+  if (rating.item != curricula::kGlobalRating)
+    return words_of_item(rating.item) + (rating.value != 0.0 ? ": yes" : ": no");
+  const int step = std::clamp(static_cast<int>(std::lround(rating.value)), 1, 5);
+  // The own rating was asked for in other words, so only its number is told.
+  return rating.by == "self" ? QString("%1 of 5").arg(step)
+                             : QString("%1 of 5, %2").arg(step).arg(curricula::kGlobalRatingWords[step - 1]);
+}
+
+}  // namespace
+
+QString words_of_item(const std::string& item) {
+  QString words = QString::fromStdString(item).replace('_', ' ');
+  if (!words.isEmpty()) words[0] = words[0].toUpper();
+  return words;
+}
+
+QString words_of(const std::vector<Rating>& ratings, long long reader) {
+  QStringList own;
+  std::map<long long, QStringList> instructors;
+  for (const Rating& rating : ratings) (rating.by == "self" ? own : instructors[rating.author_id]) << words_of(rating);
+  QStringList lines;
+  if (!own.isEmpty()) lines << "The trainee's own rating: " + own.join("; ");
+  for (const auto& [author, words] : instructors)
+    lines << (author == reader ? "You as the instructor: " : "An instructor: ") + words.join("; ");
+  return lines.join('\n');
+}
+
+}  // namespace vallecula::gui
