@@ -12,7 +12,8 @@ namespace {
 
 constexpr int kTrialsAtOnce = 20;
 constexpr double kFirstPauseS = 2.0, kLongestPauseS = 600.0;
-constexpr const char* kWaiting = "id NOT IN (SELECT trial_id FROM deliveries)";
+constexpr const char* kWaiting =  // "draft": a scenario that its author only tried
+    "id NOT IN (SELECT trial_id FROM deliveries) AND curriculum_id <> 'draft'";
 
 using Statements = std::vector<XapiStatement>;
 

@@ -73,6 +73,10 @@ class AuthoringPage : public QWidget {
   void show_state();
   void fill_compare();
   bool write(const std::filesystem::path& file);
+  /// Throws std::runtime_error with the mend where `file`, among the user's own, would be a second course of its id.
+  void refuse_taken_id(const std::filesystem::path& file) const;
+  bool may_overwrite();  ///< asks, where another program wrote the file
+  void discard();        ///< what is not saved
   std::string id() const;
 
   CourseDocument document_;

@@ -99,8 +99,32 @@ std::string AuthoringPage::id() const {
   return usable ? given->value : "my-course";
 }
 
+void AuthoringPage::refuse_taken_id(const fs::path& file) const {
+  const YamlText* text = document_.yaml();
+  const auto* given = text == nullptr ? nullptr : text->find("id");
+  if (given == nullptr || file.parent_path() != own_curricula_folder()) return;
+  const fs::path other = course_with_id(given->value, file);
+  if (other.empty()) return;
+  throw std::runtime_error("It is not saved: " + other.filename().string() + " has the id '" + given->value +
+                           "' too, and the records would take the two courses for one. Give this one another id (the "
+                           "course itself on the left, then Id), and save again.");
+}
+
+bool AuthoringPage::may_overwrite() {
+  if (!document_.changed_on_disk()) return true;
+  return QMessageBox::question(this, "Changed by another program",
+                               QString::fromStdString(document_.file().filename().string()) +
+                                   " was changed by another program since it was opened here. Overwrite it?",
+                               QMessageBox::Yes | QMessageBox::No, QMessageBox::No) == QMessageBox::Yes;
+}
+
 bool AuthoringPage::write(const fs::path& file) {
   try {
+    refuse_taken_id(file);
+    if (file == document_.file() && !may_overwrite()) {
+      set_message("It is not saved. Save a copy keeps both; Open shows what the file has now.");
+      return false;
+    }
     if (file.parent_path() == own_curricula_folder()) fs::create_directories(own_curricula_folder());
     document_.save(file);
   } catch (const std::exception& error) {
@@ -138,6 +162,7 @@ bool AuthoringPage::save_copy() {
   try {
     if (is_shipped(file.toStdString()))
       throw std::runtime_error("the shipped courses' folder stays as it is; choose another one");
+    refuse_taken_id(file.toStdString());
     write_file_whole(file.toStdString(), document_.bytes());
   } catch (const std::exception& error) {
     set_message(QString::fromUtf8(error.what()));
@@ -148,6 +173,16 @@ bool AuthoringPage::save_copy() {
   return true;
 }
 
+void AuthoringPage::discard() {
+  if (document_.file().empty()) return new_course();
+  try {
+    document_.open(document_.file());
+  } catch (const std::exception& error) {
+    new_course();
+    set_message(QString::fromUtf8(error.what()));
+  }
+}
+
 bool AuthoringPage::may_leave() {
   if (!document_.modified()) return true;
   QMessageBox box(QMessageBox::Question, "Unsaved changes", "The course has changes that are not saved.",
@@ -156,7 +191,7 @@ bool AuthoringPage::may_leave() {
   const int answer = box.exec();
   if (answer == QMessageBox::Save) return save();
   if (answer == QMessageBox::Discard) {
-    while (document_.undo().canUndo() && document_.modified()) document_.undo().undo();
+    discard();
     return true;
   }
   return false;

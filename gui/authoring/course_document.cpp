@@ -118,6 +118,7 @@ void CourseDocument::load(QString text, const std::filesystem::path& file) {
 void CourseDocument::start_new(const std::string& text) {
   read_only_ = false;
   raw_.clear();
+  on_disk_.clear();
   load(QString::fromStdString(text), {});
 }
 
@@ -136,6 +137,7 @@ void CourseDocument::open(const std::filesystem::path& file) {
   const bool too_large = bytes.size() > kLargest;
   read_only_ = too_large || text.toUtf8().toStdString() != bytes || text.contains(QChar(0));
   raw_ = read_only_ ? bytes : std::string();
+  on_disk_ = bytes;
   if (too_large) text.truncate(kShownOfTooLarge);
   text.replace(QChar(0), QChar(0xfffd));
   load(text, file);
@@ -143,9 +145,16 @@ void CourseDocument::open(const std::filesystem::path& file) {
 
 void CourseDocument::save(const std::filesystem::path& file) {
   if (read_only_) throw std::runtime_error("this file can only be looked at: it is no text that could be saved again");
-  write_file_whole(file, bytes());
+  const std::string saved = bytes();
+  write_file_whole(file, saved);
+  on_disk_ = saved;
   file_ = file;
   undo_.setClean();
+}
+
+bool CourseDocument::changed_on_disk() const {
+  std::error_code none;
+  return !file_.empty() && std::filesystem::exists(file_, none) && read_file(file_) != on_disk_;
 }
 
 void CourseDocument::check() {
@@ -160,12 +169,13 @@ void CourseDocument::check() {
       this, [text] { return curricula::problems_of(text); },
       [this](std::vector<curricula::Problem> problems) {
         checking_ = false;
+        if (stale_) return check();  // these are of another text
         problems_ = std::move(problems);
-        if (stale_) check();
         emit problems_changed();
       },
       [this](const QString& message) {
         checking_ = false;
+        if (stale_) return check();
         problems_ = {{0, "", "", "", message.toStdString()}};
         emit problems_changed();
       });

@@ -44,6 +44,8 @@ class CourseDocument : public QObject {
   void open(const std::filesystem::path& file);
   /// Written aside and renamed. Throws std::runtime_error; the document stays as it is.
   void save(const std::filesystem::path& file);
+  /// file() was written by another program since it was opened or saved here. Throws std::runtime_error: it cannot be read.
+  bool changed_on_disk() const;
   const std::filesystem::path& file() const { return file_; }  ///< empty: never saved
   bool modified() const { return !undo_.isClean(); }
   bool read_only() const { return read_only_; }
@@ -66,6 +68,7 @@ class CourseDocument : public QObject {
   QUndoStack undo_;
   QString merging_;
   std::filesystem::path file_;
+  std::string on_disk_;  ///< of file_, as it was read or written here
   bool crlf_ = false, marked_ = false, read_only_ = false;
   std::string raw_;  ///< of a file that is no UTF-8 text, or the first of one too large: what is wrong is told from it
   mutable std::unique_ptr<curricula::YamlText> yaml_;

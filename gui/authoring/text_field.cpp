@@ -86,6 +86,7 @@ void TextField::show_value(const curricula::YamlNode* value) {
   } else {
     texts.emplace_back("en", value == nullptr ? QString() : QString::fromStdString(value->value));
   }
+  if (texts.empty()) texts.emplace_back("en", QString());  // a group with nothing in it
   ends_with_newline_ = texts[0].second.endsWith('\n');
   for (auto& [code, text] : texts)
     if (text.endsWith('\n')) text.chop(1);
@@ -105,7 +106,7 @@ void TextField::show_value(const curricula::YamlNode* value) {
 void TextField::show_language(int tab) {
   if (tab < 0 || tab >= static_cast<int>(texts_.size())) return;
   const auto& [code, text] = texts_[static_cast<std::size_t>(tab)];
-  remove_->setVisible(code != "en");
+  remove_->setVisible(code != "en" && texts_.size() > 1);
   if (editor_->toPlainText() != text) {
     const QSignalBlocker quiet(editor_);
     editor_->setPlainText(text);
@@ -137,7 +138,7 @@ void TextField::add_language() {
 
 void TextField::remove_language() {
   const int tab = languages_->currentIndex();
-  if (tab < 0 || texts_[static_cast<std::size_t>(tab)].first == "en") return;
+  if (tab < 0 || texts_.size() < 2 || texts_[static_cast<std::size_t>(tab)].first == "en") return;
   texts_.erase(texts_.begin() + tab);
   {
     const QSignalBlocker quiet(languages_);

@@ -10,6 +10,7 @@
 #include "curricula/export/delivery.h"
 #include "curricula/export/tick_table.h"
 #include "curricula/export/trial_table.h"
+#include "curricula/records/recovery.h"
 #include "gui/commands/commands.h"
 #include "gui/commands/headless_application.h"
 #include "gui/commands/interruption.h"
@@ -47,14 +48,18 @@ std::vector<curricula::ExportTrial> trials(curricula::Records& records, const cu
   filter.names = options.names;
   std::vector<curricula::ExportTrial> found = curricula::trials_to_export(records, who, filter);
   if (options.trial.empty()) return found;
-  const fs::path log = log_of(options.trial);
+  // By what is in the log: its folder may have been moved, and on another station the same path is another trial.
+  const std::string sha256 = curricula::log_sha256(log_of(options.trial));
+  const std::string station = records_location().station;
   found.erase(std::remove_if(found.begin(), found.end(),
-                             [&log](const curricula::ExportTrial& one) { return one.row.trial_path != log.string(); }),
+                             [&](const curricula::ExportTrial& one) {
+                               return sha256.empty() || one.row.log_sha256 != sha256 || one.row.station != station;
+                             }),
               found.end());
   if (found.empty())
     throw std::runtime_error(options.trial + ": these records have no trial of yours there; sign in (--sign-in) as whose "
                              "it is or as an instructor, or check the folder");
-  return {found.back()};  // an earlier trial in the same folder was replaced
+  return {found.back()};  // scripts may do the same trial twice, to the byte
 }
 
 void hand_out(const std::string& bytes, const std::string& out) {

@@ -92,7 +92,10 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
   connect(who_, &WhoStrip::records_wanted, this, [this] { pages_->setCurrentWidget(records_); });
   connect(records_, &RecordsPage::left, this, &MainWindow::back_to_start);
   connect(records_, &RecordsPage::trial_wanted, this, &MainWindow::show_trial);
-  connect(&records_->desk(), &RecordsDesk::changed, this, &MainWindow::read_past);
+  connect(&records_->desk(), &RecordsDesk::changed, this, [this] {
+    start_->set_past({}, records_->desk().instructor());  // of the one before nothing is seen while the records are asked
+    read_past();
+  });
   connect(start_, &StartPage::courses_wanted, this, [this] { write_course(); });
   connect(authoring_, &AuthoringPage::left, this, &MainWindow::back_to_start);
   connect(authoring_, &AuthoringPage::try_wanted, this, &MainWindow::try_scenario);
@@ -251,13 +254,15 @@ void MainWindow::prepare_choice(const Choice& choice, std::uint32_t seed) {
   setup.scenario = choice.scenario.id;
   setup.device = choice.device.toStdString();
   setup.second = choice.second.toStdString();
-  setup.trainee_id = records_->desk().person().id;
+  setup.trainee_id = trying_ ? 0 : records_->desk().person().id;
   setup.mode = choice.mode;
   setup.taken = choice.taken;
-  const auto kept = user_settings();
-  if (!trying_) kept->setValue("scenario", QString::fromStdString(choice.scenario.id));
-  kept->setValue("device", choice.device);
-  kept->setValue("patient", QString::fromStdString(choice.patient.string()));
+  if (!trying_) {
+    const auto kept = user_settings();
+    kept->setValue("scenario", QString::fromStdString(choice.scenario.id));
+    kept->setValue("device", choice.device);
+    kept->setValue("patient", QString::fromStdString(choice.patient.string()));
+  }
   again_ = [this, choice] { prepare_choice(choice); };
   const std::string moment = QDateTime::currentDateTime().toString("yyyyMMdd-HHmmss").toStdString();
   setup.out = user_data_folder() / "trials" / (moment + "-" + choice.scenario.id);
@@ -347,9 +352,9 @@ void MainWindow::replay(const std::filesystem::path& trial, double at_s, const s
   };
   worker_ = run_in_background<std::shared_ptr<ReplayTrial>>(
       this,
-      [this, trial, patient] {
-        return open_replay(trial, patient,
-                           [this](const std::string& stage, double done) { report_progress(stage, done); });
+      [this, trial, patient, instructor = records_->desk().instructor()] {
+        return open_replay(
+            trial, patient, [this](const std::string& stage, double done) { report_progress(stage, done); }, instructor);
       },
       [this, at_s, failed](std::shared_ptr<ReplayTrial> opened) {
         pages_->setCurrentWidget(replay_);
@@ -414,7 +419,9 @@ void MainWindow::read_past() {
   records_->desk().ask<PastResults>(
       this,
       [who](curricula::Records& records) { return curricula::Progress(records).results(who, who ? who->id() : 0); },
-      [this](PastResults past) { start_->set_past(std::move(past), records_->desk().instructor()); },
+      [this, person = records_->desk().person().id](PastResults past) {
+        if (person == records_->desk().person().id) start_->set_past(std::move(past), records_->desk().instructor());
+      },
       [this](const QString& message) { start_->set_message(message); });
 }
 
@@ -455,6 +462,15 @@ QString MainWindow::page_name() const {
 
 void MainWindow::closeEvent(QCloseEvent* event) {
   if (!authoring_->may_leave()) {
+    event->ignore();
+    return;
+  }
+  if (trial_->assessing()) {  // it counts as ended by the End button does, and is rated before the window goes
+    trial_->end("ended by trainee");
+    event->ignore();
+    return;
+  }
+  if (pages_->currentWidget() == rating_ && !rating_->may_close()) {
     event->ignore();
     return;
   }

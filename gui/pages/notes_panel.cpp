@@ -40,6 +40,7 @@ NotesPanel::NotesPanel(QWidget* parent) : QWidget(parent) {
   connect(list_, &TimedList::wanted, this, &NotesPanel::wanted);
   connect(add_, &QPushButton::clicked, this, &NotesPanel::add);
   connect(text_, &QLineEdit::returnPressed, this, &NotesPanel::add);
+  connect(text_, &QLineEdit::textChanged, this, [this] { show_time(now_s_); });
   connect(remove_, &QPushButton::clicked, this, &NotesPanel::remove);
   allow(false);
 }
@@ -67,6 +68,8 @@ void NotesPanel::set_who(const curricula::Who& who) {
 }
 
 void NotesPanel::show_time(double at_s) {
+  now_s_ = at_s;
+  if (!text_->text().isEmpty()) return;  // a note that was begun stays where it was begun
   at_s_ = at_s;
   text_->setPlaceholderText("Note at " + clock_text(at_s));
 }

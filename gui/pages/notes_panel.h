@@ -51,7 +51,7 @@ class NotesPanel : public QWidget {
   curricula::Who who_;
   std::filesystem::path log_file_;
   QPointer<QThread> working_;
-  double at_s_ = 0.0;
+  double at_s_ = 0.0, now_s_ = 0.0;  ///< of the note, of the replay
   int opened_ = 0;
 };
 

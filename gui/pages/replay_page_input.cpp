@@ -70,6 +70,7 @@ void ReplayPage::keyPressEvent(QKeyEvent* event) {
       if (half_->isEnabled()) half_->toggle();
       return;
     case Qt::Key_N:
+      play(false);
       lists_->setCurrentWidget(notes_);
       return notes_->write();
     case Qt::Key_S:

@@ -76,7 +76,11 @@ SelfRatingPage::SelfRatingPage(QWidget* parent) : QWidget(parent) {
   done_ = new QPushButton("Show the score", this);
   done_->setObjectName("primary");
   done_->setToolTip("Enter");
-  connect(done_, &QPushButton::clicked, this, [this] { emit rated(answer()); });
+  connect(done_, &QPushButton::clicked, this, [this] {
+    keeping_ = true;
+    show_button();
+    emit rated(answer());
+  });
   auto* all = new QVBoxLayout(this);
   all->setContentsMargins(120, 40, 120, 40);
   all->setSpacing(12);
@@ -97,15 +101,27 @@ void SelfRatingPage::ask(const curricula::Scenario& scenario) {
     for (auto* button : group->buttons()) button->setChecked(false);
     group->setExclusive(true);
   }
+  asked_to_stay_ = false;
   set_message("");
-  show_button();
   setFocus();
 }
 
-void SelfRatingPage::set_message(const QString& message) { message_->setText(message); }
+void SelfRatingPage::set_message(const QString& message) {
+  message_->setText(message);
+  keeping_ = false;
+  show_button();
+}
+
+bool SelfRatingPage::may_close() {
+  if (keeping_ || asked_to_stay_) return !keeping_;
+  asked_to_stay_ = true;
+  set_message("The trial is over and counts. Your own rating is still missing: give it now. After closing the window once more, "
+              "Records asks whose trial it is for it before anything of the trial is shown.");
+  return false;
+}
 
 void SelfRatingPage::show_button() {
-  done_->setEnabled(global_->checkedId() > 0 && (!with_tube_ || (place_->checkedId() > 0 && sure_->checkedId() > 0)));
+  done_->setEnabled(!keeping_ && global_->checkedId() > 0 && (!with_tube_ || (place_->checkedId() > 0 && sure_->checkedId() > 0)));
 }
 
 SelfRating SelfRatingPage::answer() const {

@@ -20,6 +20,8 @@ class SelfRatingPage : public QWidget {
   void ask(const curricula::Scenario& scenario);
   /// Why the answer could not be kept; the person may try again.
   void set_message(const QString& message);
+  /// Once it asks the person to stay and rate; never while an answer is on its way into the records.
+  bool may_close();
 
  signals:
   void rated(const vallecula::gui::SelfRating& rating);
@@ -36,6 +38,8 @@ class SelfRatingPage : public QWidget {
   QWidget* of_tube_;
   QPushButton* done_;
   bool with_tube_ = false;
+  bool keeping_ = false;  ///< an answer was given, and is not kept yet
+  bool asked_to_stay_ = false;
 };
 
 }  // namespace vallecula::gui

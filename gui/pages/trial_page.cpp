@@ -92,7 +92,13 @@ TrialPage::TrialPage(QWidget* parent) : QWidget(parent) {
   show_buttons();
 }
 
-TrialPage::~TrialPage() = default;
+TrialPage::~TrialPage() {
+  if (scoring_) scoring_->wait();  // its results are whole then
+}
+
+bool TrialPage::assessed() const {
+  return session_ && session_->scenario().attempt.mode == curricula::Mode::assessment;
+}
 
 QWidget* TrialPage::make_foot() {
   auto* foot = new QWidget(this);
@@ -217,7 +223,7 @@ void TrialPage::start() {
 }
 
 void TrialPage::reset() {
-  if (!session_ || ending_) return;
+  if (!session_ || ending_ || assessed()) return;
   try {
     session_->reset([this] {  // the hands begin anew as well, once the old attempt is no longer recorded
       const auto place = [](device::HapticDevice* device, const device::Keyframe& begin) {
@@ -257,7 +263,7 @@ void TrialPage::end(const QString& how) {
   side_->distractions().serve(nullptr, false);
   show_banner("Scoring the trial ...", "");
   show_buttons();
-  run_in_background<TrialOutcome>(
+  scoring_ = run_in_background<TrialOutcome>(
       this, [session = session_, how] { return session->finish(how.toStdString()); },
       [this](TrialOutcome outcome) {
         ending_ = false;
@@ -351,7 +357,9 @@ void TrialPage::show_buttons() {
   start_->setEnabled(session_ != nullptr && !running_ && !ending_);
   end_->setEnabled(running_);
   reset_->setEnabled(running_);
-  leave_->setEnabled(!ending_);
+  // What was begun as an assessment counts: it is neither begun anew nor thrown away.
+  reset_->setVisible(!assessed());
+  leave_->setEnabled(!ending_ && !(running_ && assessed()));
   using Zoom = OperatorView::Zoom;
   zoom_->setText(operator_view_->zoom() == Zoom::automatic ? "View: auto"
                  : operator_view_->zoom() == Zoom::face    ? "View: face"

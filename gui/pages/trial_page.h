@@ -2,6 +2,8 @@
 #pragma once
 
 #include <QElapsedTimer>
+#include <QPointer>
+#include <QThread>
 #include <QTimer>
 #include <QWidget>
 #include <functional>
@@ -38,6 +40,8 @@ class TrialPage : public QWidget {
   /// Lets the session go without a result (its log stays as interrupted when it was running).
   void close_trial();
   bool running() const { return running_; }
+  /// An assessment is under way or being scored: it cannot be left without its result.
+  bool assessing() const { return assessed() && (running_ || ending_); }
 
   /// Of the open session. Throws std::logic_error when none is.
   const curricula::Scenario& scenario() const;
@@ -62,6 +66,7 @@ class TrialPage : public QWidget {
   void showEvent(QShowEvent* event) override;
 
  private:
+  bool assessed() const;
   void frame();
   void show_buttons();
   void show_help();
@@ -88,6 +93,7 @@ class TrialPage : public QWidget {
   QPushButton *start_, *end_, *reset_, *leave_, *zoom_;
   QTimer timer_;
   QElapsedTimer since_frame_, since_start_, since_shown_;
+  QPointer<QThread> scoring_;
   std::function<void(const engine::Snapshot&)> frame_hook_;
   Tool shown_in_hand_ = Tool::blade;
   bool running_ = false, ending_ = false;

@@ -1,6 +1,7 @@
 #include "gui/session/curricula_files.h"
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "gui/session/user_paths.h"
 
@@ -52,10 +53,25 @@ fs::path free_own_file(const std::string& id) {
   return file;
 }
 
+fs::path course_with_id(const std::string& id, const fs::path& except) {
+  std::error_code none;
+  for (const fs::path& file : curriculum_files()) try {
+      if (!fs::equivalent(file, except, none) && curricula::load_curriculum(file).id == id) return file;
+    } catch (const std::exception&) {
+      continue;  // one that cannot be read is offered to nobody
+    }
+  return {};
+}
+
 FoundCurricula find_curricula() {
   FoundCurricula found;
   for (const fs::path& file : curriculum_files()) try {
-      found.curricula.push_back(curricula::load_curriculum(file));
+      curricula::Curriculum read = curricula::load_curriculum(file);
+      for (const curricula::Curriculum& other : found.curricula)
+        if (other.id == read.id)
+          throw std::runtime_error(file.string() + ": has the id '" + read.id + "' of " + other.file.filename().string() +
+                                   ", and the records would take the two for one; give it another id");
+      found.curricula.push_back(std::move(read));
     } catch (const std::exception& error) {
       if (found.curricula.empty()) throw;        // the default one
       found.refused.emplace_back(error.what());  // one that is being written must not keep the others away

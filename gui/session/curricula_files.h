@@ -19,6 +19,9 @@ std::vector<std::filesystem::path> curriculum_files();
 /// A file of the user's own that is not there yet: ID.yaml, ID-2.yaml, ...
 std::filesystem::path free_own_file(const std::string& id);
 
+/// Another file than `except`, of those, whose course has this id; empty: none.
+std::filesystem::path course_with_id(const std::string& id, const std::filesystem::path& except);
+
 struct FoundCurricula {
   std::vector<curricula::Curriculum> curricula;
   std::vector<std::string> refused;  ///< what is wrong with the others, one line each

@@ -17,6 +17,7 @@ void DualTask::begin(bool scripted) {
   states_.assign(distractions_.size(), State::to_come);
   shown_s_.assign(distractions_.size(), 0.0);
   asked_for_.clear();
+  last_shown_ = 0;
   now_s_ = 0.0;
   scripted_ = scripted;
 }
@@ -42,7 +43,14 @@ void DualTask::ask(const LogEvent& event) {
   asked_for_.push_back(event);
 }
 
+void DualTask::ask_of_nothing(LogEvent event) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  event.distraction = last_shown_;
+  if (last_shown_ != 0) asked_for_.push_back(event);
+}
+
 void DualTask::answer(int distraction, int answer) {
+  if (distraction == 0) return ask_of_nothing({0, LogEvent::Kind::answered, 0, answer});
   if (distraction < 1 || distraction > static_cast<int>(distractions_.size())) return;
   if (at(distraction).kind != Distraction::Kind::question) return;
   if (answer < 1 || answer > static_cast<int>(at(distraction).answers.size())) return;
@@ -50,6 +58,7 @@ void DualTask::answer(int distraction, int answer) {
 }
 
 void DualTask::silence(int distraction) {
+  if (distraction == 0) return ask_of_nothing({0, LogEvent::Kind::silenced, 0, 0});
   if (distraction < 1 || distraction > static_cast<int>(distractions_.size())) return;
   if (at(distraction).kind != Distraction::Kind::alarm) return;
   ask({0, LogEvent::Kind::silenced, distraction, 0});
@@ -69,6 +78,7 @@ std::vector<LogEvent> DualTask::advance(std::int64_t tick, double trial_s) {
     if (states_[i] == State::to_come && trial_s >= it.at_s) {
       states_[i] = State::open;
       shown_s_[i] = trial_s;
+      last_shown_ = number;
       events.push_back({tick, LogEvent::Kind::shown, number, 0});
     }
     if (states_[i] != State::open) continue;

@@ -35,7 +35,8 @@ class DualTask {
     double left_s = 0.0, of_s = 0.0;  ///< trial time until it closes by itself, of how much in all
   };
   std::vector<Open> open() const;  ///< the longest open first
-  /// What is not open, or cannot be answered or silenced so, is let pass.
+  /// What is over, or cannot be answered or silenced so, is let pass. 0: nothing of the kind was open; that is logged, as
+  /// of the distraction shown last (none yet: let pass), and counts as false.
   void answer(int distraction, int answer);
   void silence(int distraction);
 
@@ -52,12 +53,14 @@ class DualTask {
   }
   double open_for_s(int distraction) const;
   void ask(const curricula::LogEvent& event);
+  void ask_of_nothing(curricula::LogEvent event);
 
   const std::vector<curricula::Distraction> distractions_;
   mutable std::mutex mutex_;
   std::vector<State> states_;
   std::vector<double> shown_s_;  ///< trial time
   std::vector<curricula::LogEvent> asked_for_;
+  int last_shown_ = 0;  ///< 0: none yet
   double now_s_ = 0.0;
   bool scripted_ = false;
 };

@@ -65,14 +65,14 @@ const curricula::LogTick& ReplayTrial::tick_at(double time_s) const {
   return log->ticks[static_cast<std::size_t>(std::clamp(index, 0.0, static_cast<double>(log->ticks.size() - 1)))];
 }
 
-std::string replay_refusal(const curricula::Scenario& scenario) {
-  return curricula::rules_of(scenario.attempt.mode).replay
+std::string replay_refusal(const curricula::Scenario& scenario, bool instructor) {
+  return instructor || curricula::rules_of(scenario.attempt.mode).replay
              ? std::string()
              : "This trial was an assessment: it is not replayed, so that nobody practises on what is assessed.";
 }
 
 std::shared_ptr<ReplayTrial> open_replay(const std::filesystem::path& trial, const std::filesystem::path& patient,
-                                         const std::function<void(const std::string&, double)>& progress) {
+                                         const std::function<void(const std::string&, double)>& progress, bool instructor) {
   progress("Reading the trial", 0.0);
   auto opened = std::make_shared<ReplayTrial>();
   opened->log_file = std::filesystem::is_directory(trial) ? trial / "trial.vtrial" : trial;
@@ -80,7 +80,7 @@ std::shared_ptr<ReplayTrial> open_replay(const std::filesystem::path& trial, con
   if (opened->log->ticks.empty())
     throw std::runtime_error(trial.string() + ": this log has no tick, so there is nothing to replay");
   opened->scenario = curricula::parse_scenario(opened->log->header.scenario_yaml, trial.string());
-  const std::string refusal = replay_refusal(opened->scenario);
+  const std::string refusal = replay_refusal(opened->scenario, instructor);
   if (!refusal.empty()) throw std::runtime_error(trial.string() + ": " + refusal);
   progress("Looking for the patient", 0.2);
   RecordedScene scene = recorded_scene(*opened->log, trial, patient);

@@ -49,12 +49,13 @@ struct ReplayTrial {
   static double load_n(const curricula::LogTick& tick, curricula::LoadedStructure structure);
 };
 
-/// Why this trial is not replayed in the window, for a person; empty: it is.
-std::string replay_refusal(const curricula::Scenario& scenario);
+/// Why this trial is not replayed in the window, for a person (an instructor may see any); empty: it is.
+std::string replay_refusal(const curricula::Scenario& scenario, bool instructor = false);
 
 /// Everything a replay needs, and the film begun. `patient`: where the package is now, if it was moved. `progress` may
 /// throw to leave. Throws std::runtime_error with one message: the package is missing or another, the log is damaged.
 std::shared_ptr<ReplayTrial> open_replay(const std::filesystem::path& trial, const std::filesystem::path& patient,
-                                         const std::function<void(const std::string&, double)>& progress);
+                                         const std::function<void(const std::string&, double)>& progress,
+                                         bool instructor = false);
 
 }  // namespace vallecula::gui

@@ -10,6 +10,8 @@
 namespace vallecula::gui {
 namespace {
 
+constexpr double kPatienceS = 1.0;  ///< the window's end waits for it
+
 QString trials(int count) { return count == 1 ? QStringLiteral("1 trial") : QString("%1 trials").arg(count); }
 
 }  // namespace
@@ -51,7 +53,10 @@ double StatementDelivery::send_once(int failures) {
   try {
     const auto chosen = chosen_lrs();
     if (!chosen) return 0.0;
-    curricula::Records records(records_location());
+    curricula::RecordsLocation location = records_location();
+    location.patience_s = kPatienceS;
+    curricula::Records records(location);
+    if (stop_) return 0.0;
     const curricula::Delivery delivery = curricula::send_waiting(
         records, chosen->lrs, curricula::xapi_source(records, chosen->home_page), &stop_);
     if (stop_) return 0.0;

@@ -10,8 +10,9 @@
 namespace vallecula::gui {
 
 /// On a thread of its own: sends what waits when it is made and when it is woken; what could not be sent then is tried
-/// again, after longer and longer pauses. Without an address in the settings it does nothing. Ends within a moment, in
-/// the middle of sending too: what has not been acknowledged is sent the next time.
+/// again, after longer and longer pauses. Without an address in the settings it does nothing. Its end
+/// waits for a question to the records, a second or two where they do not answer, and breaks off what is being sent: what
+/// has not been acknowledged is sent the next time.
 class StatementDelivery : public QObject {
   Q_OBJECT
 

@@ -52,6 +52,11 @@ curricula::Scenario scenario_of(const TrialSetup& setup, const curricula::Scenar
   return curricula::attempt_of(written, setup.mode, setup.attempt_seed, setup.taken);
 }
 
+bool is_of_person(const device::HapticDevice& device) {
+  const std::string kind = device.info().kind;
+  return kind != "scripted" && kind != "recorded";
+}
+
 }  // namespace
 
 struct TrialSession::Impl {
@@ -66,11 +71,14 @@ struct TrialSession::Impl {
   void record_in_real_time();
   void run_at_full_speed();
   void discard_log();
+  void close_log(const curricula::LogFooter& footer);
+  [[noreturn]] void fail();
   void keep_log_of_reset();
   long long add_record(const curricula::TrialLog& log, const curricula::Score& score, const fs::path& file);
   curricula::LogHeader header() const;
   curricula::LogFooter footer(bool complete, const std::string& how) const;
   bool by_person() const;
+  long long trainee() const;
   TrialOutcome finish(const std::string& how);
 
   TrialSetup setup;
@@ -129,8 +137,9 @@ TrialSession::Impl::~Impl() {
     discard_log();
     return;
   }
+  if (failure) return;  // what could be written stays, as in fail()
   try {
-    writer->close(footer(false, "interrupted"));
+    close_log(footer(false, "interrupted"));
     keep_fault(results.fault_csv());
   } catch (const std::exception&) {
     // Nothing can be said from here; what was written whole is recovered from the .part file.
@@ -145,9 +154,12 @@ std::string TrialSession::Impl::keep_fault(const fs::path& file) const {
   return fault_sentence(ticks, file.filename().string());
 }
 
-bool TrialSession::Impl::by_person() const {
-  const std::string kind = hands->device().info().kind;
-  return kind != "scripted" && kind != "recorded";
+bool TrialSession::Impl::by_person() const { return is_of_person(hands->device()); }
+
+/// What scripts and records do, with one hand or both, is nobody's trial.
+long long TrialSession::Impl::trainee() const {
+  device::HapticDevice* second = hands->second_device();
+  return by_person() && (second == nullptr || is_of_person(*second)) ? setup.trainee_id : 0;
 }
 
 void TrialSession::Impl::make_runner() {
@@ -183,10 +195,11 @@ curricula::LogFooter TrialSession::Impl::footer(bool complete, const std::string
 
 void TrialSession::Impl::start() {
   if (worker.joinable() || writer) throw std::logic_error("this trial has been started already");
-  results.remove_older_trial();
+  // First, since it holds the folder: what another trial is about to leave there is not taken for an older one's.
   writer = std::make_unique<curricula::TrialLogWriter>(results.log(), header());
+  results.remove_older_trial();
   if (!tool_ply.empty()) write_file_whole(results.tool(), tool_ply);
-  record_row.begin({"", "", curriculum.id, scenario.id, hands->kind(), results.log(), setup.trainee_id,
+  record_row.begin({"", "", curriculum.id, scenario.id, hands->kind(), results.log(), trainee(),
                     curriculum.module_of(scenario.id)->id});
   recorded = 0;
   ended_by.clear();
@@ -269,6 +282,19 @@ void TrialSession::Impl::discard_log() {
   if (!tool_ply.empty()) fs::remove(results.tool(), ignored);
 }
 
+/// A log that cannot be closed is left as it is on the disk.
+void TrialSession::Impl::close_log(const curricula::LogFooter& footer) {
+  const auto closing = std::move(writer);
+  closing->close(footer);
+}
+
+/// What was written whole before the failure stays on the disk; tidy_records keeps it when a program starts next.
+void TrialSession::Impl::fail() {
+  if (recorded == 0) discard_log();
+  writer.reset();
+  std::rethrow_exception(failure);
+}
+
 long long TrialSession::Impl::add_record(const curricula::TrialLog& log, const curricula::Score& score,
                                          const fs::path& file) {
   // A record must still find its trial when the folder has been put in place.
@@ -278,16 +304,12 @@ long long TrialSession::Impl::add_record(const curricula::TrialLog& log, const c
 
 // A reset begins anew; it does not undo what was done: the attempt stays, scored, beside the next one.
 void TrialSession::Impl::keep_log_of_reset() {
-  if (writer && failure) {  // what could be written is left, and the cause is told
-    writer.reset();
-    std::rethrow_exception(failure);
-  }
+  if (writer && failure) fail();
   if (!writer || recorded == 0) {
     discard_log();
     return;
   }
-  writer->close(footer(true, "reset"));
-  writer.reset();
+  close_log(footer(true, "reset"));
   fs::path kept;
   for (int n = 1; kept.empty() || fs::exists(kept); ++n)
     kept = results.folder() / ("before-reset-" + std::to_string(n) + ".vtrial");
@@ -303,16 +325,12 @@ void TrialSession::Impl::keep_log_of_reset() {
 TrialOutcome TrialSession::Impl::finish(const std::string& how) {
   if (!writer) throw std::logic_error("this trial was not started, or is finished already");
   stop();
-  if (failure) {
-    discard_log();
-    std::rethrow_exception(failure);
-  }
+  if (failure) fail();
   if (recorded == 0) {
     discard_log();
     throw std::runtime_error("the trial ended before its first tick; nothing was recorded");
   }
-  writer->close(footer(true, how));
-  writer.reset();
+  close_log(footer(true, how));
 
   // Scored from the file, so that `vallecula score` can only say the same.
   const curricula::TrialLog log = curricula::read_trial_log(results.log());

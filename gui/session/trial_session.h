@@ -37,7 +37,7 @@ struct TrialSetup {
   /// A device of the caller's own, made anew where a script would be; empty: by the name above.
   std::function<std::unique_ptr<device::HapticDevice>()> own_device, own_second_device;
   bool realtime = true;             ///< false: as fast as it goes, servo and simulation in lockstep on one thread
-  long long trainee_id = 0;         ///< whose trial it is, by the records; 0: nobody's
+  long long trainee_id = 0;         ///< whose trial it is, by the records; 0, or a hand of a script or record: nobody's
   std::filesystem::path final_out;  ///< where the caller will move `out` to once all is whole; empty: it stays
 };
 
@@ -51,7 +51,7 @@ struct TrialOutcome {
 };
 
 /// Life: construct (loads and builds; may take a second) -> start -> poll latest()/finished -> finish. finish() is
-/// called once; the destructor stops the threads of a trial that was not finished and keeps its log as interrupted.
+/// called once, and where it throws, the ticks written until then stay, to be kept when a program starts next; the destructor stops the threads of a trial that was not finished and keeps its log as interrupted.
 class TrialSession {
  public:
   explicit TrialSession(const TrialSetup& setup);  ///< throws std::runtime_error with one clear message

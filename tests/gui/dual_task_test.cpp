@@ -69,7 +69,6 @@ TEST(DualTask, TheFirstAnswerCountsAndOnlyWhatFits) {
   task.answer(1, 2);  // not asked yet
   EXPECT_TRUE(task.advance(10, 0.01).empty());
   task.advance(3000, 3.0);
-  task.answer(0, 1);
   task.answer(4, 1);
   task.answer(1, 4);
   task.answer(2, 1);
@@ -89,6 +88,27 @@ TEST(DualTask, TheFirstAnswerCountsAndOnlyWhatFits) {
   EXPECT_EQ(events[1].kind, Kind::silenced);
   task.begin(false);
   EXPECT_TRUE(task.open().empty());
+  EXPECT_EQ(task.advance(1000, 1.0).size(), 1u) << "anew";
+}
+
+TEST(DualTask, AnAnswerToNothingOpenIsOfTheLastThatWasShown) {
+  DualTask task(three());
+  task.answer(0, 1);
+  task.silence(0);
+  EXPECT_TRUE(task.advance(10, 0.01).empty()) << "nothing was shown yet";
+  task.advance(1000, 1.0);
+  task.silence(0);
+  task.answer(0, 9);
+  const auto events = task.advance(1100, 1.1);
+  ASSERT_EQ(events.size(), 2u);
+  EXPECT_EQ(events[0].kind, Kind::silenced);
+  EXPECT_EQ(events[0].distraction, 1);
+  EXPECT_EQ(events[0].tick, 1100);
+  EXPECT_EQ(events[1].kind, Kind::answered);
+  EXPECT_EQ(events[1].answer, 9);
+  EXPECT_EQ(open_of(task), std::vector<int>{1}) << "the question waits for its answer as before";
+  task.silence(0);
+  task.begin(false);
   EXPECT_EQ(task.advance(1000, 1.0).size(), 1u) << "anew";
 }
 

@@ -93,6 +93,11 @@ TEST_F(RecordsCommand, HandsOutTablesAndStatementsOfATrial) {
   const QJsonArray statements = QJsonDocument::fromJson(QByteArray::fromStdString(xapi.out)).array();
   ASSERT_EQ(statements.size(), static_cast<int>(kStatementsOfATrial));
   EXPECT_EQ(xapi.out, exported({"--format", "xapi"}).out);
+  fs::rename(box_ / "one", box_ / "moved");
+  EXPECT_EQ(exported({"--format", "xapi", "--trial", (box_ / "moved").string()}).out, xapi.out) << "it is the same trial";
+  do_trial("two");  // the same to the byte, but another trial of the records
+  write_text(box_ / "moved" / "trial.vtrial", "another");
+  expect_refused(exported({"--format", "xapi", "--trial", (box_ / "moved").string()}), 1, "have no trial of yours there");
   const QJsonObject result = statements[2].toObject()["result"].toObject();
   EXPECT_TRUE(result["score"].toObject()["raw"].isDouble()) << xapi.out;
   EXPECT_EQ(records({"columns"}).out.rfind("| column |", 0), 0u);

@@ -186,6 +186,7 @@ TEST(ReplayRefusal, IsOfAssessmentsAlone) {
   EXPECT_EQ(replay_refusal(scenario), "");
   scenario.attempt.mode = curricula::Mode::assessment;
   EXPECT_NE(replay_refusal(scenario).find("assessment"), std::string::npos);
+  EXPECT_EQ(replay_refusal(scenario, true), "") << "to an instructor";
 }
 
 /// Ten seconds in which nothing happens, to write events into.

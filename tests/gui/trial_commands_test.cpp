@@ -5,6 +5,7 @@
 #include <QCoreApplication>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <functional>
@@ -285,13 +286,30 @@ TEST_F(TrialCommands, WhereNothingCanBeWrittenTheTrialSaysSoAndLeavesNothing) {
   EXPECT_EQ(text_of(box_ / "file"), "in the way");
 }
 
-TEST_F(TrialCommands, OnAFullDiskTheTrialSaysSoAndLeavesNothing) {
+TEST_F(TrialCommands, OnAFullDiskTheTrialSaysSoAndKeepsWhatWasWrittenWhole) {
   // The database of records (some 30 kB) still fits; the log (a megabyte) does not.
   const Outcome outcome = box_.run_on_full_disk(trial_arguments("out"), 200000);
   EXPECT_EQ(outcome.exit_code, 1);
   ASSERT_EQ(outcome.messages().size(), 1u) << outcome.err;
   EXPECT_NE(outcome.err.find("trial.vtrial"), std::string::npos) << outcome.err;
-  EXPECT_FALSE(fs::exists(box_ / "out")) << "it was made for this trial and is empty";
+  EXPECT_EQ(box_.names("out"), std::vector<std::string>{"trial.vtrial.part"});
+  const std::string part = text_of(box_ / "out" / "trial.vtrial.part");
+  EXPECT_GT(part.size(), 100000u);
+
+  const Outcome next = box_.run(trial_arguments("next"));
+  EXPECT_EQ(next.exit_code, 0) << next.err;
+  EXPECT_NE(next.err.find("kept as interrupted"), std::string::npos) << next.err;
+  const curricula::TrialLog log = curricula::read_trial_log(box_ / "out");
+  EXPECT_FALSE(log.footer.complete);
+  EXPECT_GT(log.ticks.size(), 100u);
+  const std::string kept = text_of(box_ / "out" / "trial.vtrial");
+  std::size_t same = 0;
+  while (same < std::min(kept.size(), part.size()) && kept[same] == part[same]) ++same;
+  EXPECT_EQ(log.ticks.size() % 256, 0u) << "whole blocks";
+  EXPECT_LT(part.size() - same, 256 * same / log.ticks.size()) << "less than a block is lost";
+  const auto rows = curricula::Records(box_.home() / "records.sqlite").newest(5);
+  ASSERT_EQ(rows.size(), 2u);
+  EXPECT_EQ(std::count_if(rows.begin(), rows.end(), [](const auto& row) { return row.score.complete; }), 1);
 }
 
 TEST_F(TrialCommands, ABadTrajectoryCurriculumOrScenarioIsNamed) {

@@ -11,6 +11,7 @@
 #include <memory>
 #include <thread>
 
+#include "curricula/records/people.h"
 #include "curricula/records/records.h"
 #include "curricula/trial_log.h"
 #include "gui/commands/headless_application.h"
@@ -75,6 +76,40 @@ TEST_F(Session, StartTwiceAndFinishUnstartedAreRefused) {
   wait(session);
   session.finish("ended");
   EXPECT_THROW(session.finish("ended"), std::logic_error);
+}
+
+TEST_F(SessionRealTime, AFolderHasOneTrialAtATime) {
+  TrialSession first(setup(true));
+  first.start();
+  {
+    TrialSession second(setup(true));
+    EXPECT_THROW(second.start(), std::runtime_error);
+  }
+  wait(first);
+  const TrialOutcome outcome = first.finish("ended");
+  EXPECT_TRUE(curricula::read_trial_log(outcome.log).footer.complete);
+  EXPECT_TRUE(fs::exists(outcome.report));
+  EXPECT_EQ(curricula::Records(box_.home() / "records.sqlite").newest(5).size(), 1u);
+}
+
+TEST_F(SessionRealTime, OnlyWhatAPersonsHandsDidIsAPersons) {
+  long long anna = 0;
+  {
+    curricula::Records records(box_.home() / "records.sqlite");
+    curricula::People(records).create_first_instructor("Doctor", "1234");
+    anna = curricula::People(records).register_trainee("Anna", "2345");
+  }
+  for (const std::string& device : {std::string("mouse"), "scripted:" + press_.string()}) {
+    TrialSetup hers = setup(true);
+    hers.device = device;
+    hers.trainee_id = anna;
+    TrialSession session(hers);
+    session.start();
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    session.finish("ended");
+    EXPECT_EQ(curricula::Records(box_.home() / "records.sqlite").newest(5).size(), device == "mouse" ? 0u : 1u)
+        << "of those that are nobody's";
+  }
 }
 
 TEST_F(Session, TheRecordNamesWhereTheTrialWillBe) {

@@ -28,6 +28,7 @@
 #include "gui/session/curricula_files.h"
 #include "gui/session/files.h"
 #include "gui/session/user_paths.h"
+#include "gui/session/user_settings.h"
 #include "tests/curricula/full_course.h"
 #include "tests/gui/program.h"
 #include "tests/gui/window_screen.h"
@@ -94,6 +95,15 @@ class WindowAuthoring : public Screen {
     const fs::path file = home_ / name;
     std::ofstream(file, std::ios::binary) << bytes;
     return file;
+  }
+
+  /// The question that comes up next.
+  static void answer(QMessageBox::StandardButton button) {
+    QTimer::singleShot(50, [button] {
+      auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+      ASSERT_NE(box, nullptr);
+      QTest::mouseClick(box->button(button), Qt::LeftButton);
+    });
   }
 
   fs::path home_, shipped_;
@@ -335,6 +345,8 @@ TEST_F(WindowAuthoring, AScenarioIsTriedUnsavedAndTheWindowComesBack) {
   ASSERT_TRUE(wait_for([this] { return window_->page_name() == "authoring"; }, 60000))
       << window_->page_name().toStdString();
   EXPECT_TRUE(document().modified()) << "still unsaved";
+  for (const char* key : {"scenario", "device", "patient"})
+    EXPECT_FALSE(user_settings()->contains(key)) << key << ": the next start chooses what was chosen before";
 }
 
 TEST_F(WindowAuthoring, AScenarioGoesIntoTheNextModuleWithKeys) {
@@ -349,13 +361,6 @@ TEST_F(WindowAuthoring, AScenarioGoesIntoTheNextModuleWithKeys) {
 TEST_F(WindowAuthoring, UnsavedWorkIsAskedFor) {
   window_->write_course();
   type_over(*row("title").editor(), "Not to be lost");
-  const auto answer = [](QMessageBox::StandardButton button) {
-    QTimer::singleShot(50, [button] {
-      auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
-      ASSERT_NE(box, nullptr);
-      QTest::mouseClick(box->button(button), Qt::LeftButton);
-    });
-  };
   answer(QMessageBox::Cancel);
   press("back");
   EXPECT_EQ(window_->page_name(), "authoring");
@@ -363,6 +368,63 @@ TEST_F(WindowAuthoring, UnsavedWorkIsAskedFor) {
   press("back");
   EXPECT_EQ(window_->page_name(), "start");
   EXPECT_EQ(curricula::load_curriculum(own_curricula_folder() / "my-course.yaml").title, "Not to be lost");
+}
+
+TEST_F(WindowAuthoring, WhatIsDiscardedGivesTheFilesText) {
+  const std::string saved = curricula::empty_course("mine", "As it was saved");
+  window_->write_course(written("mine.yaml", saved));
+  for (int i = 0; i < 1200; ++i) {  // more steps than are kept
+    document().end_merging();
+    document().set_text(document().text() + "# " + QString::number(i) + "\n", "Type");
+  }
+  answer(QMessageBox::Discard);
+  press("back");
+  EXPECT_EQ(window_->page_name(), "start");
+  EXPECT_EQ(text(), saved);
+  EXPECT_FALSE(document().modified());
+}
+
+TEST_F(WindowAuthoring, TwoCoursesOfOneIdAreRefused) {
+  const std::string theirs = curricula::empty_course("theirs", "Theirs");
+  window_->write_course(written("received.yaml", theirs));
+  ASSERT_TRUE(checked());
+  press("own");
+  window_->write_course(written("again.yaml", theirs));
+  ASSERT_TRUE(checked());
+  press("own");
+  EXPECT_TRUE(says("theirs.yaml has the id 'theirs' too"));
+  EXPECT_FALSE(fs::exists(own_curricula_folder() / "theirs-2.yaml"));
+  std::ofstream(own_curricula_folder() / "twin.yaml") << theirs;  // by hand
+  const FoundCurricula found = find_curricula();
+  ASSERT_EQ(found.refused.size(), 1u);
+  EXPECT_NE(found.refused[0].find("twin.yaml: has the id 'theirs' of theirs.yaml"), std::string::npos) << found.refused[0];
+}
+
+TEST_F(WindowAuthoring, WhatAnotherProgramWroteIsNotOverwrittenUnasked) {
+  const fs::path file = written("mine.yaml", curricula::empty_course("mine", "Mine"));
+  window_->write_course(file);
+  type_over(*row("title").editor(), "Here");
+  const std::string others = curricula::empty_course("mine", "Another program's");
+  std::ofstream(file, std::ios::binary) << others;
+  answer(QMessageBox::No);
+  EXPECT_FALSE(page_->save());
+  EXPECT_EQ(read_file(file), others);
+  answer(QMessageBox::Yes);
+  EXPECT_TRUE(page_->save());
+  EXPECT_EQ(read_file(file), text());
+  type_over(*row("title").editor(), "Here again");
+  EXPECT_TRUE(page_->save()) << "nobody else wrote it since, so nobody is asked";
+}
+
+TEST_F(WindowAuthoring, ATextWithoutAnyLanguageCanBeWritten) {
+  std::string course = curricula::empty_course("mine", "Mine");
+  const std::size_t at = course.find("    briefing:");
+  const std::size_t end = course.find("    debriefing:");
+  ASSERT_LT(at, end) << course;
+  course.replace(at, end - at, "    briefing: {}\n");
+  window_->write_course(written("mine.yaml", course));
+  page_->tree().choose("scenarios[0]");
+  EXPECT_NE(page_->form().row("scenarios[0].briefing"), nullptr);
 }
 
 TEST_F(WindowAuthoring, AFileReceivedIsAddedToOnesOwn) {

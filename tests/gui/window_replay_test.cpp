@@ -309,10 +309,15 @@ TEST_F(WindowReplay, KeepsNotesAtTheirSecond) {
   auto& text = *page.findChild<QLineEdit*>("note");
   ASSERT_TRUE(wait_for([&] { return text.isEnabled(); }));
   page.seek(0.5);
+  key(page, Qt::Key_Space);
+  ASSERT_TRUE(page.playing());
   key(page, Qt::Key_N);
+  EXPECT_FALSE(page.playing());
+  page.seek(0.5);
   EXPECT_EQ(page.focusWidget(), &text);
   QTest::keyClicks(&text, "here the wrist turned");
   EXPECT_EQ(page.time_s(), 0.5) << "what is typed is text";
+  page.seek(0.8);  // to look what came of it
   key(text, Qt::Key_Return);
   auto& list = *notes.findChild<TimedList*>();
   ASSERT_TRUE(wait_for([&] { return list.count() == 1; }));

@@ -48,6 +48,15 @@ class Deliveries : public TemporaryFolder {
   int added_ = 0;
 };
 
+TEST_F(Deliveries, WhatAnAuthorTriedStaysHere) {
+  RecordRow tried = sample("2026-05-03T10:20:30Z");
+  tried.curriculum_id = "draft";
+  records().add(tried);
+  EXPECT_EQ(waiting_statements(records()).waiting, 0);
+  EXPECT_EQ(send().sent, 0);
+  EXPECT_EQ(lrs_.posts(), 0);
+}
+
 TEST_F(Deliveries, WhatWaitsIsSentOnceInBatches) {
   add_trials(45);
   EXPECT_EQ(waiting_statements(records()).waiting, 45);

@@ -173,6 +173,33 @@ TEST_F(WindowPlaying, ShowsHelpsInPracticeAndNoneInAssessmentWhereTheOwnRatingCo
   }));
 }
 
+TEST_F(WindowPlaying, AnAssessmentThatWasBegunCounts) {
+  MainWindow window;
+  TrialSetup assessed = setup("helped");
+  assessed.mode = curricula::Mode::assessment;
+  play(window, assessed);
+  TrialPage& page = window.trial_page();
+  EXPECT_EQ(button(page, "Reset"), nullptr);
+  EXPECT_FALSE(button(page, "Back")->isEnabled());
+  engine::Snapshot last;
+  page.set_frame_hook([&](const engine::Snapshot& snapshot) { last = snapshot; });
+  ASSERT_TRUE(wait_for([&] { return last.step > 20; }));
+  const Count finished(&window, &MainWindow::trial_finished);
+  window.close();
+  EXPECT_TRUE(window.isVisible());
+  ASSERT_TRUE(wait_for([&] { return finished.times > 0; }));
+  EXPECT_EQ(window.page_name(), "rating");
+  const auto rows = curricula::Records(box_.home() / "records.sqlite").newest(5);
+  ASSERT_EQ(rows.size(), 1u);
+  EXPECT_TRUE(rows[0].score.complete);
+  EXPECT_EQ(curricula::read_trial_log(box_ / "out").footer.ended, "ended by trainee");
+  window.close();
+  EXPECT_TRUE(window.isVisible()) << "the rating is asked for once more";
+  EXPECT_TRUE(shows(*window.findChild<SelfRatingPage*>(), "rating is still missing"));
+  window.close();
+  EXPECT_FALSE(window.isVisible());
+}
+
 TEST_F(WindowPlaying, ATubesPlaceIsAskedForAsWell) {
   SelfRatingPage page;
   page.resize(1000, 700);
@@ -194,7 +221,9 @@ TEST_F(WindowPlaying, ATubesPlaceIsAskedForAsWell) {
   press(page, Qt::Key_S);
   keep_picture(page, "self-rating-tube.png");
   press(page, Qt::Key_Return);
-  ASSERT_EQ(times, 1);
+  press(page, Qt::Key_3);
+  press(page, Qt::Key_Return);
+  ASSERT_EQ(times, 1) << "one answer until it is kept";
   EXPECT_EQ(given.global, 2);
   EXPECT_EQ(given.tube_in_trachea, false);
   EXPECT_EQ(given.sure, true);
