@@ -93,6 +93,7 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
   connect(records_, &RecordsPage::left, this, &MainWindow::back_to_start);
   connect(records_, &RecordsPage::trial_wanted, this, &MainWindow::show_trial);
   connect(&records_->desk(), &RecordsDesk::changed, this, [this] {
+    start_->forget_mode();
     start_->set_past({}, records_->desk().instructor());  // of the one before nothing is seen while the records are asked
     read_past();
   });

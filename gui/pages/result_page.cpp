@@ -154,8 +154,8 @@ void ResultPage::show_outcome(const TrialOutcome& outcome, const curricula::Scen
             "</b></li>";
   for (const auto& reason : score.reasons)
     list += "<li style='margin-bottom:5px'>" + linked(reason, score, locked.isEmpty()) + "</li>";
-  const QString how = locked.isEmpty() ? QString("each leads to its second in the replay") : locked;
-  reasons_->setText(list.isEmpty() ? QString() : "<b>Reasons</b> (" + how + ")<ul style='margin-left:-22px'>" + list + "</ul>");
+  const QString how = !locked.isEmpty() ? locked : list.contains("href") ? "a link leads to its second in the replay" : "";
+  reasons_->setText(list.isEmpty() ? QString() : "<b>Reasons</b>" + (how.isEmpty() ? how : " (" + how + ")") + "<ul style='margin-left:-22px'>" + list + "</ul>");
   report_ = outcome.report;
   const auto& attempt = scenario.attempt;
   const bool drawn = attempt.seed != 0;

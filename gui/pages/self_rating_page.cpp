@@ -7,15 +7,13 @@
 #include <QPushButton>
 #include <QRadioButton>
 #include <QVBoxLayout>
-#include <array>
+
+#include "curricula/score/checklist.h"
+#include "gui/views/capitalised.h"
 
 namespace vallecula::gui {
 namespace {
 
-// Five steps of a global rating; their words are assumed.
-constexpr std::array<const char*, 5> kWords = {"1  Unsafe: somebody should have taken over",
-                                               "2  Below what is expected", "3  Just about what is expected",
-                                               "4  Well, with little to improve", "5  As an expert would"};
 constexpr int kYes = 1, kNo = 2;
 
 }  // namespace
@@ -51,8 +49,12 @@ SelfRatingPage::SelfRatingPage(QWidget* parent) : QWidget(parent) {
     return button;
   };
   heading("How did you do, all in all?  (keys 1 to 5)", panel, column);
-  for (std::size_t i = 0; i < kWords.size(); ++i)
-    column->addWidget(choice(kWords[i], global_, static_cast<int>(i) + 1, panel));
+  // The instructor's scale: the two are read beside each other.
+  for (std::size_t i = 0; i < curricula::kGlobalRatingWords.size(); ++i) {
+    const int value = static_cast<int>(i) + 1;
+    column->addWidget(
+        choice(QString("%1  %2").arg(value).arg(capitalised(curricula::kGlobalRatingWords[i])), global_, value, panel));
+  }
   of_tube_ = new QWidget(panel);
   auto* tube = new QVBoxLayout(of_tube_);
   tube->setContentsMargins(0, 10, 0, 0);
@@ -137,7 +139,7 @@ SelfRating SelfRatingPage::answer() const {
 void SelfRatingPage::keyPressEvent(QKeyEvent* event) {
   const auto check = [](QButtonGroup* group, int id) { group->button(id)->setChecked(true); };
   const int number = event->key() - Qt::Key_0;
-  if (number >= 1 && number <= static_cast<int>(kWords.size()))
+  if (number >= 1 && number <= static_cast<int>(curricula::kGlobalRatingWords.size()))
     check(global_, number);
   else if (with_tube_ && (event->key() == Qt::Key_Y || event->key() == Qt::Key_N))
     check(place_, event->key() == Qt::Key_Y ? kYes : kNo);

@@ -210,6 +210,11 @@ void StartPage::show_modules() {
   tree_->show_course(curriculum(), past, kinds(), all_open_ || watching());
 }
 
+void StartPage::forget_mode() {
+  mode_wanted_ = curricula::Mode::practice;
+  show_chosen();
+}
+
 QStringList StartPage::states() const { return tree_->states(); }
 
 void StartPage::show_chosen() {

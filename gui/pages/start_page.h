@@ -44,6 +44,7 @@ class StartPage : public QWidget {
   void set_found_devices(const std::vector<device::FoundDevice>& devices);
   /// Offers this device and chooses it.
   void choose_device(const QString& name, const QString& label);
+  void forget_mode();  ///< whoever comes next begins in practice
   void set_message(const QString& message);
   /// The first scenario of this id, in whichever curriculum, and the device; false where one of them is not to be had.
   /// A scenario that is not open yet is shown, but cannot be started.

@@ -25,6 +25,9 @@ using curricula::Who;
 
 namespace {
 
+constexpr char kNobodyYet[] =
+    "Nobody is registered here yet: register as a trainee, or set up the first instructor.";
+
 struct SignInAnswer {
   Who who;
   QString refused;
@@ -177,8 +180,9 @@ void AccountTab::refresh() {
         name_->setCurrentIndex(std::max(0, name_->findData(before)));
         if (people_.empty()) {
           name_->setCurrentIndex(-1);
-          if (message_->text().isEmpty())
-            message_->setText("Nobody is registered here yet: register as a trainee, or set up the first instructor.");
+          if (message_->text().isEmpty()) message_->setText(kNobodyYet);
+        } else if (message_->text() == kNobodyYet) {
+          message_->clear();
         }
         first_instructor_->setVisible(!names.has_instructor);
         show_wait();

@@ -80,6 +80,7 @@ QImage draw_curve_chart(const std::vector<curricula::RecordRow>& trials, const C
     painter.setBrush(success ? QBrush(colour) : QBrush(Qt::white));
     painter.drawEllipse(at, 0.4 * em, 0.4 * em);
   }
+  painter.setBrush(Qt::NoBrush);
 
   const curricula::CusumLines lines = curricula::cusum_lines(reading.rule);
   const auto& sums = reading.cusum;

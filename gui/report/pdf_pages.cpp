@@ -45,9 +45,14 @@ void write_pdf(const std::filesystem::path& file, const PdfPages& pages) {
     font.setPointSizeF(8.5);
     document.setDefaultFont(font);
     document.setDocumentMargin(0.0);
-    for (const auto& [name, picture] : pages.pictures)
+    QString html = pages.html;
+    for (const auto& [name, picture] : pages.pictures) {
       document.addResource(QTextDocument::ImageResource, QUrl(name), picture);
-    document.setHtml(pages.html);
+      // With its height: a screen's own resolution would else stretch it.
+      const QString source = "src=\"" + name + "\"";
+      html.replace(source, source + QString(" height=\"%1\"").arg(kPdfWidthPx * picture.height() / picture.width()));
+    }
+    document.setHtml(html);
     document.setPageSize(body);
 
     QPainter painter(&writer);
@@ -69,7 +74,12 @@ void write_pdf(const std::filesystem::path& file, const PdfPages& pages) {
       painter.drawText(foot, Qt::AlignRight | Qt::AlignTop, QString("Page %1 of %2").arg(page + 1).arg(count));
       painter.save();
       painter.translate(0.0, kHeadMm * mm - page * body.height());
-      document.drawContents(&painter, QRectF(QPointF(0, page * body.height()), body));
+      // Not drawContents(): that takes the application's palette, and the window's text is light on dark.
+      QAbstractTextDocumentLayout::PaintContext ink;
+      ink.palette.setColor(QPalette::Text, Qt::black);
+      ink.clip = QRectF(QPointF(0, page * body.height()), body);
+      painter.setClipRect(ink.clip);
+      document.documentLayout()->draw(&painter, ink);
       painter.restore();
     }
   }
