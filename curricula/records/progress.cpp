@@ -49,6 +49,20 @@ std::vector<CurveSummary> summaries(const std::vector<RecordRow>& rows) {
   return all;
 }
 
+/// Their rows as `rest` picks and orders them ("... ORDER BY ..."), with its values; asked for by `who`.
+std::vector<RecordRow> rows_of(Records& records, const Who& who, long long trainee_id, const QString& rest,
+                               const QVariantList& values = {}, WithFigures with = WithFigures::no) {
+  Connection& connection = records.connection();
+  std::vector<RecordRow> rows;
+  connection.read([&] {
+    require_own_or_instructor(connection, who, trainee_id);
+    QVariantList all;
+    const QString whose = of_trainee(trainee_id, all);
+    rows = trial_rows(connection, whose + rest, all + values, with);
+  });
+  return rows;
+}
+
 }  // namespace
 
 bool procedure_succeeded(const RecordRow& row) {
@@ -56,53 +70,22 @@ bool procedure_succeeded(const RecordRow& row) {
 }
 
 std::vector<CurveSummary> Progress::curves(const Who& who, long long trainee_id) const {
-  Connection& connection = records_.connection();
-  std::vector<RecordRow> rows;
-  connection.read([&] {
-    require_own_or_instructor(connection, who, trainee_id);
-    QVariantList values;
-    const QString whose = of_trainee(trainee_id, values);
-    rows = trial_rows(connection, whose + " ORDER BY id", values);
-  });
-  return summaries(rows);
+  return summaries(rows_of(records_, who, trainee_id, " ORDER BY id"));
 }
 
 std::vector<RecordRow> Progress::curve(const Who& who, const CurveKey& key) const {
-  Connection& connection = records_.connection();
-  std::vector<RecordRow> rows;
-  connection.read([&] {
-    require_own_or_instructor(connection, who, key.trainee_id);
-    QVariantList values;
-    const QString whose = of_trainee(key.trainee_id, values);
-    values << bound(key.curriculum_id) << bound(key.scenario_id) << bound(key.device_kind);
-    rows = trial_rows(connection, whose + " AND curriculum_id = ? AND scenario_id = ? AND device_kind = ? ORDER BY id",
-                      values, WithFigures::yes);
-  });
-  return rows;
+  return rows_of(records_, who, key.trainee_id,
+                 " AND curriculum_id = ? AND scenario_id = ? AND device_kind = ? ORDER BY id",
+                 {bound(key.curriculum_id), bound(key.scenario_id), bound(key.device_kind)}, WithFigures::yes);
 }
 
 std::vector<RecordRow> Progress::trials(const Who& who, long long trainee_id, int count) const {
-  Connection& connection = records_.connection();
-  std::vector<RecordRow> rows;
-  connection.read([&] {
-    require_own_or_instructor(connection, who, trainee_id);
-    QVariantList values;
-    const QString whose = of_trainee(trainee_id, values);
-    values << (count > 0 ? count : 0);
-    rows = trial_rows(connection, whose + " ORDER BY finished_utc DESC, id DESC LIMIT ?", values, WithFigures::yes);
-  });
-  return rows;
+  return rows_of(records_, who, trainee_id, " ORDER BY finished_utc DESC, id DESC LIMIT ?", {count > 0 ? count : 0},
+                 WithFigures::yes);
 }
 
 std::map<std::string, std::vector<PastResult>> Progress::results(const Who& who, long long trainee_id) const {
-  Connection& connection = records_.connection();
-  std::vector<RecordRow> rows;
-  connection.read([&] {
-    require_own_or_instructor(connection, who, trainee_id);
-    QVariantList values;
-    const QString whose = of_trainee(trainee_id, values);
-    rows = trial_rows(connection, whose + " AND complete <> 0 ORDER BY id", values);
-  });
+  const std::vector<RecordRow> rows = rows_of(records_, who, trainee_id, " AND complete <> 0 ORDER BY id");
   std::map<std::string, std::vector<PastResult>> results;
   for (const RecordRow& row : rows)
     results[row.curriculum_id].push_back(
@@ -111,14 +94,7 @@ std::map<std::string, std::vector<PastResult>> Progress::results(const Who& who,
 }
 
 std::vector<Day> Progress::calendar(const Who& who, long long trainee_id) const {
-  Connection& connection = records_.connection();
-  std::vector<RecordRow> rows;
-  connection.read([&] {
-    require_own_or_instructor(connection, who, trainee_id);
-    QVariantList values;
-    const QString whose = of_trainee(trainee_id, values);
-    rows = trial_rows(connection, whose + " ORDER BY finished_utc, id", values);
-  });
+  const std::vector<RecordRow> rows = rows_of(records_, who, trainee_id, " ORDER BY finished_utc, id");
   std::vector<Day> days;
   for (const RecordRow& row : rows) {
     const std::string date = row.finished_utc.substr(0, 10);
