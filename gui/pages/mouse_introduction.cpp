@@ -15,15 +15,12 @@ constexpr const char* kKey = "mouse/introduced";
 constexpr const char* kTubeKey = "mouse/introduced-tube";
 
 constexpr const char* kMoves =
-    "<tr><td><b>Drag, wheel</b></td><td>moves it in the picture; deeper into the mouth, and back</td></tr>"
+    "<tr><td><b>Drag, wheel</b></td><td>moves it in the picture; wheel forward: deeper into the mouth</td></tr>"
     "<tr><td><b>Ctrl-drag</b></td><td>turns it about its tip; so do a drag with the right button and W A S D (Q E: "
     "roll)</td></tr>"
     "<tr><td><b>Space</b></td><td>held: lifts the blade along its handle; Backspace lowers</td></tr>"
     "<tr><td><b>Shift, + and -</b></td><td>held: all of it finer; farther, or less far, for the same way</td></tr>"
     "<tr><td><b>Arrows, PgUp, PgDn &nbsp;</b></td><td>move it without a mouse</td></tr>";
-constexpr const char* kBlade =
-    "<p>A mouse cannot push back: the bars on the right show the force your blade puts on tongue and gum.<br>"
-    "Lift, do not lever. The grey blade is your hand, where the blade could not follow it.</p>";
 constexpr const char* kTube =
     "<tr><td><b>X</b> (or Tab)</td><td>the other hand: blade or tube; what you let go of stays where it is</td></tr>"
     "<tr><td><b>B, L</b></td><td>held: breaths, by mask, or by the tube once it is in; pressure on the larynx</td></tr>"
@@ -33,6 +30,14 @@ constexpr const char* kTubeRules =
     "<p>Tube in at the right corner, beside the blade; the black mark goes to the cords. Never push against "
     "resistance.<br>"
     "Heart rate below 100: out, and ventilate. Five or six breaths tell by the CO2 detector.</p>";
+
+QString blade_rules(const curricula::Assistance& helps) {
+  QString text = "<p>A mouse cannot push back";
+  if (helps.force_bar) text += ": the bars on the right show the force your blade puts on tongue and gum";
+  text += ".<br>Lift, do not lever. A solid grey blade is your hand, where the blade could not follow it.";
+  if (helps.ghost_path) text += "<br>The blade you can see through, which moves by itself, is an expert's.";
+  return text + "</p>";
+}
 
 }  // namespace
 
@@ -60,7 +65,7 @@ MouseIntroduction::MouseIntroduction(QWidget* parent) : QFrame(parent) {
   hide();
 }
 
-void MouseIntroduction::show_if_wanted(bool with_tube) {
+void MouseIntroduction::show_if_wanted(bool with_tube, const curricula::Assistance& helps) {
   with_tube_ = with_tube;
   title_->setText(with_tube ? "Your mouse holds the laryngoscope, then the tube" : "Your mouse holds the laryngoscope");
   text_->setText(
@@ -68,7 +73,7 @@ void MouseIntroduction::show_if_wanted(bool with_tube) {
       "<tr><td><b>Enter, Esc, R, Z</b></td><td>start the trial, end it, begin again; change the view</td></tr>"
       "</table>"
       "<p>Enter closes this; Enter again starts the trial.</p>" +
-      (with_tube ? kTubeRules : kBlade));
+      (with_tube ? QString(kTubeRules) : blade_rules(helps)));
   setVisible(!user_settings()->value(with_tube ? kTubeKey : kKey, false).toBool());
   raise();
 }

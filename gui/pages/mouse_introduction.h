@@ -3,6 +3,8 @@
 
 #include <QFrame>
 
+#include "curricula/scenario.h"
+
 class QCheckBox;
 class QLabel;
 
@@ -13,8 +15,8 @@ class MouseIntroduction : public QFrame {
  public:
   explicit MouseIntroduction(QWidget* parent);
   /// Shows it unless the user said that once was enough; `with_tube`: the second half too, which is known or not by
-  /// itself.
-  void show_if_wanted(bool with_tube);
+  /// itself. It tells of the `helps` that this trial has.
+  void show_if_wanted(bool with_tube, const curricula::Assistance& helps);
   /// Goes away; with the box ticked for good.
   void dismiss();
 

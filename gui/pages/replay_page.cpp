@@ -275,7 +275,7 @@ void ReplayPage::show_figures() {
   for (const auto& [from_s, to_s] : attempt_spans(trial_->score))
     if (at_s_ >= from_s && at_s_ <= to_s) figures << QString("attempt %1 s").arg(at_s_ - from_s, 0, 'f', 1);
   if (figures.isEmpty()) figures << "between attempts";
-  if (shown_ >= 0)
+  if (shown_ >= 0 && !waiting_)  // else the picture is of another moment than the figures
     figures << QString("glottis seen %1 %")
                    .arg(100.0 * trial_->film->frame(static_cast<std::size_t>(shown_))->glottis_visible, 0, 'f', 0);
   if (tick.has_intubation && tick.intubation.at_mouth_m > 0.0)

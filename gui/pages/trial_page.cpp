@@ -155,7 +155,7 @@ void TrialPage::open(std::shared_ptr<TrialSession> session, std::shared_ptr<Pati
   steer();
   control_->set_gain(mouse_gain());
   introduction_->hide();
-  if (control_->steering()) introduction_->show_if_wanted(intubation.has_value());
+  if (control_->steering()) introduction_->show_if_wanted(intubation.has_value(), session_->scenario().assistance);
   show_steered();
   QStringList warned;
   for (const auto& misfit : misfits(session_->package(), scenario)) warned << QString::fromStdString(misfit);

@@ -38,7 +38,8 @@ curricula::Curriculum curriculum_with(const fs::path& file, const std::string& s
   if (curriculum.find(scenario) == nullptr) {
     std::string known;
     for (const auto& one : curriculum.scenarios) known += (known.empty() ? "" : ", ") + one.id;
-    throw std::runtime_error(file.string() + ": has no scenario '" + scenario + "'; it has " + known);
+    throw std::runtime_error(file.string() + ": has no scenario '" + scenario + "'; it has " + known +
+                             " (--curriculum FILE names another course; `vallecula curriculum list` shows them)");
   }
   return curriculum;
 }
