@@ -9,6 +9,7 @@
 #include <QTabBar>
 #include <cstdlib>
 #include <memory>
+#include <set>
 
 #include "gui/import/check_page.h"
 #include "gui/import/import_wizard.h"
@@ -121,8 +122,11 @@ class WindowImport : public Screen {
   /// Everything under the user's folder, and half-done work in the temporary one.
   std::vector<std::string> left_behind() const {
     std::vector<std::string> names;
+    // The window opens the records when it starts, whether anything is imported or not.
+    const std::set<fs::path> of_the_records{"records.sqlite", "records.sqlite-wal", "records.sqlite-shm", "station-id"};
     for (const auto& entry : fs::recursive_directory_iterator(box_.home()))
-      if (!entry.is_directory()) names.push_back(entry.path().string());
+      if (!entry.is_directory() && of_the_records.count(fs::relative(entry.path(), box_.home())) == 0)
+        names.push_back(entry.path().string());
     for (const auto& entry : fs::directory_iterator(fs::temp_directory_path())) {
       const std::string name = entry.path().filename().string();
       if (name.rfind("vallecula-labels-" + std::to_string(::getpid()), 0) == 0) names.push_back(name);
