@@ -237,7 +237,8 @@ TEST_F(WindowImport, LabelsGoOutToAnotherProgramAndComeBack) {
 }
 
 TEST_F(WindowImport, SaysWhatIsWrongWithAFolderWithoutACt) {
-  open(QString::fromStdString(box_.home().string()));
+  fs::create_directory(box_ / "empty");
+  open(QString::fromStdString((box_ / "empty").string()));
   const auto* table = wizard().source_page().findChild<QTableWidget*>();
   ASSERT_EQ(table->rowCount(), 1);
   EXPECT_EQ(table->item(0, 0)->text(), "") << "no series, no number";
