@@ -102,8 +102,8 @@ TEST_F(WindowPlaying, AsksSoundsAndTalksBesideTheViewAndLogsTheAnswers) {
   EXPECT_TRUE(shows(*panel, "Question"));
   press(page, Qt::Key_3);
   ASSERT_TRUE(wait_for([&] { return !shows(*panel, "Question"); }, 5000));
-  QPushButton* silence = button(*panel, "Silence (M)");
-  ASSERT_NE(silence, nullptr);
+  QPushButton* silence = nullptr;  // the rows were laid out anew: it comes up with the next events
+  ASSERT_TRUE(wait_for([&] { return (silence = button(*panel, "Silence (M)")) != nullptr; }, 5000));
   silence->click();
   ASSERT_TRUE(wait_for([&] { return !shows(*panel, "Alarm"); }, 5000));
   const Count finished(&window, &MainWindow::trial_finished);
