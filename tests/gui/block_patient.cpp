@@ -132,6 +132,23 @@ fs::path write_press(const fs::path& folder) {
   return folder / "press.csv";
 }
 
+std::string usual_demands(int max_attempt_s) {
+  return R"(    manikin: { weight_kg: 3.2, seed: 1 }
+    blade: miller-1
+    sight_percent: 25
+    max_attempt_s: )" +
+         std::to_string(max_attempt_s) + R"(
+    targets: { tongue_force_n: 5.0, gum_force_n: 2.0 }
+    pass:
+      peak_tongue_force_n: 6.8
+      peak_gum_force_n: 3.0
+      glottis_visible_percent: 50
+      attempt_time_s: 30
+      time_over_target_s: 3
+      time_over_device_limit_s: 0.2
+)";
+}
+
 fs::path write_curriculum(const fs::path& folder) {
   write_text(folder / "plain.yaml", R"(schema: 1
 id: test-course
@@ -141,19 +158,7 @@ scenarios:
     title: Blocks & <plain> shapes
     briefing: Press on the block.
     debriefing: A block has no glottis to see.
-    manikin: { weight_kg: 3.2, seed: 1 }
-    blade: miller-1
-    sight_percent: 25
-    max_attempt_s: 40
-    targets: { tongue_force_n: 5.0, gum_force_n: 2.0 }
-    pass:
-      peak_tongue_force_n: 6.8
-      peak_gum_force_n: 3.0
-      glottis_visible_percent: 50
-      attempt_time_s: 30
-      time_over_target_s: 3
-      time_over_device_limit_s: 0.2
-)");
+)" + usual_demands());
   return folder / "plain.yaml";
 }
 

@@ -19,6 +19,10 @@ std::filesystem::path write_block_patient(const std::filesystem::path& folder);
 /// it and goes back.
 std::filesystem::path write_press(const std::filesystem::path& folder);
 
+/// What the tests' scenarios ask for where it does not matter, from `manikin` to the last pass limit, as lines of a
+/// scenario in a list.
+std::string usual_demands(int max_attempt_s = 40);
+
 /// FOLDER/plain.yaml with one scenario, "plain".
 std::filesystem::path write_curriculum(const std::filesystem::path& folder);
 

@@ -5,20 +5,7 @@
 namespace vallecula::gui::test {
 
 std::filesystem::path write_busy_course(const std::filesystem::path& folder) {
-  const std::string common = R"(
-    manikin: { weight_kg: 3.2, seed: 1 }
-    blade: miller-1
-    sight_percent: 25
-    max_attempt_s: 40
-    targets: { tongue_force_n: 5.0, gum_force_n: 2.0 }
-    pass:
-      peak_tongue_force_n: 6.8
-      peak_gum_force_n: 3.0
-      glottis_visible_percent: 50
-      attempt_time_s: 30
-      time_over_target_s: 3
-      time_over_device_limit_s: 0.2
-)";
+  const std::string common = "\n" + usual_demands();
   std::string text = R"(schema: 2
 id: busy-course
 title: Busy course

@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kCurriculum = R"(schema: 1
+const std::string kCurriculum = R"(schema: 1
 id: hands
 title: Hands
 scenarios:
@@ -26,19 +26,7 @@ scenarios:
     title: View
     briefing: In.
     debriefing: Out.
-    manikin: { weight_kg: 3.2, seed: 1 }
-    blade: miller-1
-    sight_percent: 25
-    max_attempt_s: 60
-    targets: { tongue_force_n: 5.0, gum_force_n: 2.0 }
-    pass:
-      peak_tongue_force_n: 6.8
-      peak_gum_force_n: 3.0
-      glottis_visible_percent: 50
-      attempt_time_s: 30
-      time_over_target_s: 3
-      time_over_device_limit_s: 0.2
-)";
+)" + usual_demands(60);
 
 struct Fault {
   const char* hand;
