@@ -45,7 +45,7 @@ AuthoringPage::AuthoringPage(QWidget* parent) : QWidget(parent) {
   all->setSizes({560, 120});
   message_ = new QLabel(this);
   message_->setWordWrap(true);
-  message_->setStyleSheet("color: #e69f00;");
+  message_->setProperty("role", "warning");
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(18, 14, 18, 12);
   column->addWidget(head);
@@ -251,7 +251,7 @@ void AuthoringPage::show_state() {
   } else {
     state_->setText(QString("%1 %2 to mend; a click leads there:").arg(count).arg(count == 1 ? "thing" : "things"));
   }
-  state_->setStyleSheet(count == 0 ? "color: #2fc79a;" : "color: #e69f00;");
+  state_->setStyleSheet(QString("color: %1;").arg((count == 0 ? theme::within() : theme::over()).name()));
   problems_->setVisible(count > 0);
   const bool scenario = tree_->part().startsWith("scenarios");
   try_->setEnabled(scenario && count == 0 && document_.yaml() != nullptr);

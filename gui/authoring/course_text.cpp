@@ -56,7 +56,7 @@ void CourseText::mark_problems() {
     QTextEdit::ExtraSelection mark;
     mark.cursor = QTextCursor(block);
     mark.format.setProperty(QTextFormat::FullWidthSelection, true);
-    QColor colour = theme::kBad;
+    QColor colour = theme::bad();
     colour.setAlpha(90);
     mark.format.setBackground(colour);
     marks << mark;

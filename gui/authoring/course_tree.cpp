@@ -130,7 +130,7 @@ void CourseTree::mark_problems() {
           const bool inner = field.startsWith("modules[") || field.startsWith("scenarios[");
           return part.isEmpty() ? !inner : field.startsWith(part);
         });
-    (*it)->setForeground(0, wrong ? theme::kOver : theme::kText);
+    (*it)->setForeground(0, wrong ? theme::over() : theme::text());
     (*it)->setToolTip(0, wrong ? "Something in it is not allowed: see below" : (*it)->text(0));
   }
 }

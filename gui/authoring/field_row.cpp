@@ -55,7 +55,7 @@ FieldRow::FieldRow(const FieldRule& rule, const QString& path, const QStringList
   help->setWordWrap(true);
   problem_ = new QLabel(this);
   problem_->setWordWrap(true);
-  problem_->setStyleSheet("color: #e69f00;");
+  problem_->setProperty("role", "warning");
   problem_->hide();
   make_editor(choices);
   editor_->setObjectName(path);

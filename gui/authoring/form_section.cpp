@@ -13,9 +13,7 @@ FormSection::FormSection(const QString& title, const QString& help, QWidget* par
   head_->setCheckable(true);
   head_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   head_->setArrowType(Qt::RightArrow);
-  head_->setStyleSheet(
-      "QToolButton, QToolButton:checked { background: transparent; border: none; font-weight: bold; "
-      "padding: 4px 0; color: #e8ecf0; } QToolButton:focus { color: #56b4e9; }");
+  head_->setProperty("role", "section");
   auto* about = new QLabel(help, this);
   about->setObjectName("faint");
   about->setWordWrap(true);

@@ -44,7 +44,7 @@ CheckPage::CheckPage(ImportWork& work, QWidget* parent) : QWidget(parent), work_
   in_frame->setContentsMargins(1, 1, 1, 1);
   in_frame->addWidget(view_3d_);
   const auto show_focus = [this](bool has) {
-    frame_3d_->setStyleSheet(QString("background: %1;").arg((has ? theme::kDevice : theme::kTrack).name()));
+    frame_3d_->setStyleSheet(QString("background: %1;").arg((has ? theme::device() : theme::track()).name()));
   };
   show_focus(false);
   connect(view_3d_, &LabelView::focus_changed, this, show_focus);
@@ -288,7 +288,7 @@ void CheckPage::show_segmentation(const SegmentedScan& scan) {
 }
 
 void CheckPage::show_message(const QString& message, bool problem) {
-  message_->setStyleSheet(QString("color: %1;").arg((problem ? theme::kOver : theme::kText).name()));
+  message_->setStyleSheet(QString("color: %1;").arg((problem ? theme::over() : theme::text()).name()));
   message_->setText(message);
   show_state();
 }

@@ -92,7 +92,7 @@ void LandmarkPanel::show_state() {
     const auto finding = findings_.find(name);
     const QString origin = finding == findings_.end() ? QString() : pipeline::name_of(finding->second.origin);
     row->setText(2, mark.given ? "moved" : origin);
-    row->setForeground(2, mark.given || origin == "measured" ? theme::kText : theme::kOver);
+    row->setForeground(2, mark.given || origin == "measured" ? theme::text() : theme::over());
   }
   const std::string name = selected();
   const auto finding = findings_.find(name);

@@ -44,8 +44,8 @@ void QualityList::show_items(const std::vector<pipeline::QualityItem>& items,
       QString name = QString::fromStdString(item.name).toHtmlEscaped(), figure = figure_of(item);
       const auto was = earlier.find(item.name);
       if (was != earlier.end() && was->second != figure)
-        figure += coloured(QString(" (was %1)").arg(was->second), theme::kFaint);
-      if (check) name = coloured(name, theme::kOver);
+        figure += coloured(QString(" (was %1)").arg(was->second), theme::faint());
+      if (check) name = coloured(name, theme::over());
       const QString note = window_message(QString::fromStdString(item.note)).toHtmlEscaped();
       if (remarks_ == Remarks::beside) {
         html += QString("<tr><td width=\"27%\">%1</td><td width=\"21%\">%2</td><td width=\"52%\">%3</td></tr>")
@@ -55,7 +55,7 @@ void QualityList::show_items(const std::vector<pipeline::QualityItem>& items,
       html += QString("<tr><td width=\"60%\">%1</td><td width=\"40%\">%2</td></tr>").arg(name, figure);
       if (!note.isEmpty())
         html += QString("<tr><td colspan=\"2\" style=\"padding-left:14px\">%1</td></tr>")
-                    .arg(coloured(note, theme::kFaint));
+                    .arg(coloured(note, theme::faint()));
     }
     html += "</table>";
   }

@@ -56,7 +56,7 @@ SourcePage::SourcePage(ImportWork& work, QWidget* parent) : QWidget(parent), wor
   name_problem_ = new QLabel(this);
   message_ = new QLabel(this);
   message_->setWordWrap(true);
-  for (QLabel* label : {name_problem_, message_}) label->setStyleSheet(QString("color: %1;").arg(theme::kOver.name()));
+  for (QLabel* label : {name_problem_, message_}) label->setStyleSheet(QString("color: %1;").arg(theme::over().name()));
   generic_face_ = new QCheckBox("&Use the shipped generic face instead", this);
   auto* about = new QLabel(kAboutFace, this);
   about->setWordWrap(true);
@@ -185,7 +185,7 @@ void SourcePage::show_rows(const std::vector<SeriesRow>& rows) {
         new QTableWidgetItem(row.usable && row.why.isEmpty() ? QString("can be imported") : window_sentence(row.why))};
     for (int c = 0; c < 4; ++c) {
       QTableWidgetItem* item = items[static_cast<std::size_t>(c)];
-      if (!row.usable) item->setForeground(theme::kFaint);
+      if (!row.usable) item->setForeground(theme::faint());
       item->setToolTip(window_sentence(row.why));
       table_->setItem(r, c, item);
     }

@@ -181,10 +181,10 @@ void StructurePanel::show_state() {
     const auto found = findings_.find(name);
     const bool doubtful = found == findings_.end() || found->second.origin == pipeline::Origin::inferred ||
                           found->second.origin == pipeline::Origin::from_model;
-    row->setForeground(kFound, doubtful ? theme::kOver : theme::kText);
+    row->setForeground(kFound, doubtful ? theme::over() : theme::text());
     if (found != findings_.end()) row->setToolTip(kFound, finding_text(found->second));
     row->setText(kAccepted, state.accepted.count(name) != 0 ? "yes" : "");
-    row->setForeground(kAccepted, theme::kWithin);
+    row->setForeground(kAccepted, theme::within());
   }
   filling_ = false;
   scene_.set_seeds(state.seeds);

@@ -119,7 +119,7 @@ void DevicesPage::show_list(const std::vector<device::FoundDevice>& devices) {
       for (std::size_t c = 0; c < cells.size(); ++c) {
         auto* item = new QTableWidgetItem(QString::fromStdString(cells[c]));
         item->setToolTip(item->text());
-        if (!usable(devices_[r])) item->setForeground(theme::kFaint);
+        if (!usable(devices_[r])) item->setForeground(theme::faint());
         table_->setItem(static_cast<int>(r), static_cast<int>(c), item);
       }
       if (had && same_device(devices_[r], kept)) row_of_kept = static_cast<int>(r);

@@ -22,7 +22,7 @@ constexpr int kBarSteps = 1000;
 constexpr int kHeight = 150;  // of a question and one more; what is seen beside it must not jump
 
 QColor colour_of(Kind kind) {
-  return kind == Kind::alarm ? theme::kBad : kind == Kind::question ? theme::kDevice : theme::kFaint;
+  return kind == Kind::alarm ? theme::bad() : kind == Kind::question ? theme::device() : theme::faint();
 }
 
 const char* name_of(Kind kind) {

@@ -48,7 +48,7 @@ void ModuleTree::show_course(const curricula::Curriculum* course, const std::vec
     progress_.clear();
     if (course_ != nullptr) progress_ = curricula::progress_of(*course_, past, hands);
     if (course_ != nullptr && !course_->goals.empty())
-      row_in(invisibleRootItem(), "About this course", kCourseKey)->setForeground(kTitle, theme::kFaint);
+      row_in(invisibleRootItem(), "About this course", kCourseKey)->setForeground(kTitle, theme::faint());
     const bool alone = progress_.size() == 1;  // a course's only module needs no row of its own
     setRootIsDecorated(!alone);
     for (std::size_t m = 0; m < progress_.size(); ++m) {
@@ -61,9 +61,9 @@ void ModuleTree::show_course(const curricula::Curriculum* course, const std::vec
         font.setBold(true);
         row->setFont(kTitle, font);
         row->setText(kState, state_of(progress_[m]));
-        row->setForeground(kState, progress_[m].mastered ? theme::kWithin.lighter(130)
-                                   : progress_[m].open   ? theme::kText
-                                                         : theme::kFaint);
+        row->setForeground(kState, progress_[m].mastered ? theme::within().lighter(130)
+                                   : progress_[m].open   ? theme::text()
+                                                         : theme::faint());
       }
       for (const std::string& id : module.scenarios)
         add_scenario(row, id, std::any_of(past.begin(), past.end(), [&](const curricula::PastResult& result) {
@@ -81,8 +81,8 @@ void ModuleTree::add_scenario(QTreeWidgetItem* to, const std::string& id, bool p
   const curricula::Scenario& scenario = *course_->find(id);
   QTreeWidgetItem* row = row_in(to, QString::fromStdString(scenario.title), QString::fromStdString(id));
   row->setText(kState, passed ? "passed" : "");
-  row->setForeground(kState, theme::kWithin.lighter(130));
-  if (!why_closed(scenario).isEmpty()) row->setForeground(kTitle, theme::kFaint);
+  row->setForeground(kState, theme::within().lighter(130));
+  if (!why_closed(scenario).isEmpty()) row->setForeground(kTitle, theme::faint());
 }
 
 void ModuleTree::choose(const std::string& scenario_id) {

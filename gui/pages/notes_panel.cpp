@@ -126,7 +126,7 @@ void NotesPanel::show_notes(const std::vector<curricula::Note>& notes) {
   list_->clear();
   std::vector<double> at_s;
   for (const curricula::Note& note : notes) {
-    list_->add(note.at_s, QString::fromStdString(note.text), theme::kText,
+    list_->add(note.at_s, QString::fromStdString(note.text), theme::text(),
                "Written " + QString::fromStdString(note.written_utc), note.id);
     at_s.push_back(note.at_s);
   }

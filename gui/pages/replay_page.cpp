@@ -67,7 +67,7 @@ void ReplayPage::open(std::shared_ptr<ReplayTrial> trial, double at_s, bool mark
   legend_->setText(QString("Tip's path: <span style='color:%1'>&#9644;</span> below half the target force on the tongue "
                            "<span style='color:%2'>&#9644;</span> up to it (%4 N) <span style='color:%3'>&#9644;</span> "
                            "over it; in white the expert's")
-                       .arg(theme::kDevice.name(), theme::kTarget.name(), theme::kBad.name())
+                       .arg(theme::device().name(), theme::target().name(), theme::bad().name())
                        .arg(trial_->scenario.targets.tongue_force_n, 0, 'f', 1));
   bars_->set_marks({trial_->scenario.targets.tongue_force_n, trial_->scenario.targets.gum_force_n,
                     trial_->log->header.device_limit_n});
@@ -108,7 +108,7 @@ void ReplayPage::show_lists() {
       text += QString(" (%1 of %2 points)").arg(points->earned, 0, 'f', 0).arg(points->of, 0, 'f', 0);
       source = "Pass mark: " + QString::fromStdString(points->source);
     }
-    reasons_->add(criterion.at_s, text, criterion.met ? theme::kText : theme::kOver, source);
+    reasons_->add(criterion.at_s, text, criterion.met ? theme::text() : theme::over(), source);
   }
   events_->clear();
   for (const ReplayEvent& event : trial_->events)

@@ -27,7 +27,7 @@ QString linked(const std::string& sentence, const curricula::Score& score, bool 
   const QString text = QString::fromStdString(sentence).toHtmlEscaped();
   for (const curricula::Criterion& criterion : score.criteria)
     if (replayed && criterion.sentence == sentence && criterion.at_s >= 0.0)
-      return QString("<a style='color:%1' href='%2'>%3</a>").arg(theme::kDevice.name()).arg(criterion.at_s, 0, 'f', 3).arg(text);
+      return QString("<a style='color:%1' href='%2'>%3</a>").arg(theme::device().name()).arg(criterion.at_s, 0, 'f', 3).arg(text);
   return text;
 }
 
@@ -64,7 +64,7 @@ ResultPage::ResultPage(QWidget* parent) : QWidget(parent) {
   connect(reasons_, &QLabel::linkActivated, this, [this](const QString& at_s) { emit replay_wanted(at_s.toDouble()); });
   told_ = new QLabel(this);
   told_->setWordWrap(true);
-  told_->setStyleSheet(QString("color: %1; font-weight: bold;").arg(theme::kOver.name()));
+  told_->setStyleSheet(QString("color: %1; font-weight: bold;").arg(theme::over().name()));
   told_->hide();
   where_ = new QLabel(this);
   where_->setObjectName("faint");
@@ -137,7 +137,7 @@ void ResultPage::show_outcome(const TrialOutcome& outcome, const curricula::Scen
   verdict_->setStyleSheet(
       QString(
           "background: %1; color: white; font-size: 14pt; font-weight: bold; padding: 6px 14px; border-radius: 6px;")
-          .arg((score.passed ? theme::kWithin : theme::kBad).name()));
+          .arg((score.passed ? theme::within() : theme::bad()).name()));
   outcome_->setVisible(score.intubation.has_value());
   if (score.intubation) outcome_->setText(QString::fromStdString(curricula::outcome_in_words(*score.intubation)) + ".");
   const QString locked = QString::fromStdString(replay_refusal(scenario));
@@ -212,7 +212,7 @@ void ResultPage::show_figures(const TrialOutcome& outcome, const curricula::Scen
     font.setPointSizeF(score.intubation ? 11.0 : 12.0);
     font.setBold(true);
     figure->setFont(font);
-    if (line.verdict == "missed") figure->setStyleSheet(QString("color: %1").arg(theme::kOver.name()));
+    if (line.verdict == "missed") figure->setStyleSheet(QString("color: %1").arg(theme::over().name()));
     auto* demand =
         new QLabel(QString::fromStdString(line.verdict.empty() ? line.limit : line.verdict + ": " + line.limit));
     demand->setObjectName("faint");

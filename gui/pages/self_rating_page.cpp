@@ -74,7 +74,7 @@ SelfRatingPage::SelfRatingPage(QWidget* parent) : QWidget(parent) {
   column->addWidget(of_tube_);
   message_ = new QLabel(this);
   message_->setWordWrap(true);
-  message_->setStyleSheet("color: #e69f00;");
+  message_->setProperty("role", "warning");
   done_ = new QPushButton("Show the score", this);
   done_->setObjectName("primary");
   done_->setToolTip("Enter");

@@ -89,7 +89,7 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
   go_->setDefault(true);
   message_ = new QLabel(this);
   message_->setWordWrap(true);
-  message_->setStyleSheet("color: #e69f00;");
+  message_->setProperty("role", "warning");
   message_->setTextInteractionFlags(Qt::TextSelectableByMouse);
 
   auto* left = new QVBoxLayout;
@@ -134,7 +134,7 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
   heading_->setWordWrap(true);
   why_ = new QLabel(this);
   why_->setWordWrap(true);
-  why_->setStyleSheet(QString("color: %1;").arg(theme::kOver.name()));
+  why_->setStyleSheet(QString("color: %1;").arg(theme::over().name()));
   auto* scrolled = new QScrollArea(this);  // a course's texts are as long as its author likes
   scrolled->setWidget(briefing_);
   scrolled->setWidgetResizable(true);

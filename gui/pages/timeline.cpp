@@ -43,28 +43,28 @@ QColor event_colour(Kind kind) {
   switch (kind) {
     case Kind::attempt_begins:
     case Kind::attempt_ends:
-      return theme::kText;
+      return theme::text();
     case Kind::first_sight:
-      return theme::kWithin;
+      return theme::within();
     case Kind::cords_passed:
       return QColor(0xCC, 0x79, 0xA7);
     case Kind::co2:
-      return theme::kTarget;
+      return theme::target();
     case Kind::peak:
     case Kind::over_target:
-      return theme::kOver;
+      return theme::over();
     case Kind::oesophagus:
     case Kind::alarm:
-      return theme::kBad;
+      return theme::bad();
     case Kind::device_limit:
-      return theme::kDevice;
+      return theme::device();
     case Kind::distraction:
       return QColor(196, 160, 250);
     case Kind::breath:
     case Kind::pause:
-      return theme::kFaint;
+      return theme::faint();
   }
-  return theme::kText;
+  return theme::text();
 }
 
 Timeline::Timeline(QWidget* parent) : QSlider(Qt::Horizontal, parent) {
@@ -134,12 +134,12 @@ void Timeline::paintEvent(QPaintEvent*) {
   painter.setRenderHint(QPainter::Antialiasing);
   const QRectF track(kSide, kTrackTop, width() - 2.0 * kSide, kTrackHeight);
   painter.setPen(Qt::NoPen);
-  painter.setBrush(theme::kTrack);
+  painter.setBrush(theme::track());
   painter.drawRoundedRect(track, 3, 3);
   const auto span = [&](double from_s, double to_s, double top, double height, const QColor& colour) {
     painter.fillRect(QRectF(x_of(from_s), top, std::max(2.0, x_of(to_s) - x_of(from_s)), height), colour);
   };
-  span(0.0, ready_s_, track.bottom() - 3.0, 3.0, theme::kAccent);
+  span(0.0, ready_s_, track.bottom() - 3.0, 3.0, theme::accent());
   for (const ReplayEvent& event : events_)
     if (event.kind == Kind::attempt_begins)
       span(event.at_s, event.to_s, track.top(), track.height() - 3.0, QColor(96, 104, 116));
@@ -174,7 +174,7 @@ void Timeline::paintEvent(QPaintEvent*) {
   for (const double at_s : notes_s_)  // a slip of paper
     painter.drawRect(QRectF(x_of(at_s) - 3.0, track.bottom() + 1.0, 7.0, 7.0));
   if (marked_s_ >= 0.0) {
-    painter.setPen(QPen(theme::kTarget, 2.0));
+    painter.setPen(QPen(theme::target(), 2.0));
     painter.setBrush(Qt::NoBrush);
     painter.drawRoundedRect(QRectF(x_of(marked_s_) - 5.0, track.top() - 4.0, 10.0, track.height() + 8.0), 3, 3);
   }
@@ -182,7 +182,7 @@ void Timeline::paintEvent(QPaintEvent*) {
   QFont font = painter.font();
   font.setPointSizeF(8.0);
   painter.setFont(font);
-  painter.setPen(theme::kFaint);
+  painter.setPen(theme::faint());
   const double step = label_step(end_s_, track.width());
   for (double at_s = 0.0; at_s <= end_s_ * 1.0001; at_s += step) {
     painter.drawLine(QPointF(x_of(at_s), track.bottom()), QPointF(x_of(at_s), track.bottom() + 3.0));
@@ -196,7 +196,7 @@ void Timeline::paintEvent(QPaintEvent*) {
   painter.setBrush(Qt::white);
   painter.drawEllipse(QPointF(x, track.center().y()), 6.0, 6.0);
   if (hasFocus()) {
-    painter.setPen(QPen(theme::kAccent, 1.0));
+    painter.setPen(QPen(theme::accent(), 1.0));
     painter.setBrush(Qt::NoBrush);
     painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), 3, 3);
   }

@@ -200,7 +200,7 @@ void TrialPage::show_steered() {
   steered_->setStyleSheet(
       QString("background: rgba(16, 20, 25, 200); color: %1; border: 2px solid %1; border-radius: 5px; "
               "font-weight: bold; margin: 6px;")
-          .arg(theme::kDevice.name()));
+          .arg(theme::device().name()));
   show_help();
 }
 
@@ -350,7 +350,7 @@ void TrialPage::show_banner(const QString& alert, const QString& hint) {
       alert.isEmpty()
           ? QString("padding: 6px 10px; font-size: 11pt;")
           : QString("background: %1; color: #06202f; padding: 6px 10px; border-radius: 5px; font-weight: bold;")
-                .arg(theme::kDevice.name()));
+                .arg(theme::device().name()));
 }
 
 void TrialPage::show_buttons() {

@@ -78,7 +78,7 @@ QWidget* AccountTab::make_sign_in() {
   message_ = new QLabel(half);
   message_->setObjectName("sign_in_message");
   message_->setWordWrap(true);
-  message_->setStyleSheet("color: #e69f00");
+  message_->setProperty("role", "warning");
   sign_in_button_ = new QPushButton("Sign in", half);
   sign_in_button_->setObjectName("primary");
   auto* form = new QFormLayout;

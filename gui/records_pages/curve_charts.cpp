@@ -41,9 +41,9 @@ TrialChart::Content learning_chart(const std::vector<RecordRow>& rows, const Fig
   if (scenario != nullptr) {
     const bool more = figure.better > 0;
     if (const auto target = training_target(*scenario, figure.name))
-      content.levels.push_back({*target, theme::kTarget.darker(130), "target", true});
+      content.levels.push_back({*target, theme::target().darker(130), "target", true});
     if (const auto limit = pass_limit(*scenario, figure.name))
-      content.levels.push_back({*limit, theme::kOver, more ? "passed from here up" : "passed up to here", more});
+      content.levels.push_back({*limit, theme::over(), more ? "passed from here up" : "passed up to here", more});
   }
   return content;
 }
@@ -65,8 +65,8 @@ TrialChart::Content cusum_chart(const CurveReading& reading) {
                               .arg(name_of(point.verdict))});
   }
   if (!sum.points.empty())
-    sum.levels = {{lines.lower, theme::kWithin, "competent below", true},
-                  {lines.upper, theme::kOver, "not competent above", false}};
+    sum.levels = {{lines.lower, theme::within(), "competent below", true},
+                  {lines.upper, theme::over(), "not competent above", false}};
   return sum;
 }
 

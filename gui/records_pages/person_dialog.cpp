@@ -34,7 +34,7 @@ PersonDialog::PersonDialog(QWidget* parent, const QString& title, const QString&
   message_ = new QLabel(this);
   message_->setObjectName("dialog_message");
   message_->setWordWrap(true);
-  message_->setStyleSheet("color: #e69f00");
+  message_->setProperty("role", "warning");
   auto* cancel = new QPushButton("Cancel", this);
   cancel->setAutoDefault(false);
   take_ = new QPushButton(title, this);

@@ -65,7 +65,7 @@ QWidget* ProgressTab::make_left() {
   calendar_->setFirstDayOfWeek(Qt::Monday);
   calendar_->setFixedHeight(190);
   QTextCharFormat weekend;  // red on this ground can hardly be read
-  weekend.setForeground(theme::kFaint);
+  weekend.setForeground(theme::faint());
   for (const auto day : {Qt::Saturday, Qt::Sunday}) calendar_->setWeekdayTextFormat(day, weekend);
   day_ = new QLabel(left);
   day_->setObjectName("faint");
@@ -232,8 +232,8 @@ void ProgressTab::show_subject(Subject subject) {
     QTextCharFormat format;
     format.setFontWeight(QFont::Bold);
     format.setFontUnderline(true);
-    format.setForeground(theme::kText);
-    format.setBackground(theme::kAccent.darker(160));
+    format.setForeground(theme::text());
+    format.setBackground(theme::accent().darker(160));
     format.setToolTip(words_of(day));
     calendar_->setDateTextFormat(QDate::fromString(QString::fromStdString(day.date), Qt::ISODate), format);
   }

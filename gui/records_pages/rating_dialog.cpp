@@ -49,7 +49,7 @@ RatingDialog::RatingDialog(QWidget* parent, const QString& trial, const std::vec
   message_ = new QLabel(this);
   message_->setObjectName("dialog_message");
   message_->setWordWrap(true);
-  message_->setStyleSheet("color: #e69f00");
+  message_->setProperty("role", "warning");
   column->addWidget(message_);
   auto* cancel = new QPushButton("Cancel", this);
   cancel->setAutoDefault(false);

@@ -27,7 +27,7 @@ RecordsPage::RecordsPage(QWidget* parent) : QWidget(parent) {
   trouble_ = new QLabel(this);
   trouble_->setObjectName("records_trouble");
   trouble_->setWordWrap(true);
-  trouble_->setStyleSheet("color: #e69f00");
+  trouble_->setProperty("role", "warning");
   trouble_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   trouble_->hide();
   again_ = new QPushButton("Try a&gain", this);

@@ -23,21 +23,21 @@ void draw_mark(QPainter& painter, const QPointF& at, TrialChart::Mark mark) {
   switch (mark) {
     case Mark::good:  // filled disc
       painter.setPen(Qt::NoPen);
-      painter.setBrush(theme::kWithin);
+      painter.setBrush(theme::within());
       painter.drawEllipse(at, kRadius, kRadius);
       break;
     case Mark::bad:  // cross
-      painter.setPen(QPen(theme::kBad.lighter(125), 2.2));
+      painter.setPen(QPen(theme::bad().lighter(125), 2.2));
       painter.drawLine(at + QPointF(-kRadius, -kRadius), at + QPointF(kRadius, kRadius));
       painter.drawLine(at + QPointF(-kRadius, kRadius), at + QPointF(kRadius, -kRadius));
       break;
     case Mark::neutral:  // small disc
       painter.setPen(Qt::NoPen);
-      painter.setBrush(theme::kText);
+      painter.setBrush(theme::text());
       painter.drawEllipse(at, 0.6 * kRadius, 0.6 * kRadius);
       break;
     case Mark::interrupted:  // open square
-      painter.setPen(QPen(theme::kFaint, 1.5));
+      painter.setPen(QPen(theme::faint(), 1.5));
       painter.drawRect(QRectF(at.x() - kRadius, at.y() - kRadius, 2 * kRadius, 2 * kRadius));
       break;
   }
@@ -87,10 +87,10 @@ QPointF TrialChart::position(int index) const {
 void TrialChart::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
-  painter.setPen(theme::kText);
+  painter.setPen(theme::text());
   painter.drawText(QRectF(6, 2, width() - 12, kTop - 6), Qt::AlignLeft | Qt::AlignVCenter, content_.title);
   if (content_.points.empty()) {
-    painter.setPen(theme::kFaint);
+    painter.setPen(theme::faint());
     painter.drawText(QRectF(rect()).adjusted(20, kTop, -20, -8), Qt::AlignCenter | Qt::TextWordWrap, content_.empty);
     return;
   }
@@ -103,20 +103,20 @@ void TrialChart::draw_scales(QPainter& painter) const {
   const double step = tick_step(high_ - low_, 4);
   for (double value = std::ceil(low_ / step) * step; value <= high_; value += step) {
     const double at = y(value);
-    painter.setPen(QPen(theme::kTrack, 1.0));
+    painter.setPen(QPen(theme::track(), 1.0));
     painter.drawLine(QPointF(in.left(), at), QPointF(in.right(), at));
-    painter.setPen(theme::kFaint);
+    painter.setPen(theme::faint());
     painter.drawText(QRectF(0, at - 9, kLeft - 6, 18), Qt::AlignRight | Qt::AlignVCenter,
                      QString::number(std::abs(value) < 1e-9 * step ? 0.0 : value));
   }
   const int count = static_cast<int>(content_.points.size());
   const int every = std::max(1, static_cast<int>(std::ceil(tick_step(count, 12))));
   for (int number = every; number <= count; number += every) {
-    painter.setPen(theme::kFaint);
+    painter.setPen(theme::faint());
     painter.drawText(QRectF(position(number - 1).x() - 20, in.bottom() + 2, 40, kBottom - 2),
                      Qt::AlignHCenter | Qt::AlignTop, QString::number(number));
   }
-  painter.setPen(theme::kFaint);
+  painter.setPen(theme::faint());
   painter.drawText(QRectF(2, in.bottom() + 2, kLeft - 6, kBottom - 2), Qt::AlignLeft | Qt::AlignTop, "trial");
   for (const Level& level : content_.levels) {
     painter.setPen(QPen(level.colour, 1.4, Qt::DashLine));
@@ -129,7 +129,7 @@ void TrialChart::draw_scales(QPainter& painter) const {
 
 void TrialChart::draw_points(QPainter& painter) const {
   int before = -1;
-  painter.setPen(QPen(theme::kDevice, 1.6));
+  painter.setPen(QPen(theme::device(), 1.6));
   for (int i = 0; i < static_cast<int>(content_.points.size()); ++i) {
     const Point& point = content_.points[static_cast<std::size_t>(i)];
     if (!point.value) continue;
@@ -139,7 +139,7 @@ void TrialChart::draw_points(QPainter& painter) const {
   for (int i = 0; i < static_cast<int>(content_.points.size()); ++i) {
     if (i == current_) {
       painter.setBrush(Qt::NoBrush);
-      painter.setPen(QPen(theme::kText, 1.5));
+      painter.setPen(QPen(theme::text(), 1.5));
       painter.drawEllipse(position(i), 2.0 * kRadius, 2.0 * kRadius);
     }
     draw_mark(painter, position(i), content_.points[static_cast<std::size_t>(i)].mark);

@@ -32,7 +32,7 @@ TrialsPanel::TrialsPanel(RecordsDesk& desk, const KnownCourses& courses, QWidget
   message_ = new QLabel(this);
   message_->setObjectName("trials_message");
   message_->setWordWrap(true);
-  message_->setStyleSheet("color: #969ea8");
+  message_->setProperty("role", "faint");
   open_ = new QPushButton("&Open", this);
   rate_ = new QPushButton("Ra&te ...", this);
   hand_on_ = new HandOn(

@@ -136,7 +136,7 @@ std::vector<vtkSmartPointer<vtkProp3D>> airway_marks(const engine::AirwayCourse&
   good.push_back(cut_at(cuts, good_to));
   Drawing band(midline_x_mm), centimetres(midline_x_mm);
   band.strip(good);
-  put(band.actor(theme::kWithin.lighter(130), 1.0), layer_mm);
+  put(band.actor(theme::within().lighter(130), 1.0), layer_mm);
   const Cut middle = cut_at(cuts, 0.5 * (good_from + good_to));
   const Vec3 out = (middle.front - middle.back).normalized();
   put(text("good depth", middle.front + 0.003 * out, midline_x_mm, 14, QColor(250, 252, 250), true), layer_mm + 0.2);

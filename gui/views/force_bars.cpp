@@ -44,12 +44,12 @@ void ForceBars::paint_bar(QPainter& painter, const QRectF& place, const QString&
   QFont font = painter.font();
   font.setPointSizeF(10.5);
   painter.setFont(font);
-  painter.setPen(theme::kText);
+  painter.setPen(theme::text());
   painter.drawText(QRectF(place.left(), track.top(), label - 8.0, track.height()), Qt::AlignVCenter | Qt::AlignLeft,
                    name);
 
   painter.setPen(Qt::NoPen);
-  painter.setBrush(theme::kTrack);
+  painter.setBrush(theme::track());
   painter.drawRoundedRect(track, 4, 4);
   if (with_limit && device_limit_ > 0.0) {
     const QRectF beyond(at(device_limit_), track.top(), track.right() - at(device_limit_), track.height());
@@ -57,7 +57,7 @@ void ForceBars::paint_bar(QPainter& painter, const QRectF& place, const QString&
     painter.drawRect(beyond);
   }
   const bool over = bar.target > 0.0 && bar.now > bar.target;
-  painter.setBrush(over ? theme::kOver : theme::kWithin);
+  painter.setBrush(over ? theme::over() : theme::within());
   const QRectF filled(track.left(), track.top(), at(bar.now) - track.left(), track.height());
   if (filled.width() > 0.5) painter.drawRoundedRect(filled, 3, 3);
 
@@ -73,23 +73,23 @@ void ForceBars::paint_bar(QPainter& painter, const QRectF& place, const QString&
                      Qt::AlignCenter, text);
   };
   if (bar.target > 0.0)
-    mark(bar.target, theme::kTarget, QString("target %1").arg(bar.target, 0, 'f', 1), Qt::SolidLine, -24.0);
+    mark(bar.target, theme::target(), QString("target %1").arg(bar.target, 0, 'f', 1), Qt::SolidLine, -24.0);
   if (with_limit && device_limit_ > 0.0)
-    mark(device_limit_, theme::kDevice, QString("device limit %1").arg(device_limit_, 0, 'f', 1), Qt::DashLine, 30.0);
+    mark(device_limit_, theme::device(), QString("device limit %1").arg(device_limit_, 0, 'f', 1), Qt::DashLine, 30.0);
   if (bar.peak > 0.05) {
-    painter.setPen(QPen(theme::kText, 1.5));
+    painter.setPen(QPen(theme::text(), 1.5));
     painter.drawLine(QPointF(at(bar.peak), track.top()), QPointF(at(bar.peak), track.bottom()));
   }
   font.setPointSizeF(13.0);
   font.setBold(true);
   painter.setFont(font);
-  painter.setPen(over ? theme::kOver : theme::kText);
+  painter.setPen(over ? theme::over() : theme::text());
   painter.drawText(QRectF(track.right() + 8.0, track.top() - 3.0, figures - 8.0, track.height() * 0.62),
                    Qt::AlignVCenter | Qt::AlignLeft, QString("%1 N").arg(bar.now, 0, 'f', 1));
   font.setPointSizeF(8.0);
   font.setBold(false);
   painter.setFont(font);
-  painter.setPen(theme::kFaint);
+  painter.setPen(theme::faint());
   painter.drawText(
       QRectF(track.right() + 8.0, track.top() + track.height() * 0.55, figures - 8.0, track.height() * 0.5),
       Qt::AlignVCenter | Qt::AlignLeft, QString("peak %1").arg(bar.peak, 0, 'f', 1));

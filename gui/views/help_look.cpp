@@ -77,7 +77,7 @@ GlottisMark::GlottisMark(const pipeline::PatientPackage& package, const AnatomyM
     }
     auto actor = vtkSmartPointer<vtkActor>::New();
     actor->SetMapper(mapper);
-    actor->GetProperty()->SetColor(theme::kTarget.redF(), theme::kTarget.greenF(), theme::kTarget.blueF());
+    actor->GetProperty()->SetColor(theme::target().redF(), theme::target().greenF(), theme::target().blueF());
     actor->GetProperty()->LightingOff();
     if (hidden) actor->GetProperty()->SetOpacity(kHidden);
     actors_.push_back(actor);

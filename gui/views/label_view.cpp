@@ -39,7 +39,7 @@ LabelView::LabelView(SliceScene& scene, QWidget* parent) : GlView(parent), scene
   over_->InteractiveOff();
   renderWindow()->SetNumberOfLayers(2);
   renderWindow()->AddRenderer(over_);
-  const QColor ground = theme::kGround;
+  const QColor ground = theme::ground();
   renderer()->SetBackground(ground.redF(), ground.greenF(), ground.blueF());
   redraw_.setSingleShot(true);
   redraw_.setInterval(30);
@@ -154,7 +154,7 @@ void LabelView::show_landmarks() {
     auto actor = vtkSmartPointer<vtkActor>::New();
     actor->SetMapper(mapper);
     actor->SetPosition(mark.at[0], mark.at[1], mark.at[2]);
-    const QColor colour = mark.given ? theme::kOver : QColor(Qt::white);
+    const QColor colour = mark.given ? theme::over() : QColor(Qt::white);
     actor->GetProperty()->SetColor(colour.redF(), colour.greenF(), colour.blueF());
     over_->AddActor(actor);
     marks_[name] = actor;

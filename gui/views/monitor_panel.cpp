@@ -119,7 +119,7 @@ void MonitorPanel::paint_breaths(QPainter& painter, const QRectF& place) const {
   painter.setFont(sized(painter, small, true));
   painter.drawText(place, Qt::AlignTop | Qt::AlignLeft, "Since breath");
   const bool long_ago = there_ && since_breath_s() > 30.0;  // an attempt's ceiling
-  painter.setPen(long_ago ? theme::kOver : kQuiet);
+  painter.setPen(long_ago ? theme::over() : kQuiet);
   painter.setFont(sized(painter, 0.42 * tall, true));
   painter.drawText(place.adjusted(0, 0.17 * tall, 0, -0.20 * tall), Qt::AlignVCenter | Qt::AlignLeft,
                    there_ ? QString("%1 s").arg(since_breath_s(), 0, 'f', 0) : QString("-"));

@@ -78,9 +78,9 @@ vtkSmartPointer<vtkMatrix4x4> arrow_matrix(const engine::Vec3& at, const engine:
 }  // namespace
 
 std::array<unsigned char, 3> path_colour(double tongue_n, double target_n) {
-  const QColor& c = target_n <= 0.0 || tongue_n < 0.5 * target_n ? theme::kDevice
-                    : tongue_n <= target_n                       ? theme::kTarget
-                                                                 : theme::kBad;
+  const QColor& c = target_n <= 0.0 || tongue_n < 0.5 * target_n ? theme::device()
+                    : tongue_n <= target_n                       ? theme::target()
+                                                                 : theme::bad();
   return {static_cast<unsigned char>(c.red()), static_cast<unsigned char>(c.green()),
           static_cast<unsigned char>(c.blue())};
 }
@@ -96,11 +96,11 @@ ReplayMarks::ReplayMarks() : path_data_(line_through({})), expert_data_(line_thr
     // As in the force chart: what lies on the gums, the palate and the teeth is another matter than the tongue.
     const bool soft = structure == engine::Structure::tongue || structure == engine::Structure::epiglottis ||
                       structure == engine::Structure::larynx;
-    arrows_[i] = always_seen(mapper, soft ? theme::kDevice : theme::kBad);
+    arrows_[i] = always_seen(mapper, soft ? theme::device() : theme::bad());
     arrows_[i]->VisibilityOff();
   }
-  path_ = line_actor(path_data_, theme::kDevice, 3.0f);
-  expert_ = line_actor(expert_data_, theme::kText, 1.6f);
+  path_ = line_actor(path_data_, theme::device(), 3.0f);
+  expert_ = line_actor(expert_data_, theme::text(), 1.6f);
   expert_->GetProperty()->SetOpacity(0.75);
 }
 

@@ -164,7 +164,7 @@ void SliceView::paintEvent(QPaintEvent*) {
     draw_edges(painter);
   }
   painter.setRenderHint(QPainter::Antialiasing, false);
-  painter.setPen(hasFocus() ? theme::kDevice : theme::kTrack);
+  painter.setPen(hasFocus() ? theme::device() : theme::track());
   painter.setBrush(Qt::NoBrush);
   painter.drawRect(rect().adjusted(0, 0, -1, -1));
 }
@@ -214,12 +214,12 @@ void SliceView::draw_seeds(QPainter& painter, Names& names) const {
   for (const auto& [name, at] : scene_.seeds()) {
     if (!in_slice(at)) continue;
     const QPointF p = pixel_of(at);
-    for (const QPen& pen : {QPen(QColor(0, 0, 0, 180), 4.0), QPen(theme::kTarget, 2.0)}) {
+    for (const QPen& pen : {QPen(QColor(0, 0, 0, 180), 4.0), QPen(theme::target(), 2.0)}) {
       painter.setPen(pen);
       painter.drawLine(p - QPointF(6, 6), p + QPointF(6, 6));
       painter.drawLine(p - QPointF(6, -6), p + QPointF(6, -6));
     }
-    names.add(p, "seed of " + words_of(name), theme::kTarget);
+    names.add(p, "seed of " + words_of(name), theme::target());
   }
 }
 
@@ -229,25 +229,25 @@ void SliceView::draw_edges(QPainter& painter) const {
   font.setPointSizeF(12.0);
   painter.setFont(font);
   const double x = 0.5 * width(), y = 0.5 * height();
-  rimmed_text(painter, {8, y}, axes_.left, theme::kText);
-  rimmed_text(painter, {width() - 20.0, y}, axes_.right, theme::kText);
-  rimmed_text(painter, {x - 5, 20}, axes_.top, theme::kText);
-  rimmed_text(painter, {x - 5, height() - 8.0}, axes_.bottom, theme::kText);
+  rimmed_text(painter, {8, y}, axes_.left, theme::text());
+  rimmed_text(painter, {width() - 20.0, y}, axes_.right, theme::text());
+  rimmed_text(painter, {x - 5, 20}, axes_.top, theme::text());
+  rimmed_text(painter, {x - 5, height() - 8.0}, axes_.bottom, theme::text());
   font.setBold(false);
   font.setPointSizeF(10.0);
   painter.setFont(font);
   const int count = shown_->grid.size[axes_.through];
   rimmed_text(painter, {8, 18}, QString("%1  %2 / %3").arg(axes_.name).arg(scene_.slice_index(plane_) + 1).arg(count),
-              theme::kText);
+              theme::text());
   // A scale of a round length that takes about a fifth of the picture.
   double mm = 1.0;
   for (const double next : {2.0, 5.0, 10.0, 20.0, 50.0})
     if (next * scale_ < 0.22 * width()) mm = next;
   const QString length = QString("%1 mm").arg(mm);
   const QPointF to(width() - 14.0, height() - 14.0);
-  painter.setPen(QPen(theme::kText, 2.0));
+  painter.setPen(QPen(theme::text(), 2.0));
   painter.drawLine(to - QPointF(mm * scale_, 0), to);
-  rimmed_text(painter, to - QPointF(painter.fontMetrics().horizontalAdvance(length), 5), length, theme::kText);
+  rimmed_text(painter, to - QPointF(painter.fontMetrics().horizontalAdvance(length), 5), length, theme::text());
 }
 
 bool SliceView::in_slice(const pipeline::Point& at) const {

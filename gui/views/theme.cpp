@@ -4,71 +4,151 @@
 #include <QFont>
 #include <QPalette>
 #include <QStyleFactory>
+#include <algorithm>
+#include <array>
 
 namespace vallecula::gui::theme {
+namespace {
 
-void apply(QApplication& application) {
-  application.setStyle(QStyleFactory::create("Fusion"));
-  QPalette palette;
-  palette.setColor(QPalette::Window, kGround);
-  palette.setColor(QPalette::WindowText, kText);
-  palette.setColor(QPalette::Base, kPanel);
-  palette.setColor(QPalette::AlternateBase, kGround);
-  palette.setColor(QPalette::Text, kText);
-  palette.setColor(QPalette::Button, kPanel);
-  palette.setColor(QPalette::ButtonText, kText);
-  palette.setColor(QPalette::ToolTipBase, kPanel);
-  palette.setColor(QPalette::ToolTipText, kText);
-  palette.setColor(QPalette::Highlight, kAccent);
-  palette.setColor(QPalette::HighlightedText, Qt::white);
-  palette.setColor(QPalette::Disabled, QPalette::ButtonText, kFaint.darker(130));
-  palette.setColor(QPalette::Disabled, QPalette::WindowText, kFaint.darker(130));
-  application.setPalette(palette);
-  QFont font("DejaVu Sans");
-  font.setPointSizeF(10.0);
-  application.setFont(font);
-  application.setStyleSheet(R"(
-    QPushButton { background: #343b45; border: 1px solid #4a535f; border-radius: 5px; padding: 7px 16px; }
-    QPushButton:hover { background: #3f4854; }
-    QPushButton:focus { border: 1px solid #56b4e9; }
-    QPushButton:disabled { background: #262b32; color: #69717b; border-color: #343b45; }
-    QPushButton#primary { background: #2f78ba; border-color: #3a82c8; font-weight: bold; }
-    QPushButton#primary:hover { background: #3a88cc; }
-    QPushButton#primary:disabled { background: #2a3b4b; color: #7f8892; border-color: #343b45; }
-    QPushButton:pressed { background: #1d5f4c; border-color: #009e73; }
-    QPushButton:checked { background: #1d5f4c; border-color: #009e73; }
-    QToolButton { background: #343b45; border: 1px solid #4a535f; border-radius: 5px; padding: 5px 10px; }
-    QToolButton:hover { background: #3f4854; }
-    QToolButton:focus { border: 1px solid #56b4e9; }
-    QToolButton:checked { background: #2f5f8c; border-color: #56b4e9; color: white; }
-    QToolButton:disabled { background: #262b32; color: #69717b; border-color: #343b45; }
-    QCheckBox::indicator:unchecked, QTreeView::indicator:unchecked { background: #1f242b; border: 1px solid #969ea8; border-radius: 3px; }
-    QCheckBox::indicator:unchecked:focus { border-color: #56b4e9; }
-    QCheckBox::indicator:unchecked:disabled { border-color: #4a535f; }
-    QRadioButton::indicator { width: 13px; height: 13px; border-radius: 7px; border: 1px solid #969ea8; background: #1f242b; }
-    QRadioButton::indicator:checked { width: 9px; height: 9px; background: #56b4e9; border: 3px solid #1f242b; }
-    QRadioButton::indicator:focus { border-color: #56b4e9; }
-    QLineEdit { background: #1f242b; border: 1px solid #3a424d; border-radius: 4px; padding: 4px; }
-    QLineEdit:focus { border: 1px solid #56b4e9; }
+struct Colours {
+  QColor ground, panel, track, text, faint, within, over, target, device, bad, accent;
+};
+
+/// A colour of the style sheet, on each ground.
+struct Shade {
+  const char *name, *dark, *light;
+};
+
+const Colours kDark{{22, 26, 31},  {31, 36, 43},   {52, 58, 67},   {232, 236, 240}, {150, 158, 168}, {0, 158, 115},
+                    {230, 159, 0}, {240, 228, 66}, {86, 180, 233}, {213, 94, 0},    {58, 130, 200}};
+// The same hues, dark enough to be read on white (4.5 to 1 where they colour text: WCAG 2.1, 1.4.3).
+const Colours kLight{{238, 241, 244}, {255, 255, 255}, {209, 215, 222}, {24, 29, 35}, {86, 95, 106}, {0, 121, 90},
+                     {150, 94, 0},    {122, 104, 0},   {0, 104, 158},   {176, 66, 0}, {28, 98, 168}};
+
+constexpr std::array<Shade, 21> kShades{{{"panel", "#1f242b", "#ffffff"},
+                                         {"off", "#262b32", "#e6e9ed"},
+                                         {"head", "#262c34", "#e1e6eb"},
+                                         {"grid", "#2b323b", "#e1e6eb"},
+                                         {"chosen", "#2f5f8c", "#1c62a8"},
+                                         {"chosen-text", "#ffffff", "#ffffff"},
+                                         {"primary", "#2f78ba", "#1c62a8"},
+                                         {"accent", "#3a82c8", "#1c62a8"},
+                                         {"primary-lit", "#3a88cc", "#2f78ba"},
+                                         {"primary-off", "#2a3b4b", "#c3d3e2"},
+                                         {"primary-off-text", "#7f8892", "#667482"},
+                                         {"track", "#343a43", "#d1d7de"},
+                                         {"button", "#343b45", "#f7f9fa"},
+                                         {"line", "#3a424d", "#b9c2cc"},
+                                         {"button-lit", "#3f4854", "#e3ebf3"},
+                                         {"edge", "#4a535f", "#9aa5b1"},
+                                         {"focus", "#56b4e9", "#0068ba"},
+                                         {"off-text", "#69717b", "#8a949f"},
+                                         {"down", "#1d5f4c", "#00795a"},
+                                         {"down-edge", "#009e73", "#005c44"},
+                                         {"faint", "#969ea8", "#565f6a"}}};
+
+const char* const kSheet = R"(
+    QPushButton { color: @text@; background: @button@; border: 1px solid @edge@; border-radius: 5px; padding: 7px 16px; }
+    QPushButton:hover { background: @button-lit@; }
+    QPushButton:focus { border: 1px solid @focus@; }
+    QPushButton:disabled { background: @off@; color: @off-text@; border-color: @button@; }
+    QPushButton#primary { color: white; background: @primary@; border-color: @accent@; font-weight: bold; }
+    QPushButton#primary:hover { background: @primary-lit@; }
+    QPushButton#primary:disabled { background: @primary-off@; color: @primary-off-text@; border-color: @button@; }
+    QPushButton:pressed { color: white; background: @down@; border-color: @down-edge@; }
+    QPushButton:checked { color: white; background: @down@; border-color: @down-edge@; }
+    QToolButton { background: @button@; border: 1px solid @edge@; border-radius: 5px; padding: 5px 10px; }
+    QToolButton:hover { background: @button-lit@; }
+    QToolButton:focus { border: 1px solid @focus@; }
+    QToolButton:checked { background: @chosen@; border-color: @focus@; color: @chosen-text@; }
+    QToolButton:disabled { background: @off@; color: @off-text@; border-color: @button@; }
+    QToolButton[role="section"], QToolButton[role="section"]:checked { background: transparent; border: none; font-weight: bold; padding: 4px 0; color: @text@; }
+    QToolButton[role="section"]:focus { color: @focus@; }
+    QCheckBox::indicator:unchecked, QTreeView::indicator:unchecked { background: @panel@; border: 1px solid @faint@; border-radius: 3px; }
+    QCheckBox::indicator:unchecked:focus { border-color: @focus@; }
+    QCheckBox::indicator:unchecked:disabled { border-color: @edge@; }
+    QRadioButton::indicator { width: 13px; height: 13px; border-radius: 7px; border: 1px solid @faint@; background: @panel@; }
+    QRadioButton::indicator:checked { width: 9px; height: 9px; background: @focus@; border: 3px solid @panel@; }
+    QRadioButton::indicator:focus { border-color: @focus@; }
+    QLineEdit { background: @panel@; border: 1px solid @line@; border-radius: 4px; padding: 4px; }
+    QLineEdit:focus { border: 1px solid @focus@; }
     QAbstractSpinBox QLineEdit { border: none; padding: 1px; }
-    QTableView, QTreeView { background: #1f242b; border: 1px solid #3a424d; border-radius: 5px; gridline-color: #2b323b; }
+    QTableView, QTreeView { background: @panel@; border: 1px solid @line@; border-radius: 5px; gridline-color: @grid@; }
     QTableView::item { padding: 3px 6px; border: 0; }
     QTreeView::item { padding: 3px; }
-    QTableView::item:selected, QTreeView::item:selected { background: #2f5f8c; color: white; }
-    QHeaderView::section { background: #262c34; border: none; border-right: 1px solid #3a424d; padding: 4px 6px; }
+    QTableView::item:selected, QTreeView::item:selected { background: @chosen@; color: @chosen-text@; }
+    QHeaderView::section { background: @head@; border: none; border-right: 1px solid @line@; padding: 4px 6px; }
     QTabWidget::pane { border: none; }
-    QTabBar::tab { background: #262c34; padding: 6px 14px; border-top-left-radius: 5px; border-top-right-radius: 5px; margin-right: 2px; }
-    QTabBar::tab:selected { background: #2f5f8c; color: white; }
-    QListWidget, QComboBox, QTextBrowser { background: #1f242b; border: 1px solid #3a424d; border-radius: 5px; padding: 4px; }
+    QTabBar::tab { background: @head@; padding: 6px 14px; border-top-left-radius: 5px; border-top-right-radius: 5px; margin-right: 2px; }
+    QTabBar::tab:selected { background: @chosen@; color: @chosen-text@; }
+    QListWidget, QComboBox, QTextBrowser { background: @panel@; border: 1px solid @line@; border-radius: 5px; padding: 4px; }
     QListWidget::item { padding: 9px 8px; border-radius: 4px; }
-    QListWidget::item:selected { background: #2f5f8c; color: white; }
-    QLabel#title { font-size: 19pt; font-weight: bold; }
-    QLabel#heading { font-size: 12pt; font-weight: bold; }
-    QLabel#faint { color: #969ea8; }
-    QFrame#panel { background: #1f242b; border-radius: 7px; }
-    QProgressBar { background: #343a43; border: none; border-radius: 5px; height: 14px; text-align: center; }
-    QProgressBar::chunk { background: #3a82c8; border-radius: 5px; }
-  )");
+    QListWidget::item:selected { background: @chosen@; color: @chosen-text@; }
+    QLabel#title { font-size: @19pt@; font-weight: bold; }
+    QLabel#heading { font-size: @12pt@; font-weight: bold; }
+    QLabel#faint, QLabel[role="faint"] { color: @faint@; }
+    QLabel[role="warning"] { color: @over@; }
+    QLabel[role="good"] { color: @within@; }
+    QFrame#panel { background: @panel@; border-radius: 7px; }
+    QProgressBar { background: @track@; border: none; border-radius: 5px; height: 14px; text-align: center; }
+    QProgressBar::chunk { background: @accent@; border-radius: 5px; }
+  )";
+
+Look applied;
+const Colours* colours = &kDark;
+
+QString style_sheet() {
+  QString sheet = kSheet;
+  for (const Shade& shade : kShades)
+    sheet.replace('@' + QString(shade.name) + '@', applied.ground == Ground::dark ? shade.dark : shade.light);
+  sheet.replace("@text@", colours->text.name())
+      .replace("@over@", colours->over.name())
+      .replace("@within@", colours->within.name());
+  for (const int size : {19, 12})
+    sheet.replace(QString("@%1pt@").arg(size), QString("%1pt").arg(points(size), 0, 'f', 1));
+  return sheet;
+}
+
+}  // namespace
+
+const QColor& ground() { return colours->ground; }
+const QColor& panel() { return colours->panel; }
+const QColor& track() { return colours->track; }
+const QColor& text() { return colours->text; }
+const QColor& faint() { return colours->faint; }
+const QColor& within() { return colours->within; }
+const QColor& over() { return colours->over; }
+const QColor& target() { return colours->target; }
+const QColor& device() { return colours->device; }
+const QColor& bad() { return colours->bad; }
+const QColor& accent() { return colours->accent; }
+double points(double at_scale_one) { return at_scale_one * applied.text_scale; }
+const Look& look() { return applied; }
+
+void apply(QApplication& application, const Look& look) {
+  applied = {look.ground, std::clamp(look.text_scale, kLeastTextScale, kMostTextScale)};
+  colours = applied.ground == Ground::dark ? &kDark : &kLight;
+  application.setStyle(QStyleFactory::create("Fusion"));
+  QPalette palette;
+  palette.setColor(QPalette::Window, ground());
+  palette.setColor(QPalette::WindowText, text());
+  palette.setColor(QPalette::Base, panel());
+  palette.setColor(QPalette::AlternateBase, ground());
+  palette.setColor(QPalette::Text, text());
+  palette.setColor(QPalette::Button, panel());
+  palette.setColor(QPalette::ButtonText, text());
+  palette.setColor(QPalette::ToolTipBase, panel());
+  palette.setColor(QPalette::ToolTipText, text());
+  palette.setColor(QPalette::Highlight, accent());
+  palette.setColor(QPalette::HighlightedText, Qt::white);
+  const QColor off = applied.ground == Ground::dark ? faint().darker(130) : faint().lighter(150);
+  palette.setColor(QPalette::Disabled, QPalette::ButtonText, off);
+  palette.setColor(QPalette::Disabled, QPalette::WindowText, off);
+  application.setPalette(palette);
+  QFont font("DejaVu Sans");
+  font.setPointSizeF(points(10.0));
+  application.setFont(font);
+  application.setStyleSheet(style_sheet());
 }
 
 }  // namespace vallecula::gui::theme

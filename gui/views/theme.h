@@ -1,5 +1,5 @@
 // The window's colours and type, in one place. Okabe and Ito's set where a colour carries meaning: told apart by
-// colour-blind eyes.
+// colour-blind eyes, on a dark and on a light ground.
 #pragma once
 
 #include <QColor>
@@ -8,19 +8,32 @@ class QApplication;
 
 namespace vallecula::gui::theme {
 
-const QColor kGround(22, 26, 31);
-const QColor kPanel(31, 36, 43);
-const QColor kTrack(52, 58, 67);
-const QColor kText(232, 236, 240);
-const QColor kFaint(150, 158, 168);
-const QColor kWithin(0, 158, 115);   ///< bluish green
-const QColor kOver(230, 159, 0);     ///< orange: over a training target
-const QColor kTarget(240, 228, 66);  ///< yellow
-const QColor kDevice(86, 180, 233);  ///< sky blue: whatever is the device's and not the patient's
-const QColor kBad(213, 94, 0);       ///< vermillion
-const QColor kAccent(58, 130, 200);
+enum class Ground { dark, light };
 
-/// Palette, font and style sheet of the whole application.
-void apply(QApplication& application);
+/// How the whole application looks. `text_scale`: 1 is 10 points.
+struct Look {
+  Ground ground = Ground::dark;
+  double text_scale = 1.0;
+};
+constexpr double kLeastTextScale = 0.8, kMostTextScale = 1.6;
+
+/// Of the look that was applied last; ask anew each time something is painted.
+const QColor& ground();
+const QColor& panel();
+const QColor& track();
+const QColor& text();
+const QColor& faint();
+const QColor& within();  ///< bluish green
+const QColor& over();    ///< orange: over a training target
+const QColor& target();  ///< yellow on dark, its darker neighbour on light
+const QColor& device();  ///< sky blue: whatever is the device's and not the patient's
+const QColor& bad();     ///< vermillion
+const QColor& accent();
+/// A size in points as the look's text scale has it.
+double points(double at_scale_one);
+
+/// Palette, font and style sheet of the whole application; whatever is open follows at once.
+void apply(QApplication& application, const Look& look = {});
+const Look& look();
 
 }  // namespace vallecula::gui::theme

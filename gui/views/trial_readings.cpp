@@ -29,14 +29,14 @@ class SightBar : public QWidget {
       return track.left() + track.width() * std::clamp(percent / 100.0, 0.0, 1.0);
     };
     painter.setPen(Qt::NoPen);
-    painter.setBrush(theme::kTrack);
+    painter.setBrush(theme::track());
     painter.drawRoundedRect(track, 4, 4);
     painter.setBrush(QColor(41, 107, 237));  // the blue the trachea has in the view
     if (now_ > 0.0)
       painter.drawRoundedRect(QRectF(track.left(), track.top(), at(now_) - track.left(), track.height()), 3, 3);
-    painter.setPen(QPen(theme::kText, 1.5));
+    painter.setPen(QPen(theme::text(), 1.5));
     if (best_ > 0.0) painter.drawLine(QPointF(at(best_), track.top()), QPointF(at(best_), track.bottom()));
-    painter.setPen(QPen(theme::kTarget, 2.0));
+    painter.setPen(QPen(theme::target(), 2.0));
     painter.drawLine(QPointF(at(from_), track.top() - 2.0), QPointF(at(from_), track.bottom() + 2.0));
   }
 
@@ -162,7 +162,7 @@ void TrialReadings::show_snapshot(const engine::Snapshot& snapshot, double pause
   // The pause is told a little newer than the snapshot: at its beginning that must not turn the clock back.
   if (attempt_start_s_ >= 0.0) attempt_s_ = std::max(attempt_s_, now_s - attempt_start_s_);
   clock_->setText(QString("%1 s").arg(attempt_s_, 0, 'f', 1));
-  clock_->setStyleSheet(attempt_s_ > attempt_limit_s_ ? QString("color: %1").arg(theme::kOver.name()) : QString());
+  clock_->setStyleSheet(attempt_s_ > attempt_limit_s_ ? QString("color: %1").arg(theme::over().name()) : QString());
   seen_->setText(QString("%1 %").arg(percent, 0, 'f', 0));
   sight_->show_percent(percent, best_percent_, sight_percent_);
   if (snapshot.has_intubation) {
@@ -178,7 +178,7 @@ void TrialReadings::show_snapshot(const engine::Snapshot& snapshot, double pause
   const bool invalid = (snapshot.faults & engine::kFaultDeviceInvalid) != 0;
   state_->setText(words_for(snapshot.state, invalid).name);
   state_->setStyleSheet(
-      snapshot.state == engine::HapticState::tracking ? QString() : QString("color: %1").arg(theme::kDevice.name()));
+      snapshot.state == engine::HapticState::tracking ? QString() : QString("color: %1").arg(theme::device().name()));
   loop_->setText(QString("%1, %2 late of %3")
                      .arg(snapshot.loop_rate_hz > 0.0 ? QString("%1 Hz").arg(snapshot.loop_rate_hz, 0, 'f', 0)
                                                       : QString("measuring"))

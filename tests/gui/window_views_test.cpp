@@ -201,11 +201,11 @@ TEST_F(Views, BarsTurnOverTheTargetAndKeepThePeak) {
   ForceBars bars;
   bars.resize(420, 132);
   bars.set_marks({5.0, 2.0, 7.9});
-  const auto over = [](QRgb c, int, int) { return QColor(c) == theme::kOver; };
+  const auto over = [](QRgb c, int, int) { return QColor(c) == theme::over(); };
   bars.show_forces(4.9, 0.0);
   const QImage below = bars.grab().toImage();
   EXPECT_EQ(find_pixels(below, over).pixels, 0);
-  const auto within = [](QRgb c, int, int) { return QColor(c) == theme::kWithin; };
+  const auto within = [](QRgb c, int, int) { return QColor(c) == theme::within(); };
   const int at_4_9 = find_pixels(below, within).pixels;
   bars.show_forces(5.1, 0.0);
   EXPECT_GT(find_pixels(bars.grab().toImage(), over).pixels, 500);
