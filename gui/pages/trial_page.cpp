@@ -84,7 +84,7 @@ TrialPage::TrialPage(QWidget* parent) : QWidget(parent) {
   all->addWidget(make_foot());
   timer_.setInterval(kFrameMs);
   timer_.setTimerType(Qt::PreciseTimer);
-  connect(&timer_, &QTimer::timeout, this, &TrialPage::frame);
+  connect(&timer_, &QTimer::timeout, this, &TrialPage::draw_frame);
   for (QWidget* second_half :
        {static_cast<QWidget*>(monitor_), static_cast<QWidget*>(hands_), static_cast<QWidget*>(steered_)})
     second_half->hide();
@@ -163,6 +163,7 @@ void TrialPage::open(std::shared_ptr<TrialSession> session, std::shared_ptr<Pati
   show_buttons();
   timer_.start();
   setFocus();
+  emit opened();
 }
 
 void TrialPage::show_helps() {
@@ -220,6 +221,19 @@ void TrialPage::start() {
   since_frame_.start();
   show_buttons();
   setFocus();
+  emit started();
+}
+
+void TrialPage::set_frame_hook(const std::function<void(const engine::Snapshot&)>& hook) {
+  disconnect(frame_hook_);
+  frame_hook_ = hook ? connect(this, &TrialPage::frame, this, hook) : QMetaObject::Connection();
+}
+
+void TrialPage::let_go() {
+  const bool was_open = session_ != nullptr;
+  session_.reset();
+  show_buttons();
+  if (was_open) emit closed();
 }
 
 void TrialPage::reset() {
@@ -267,14 +281,12 @@ void TrialPage::end(const QString& how) {
       this, [session = session_, how] { return session->finish(how.toStdString()); },
       [this](TrialOutcome outcome) {
         ending_ = false;
-        session_.reset();
-        show_buttons();
+        let_go();
         emit finished(outcome);
       },
       [this](const QString& message) {
         ending_ = false;
-        session_.reset();
-        show_buttons();
+        let_go();
         emit failed(message);
       });
 }
@@ -285,8 +297,7 @@ void TrialPage::close_trial() {
   hands_->serve(nullptr, false);
   side_->distractions().serve(nullptr, false);
   running_ = false;
-  session_.reset();
-  show_buttons();
+  let_go();
 }
 
 const curricula::Scenario& TrialPage::scenario() const {
@@ -307,7 +318,7 @@ double TrialPage::frames_per_second() const {
              : 0.0;
 }
 
-void TrialPage::frame() {
+void TrialPage::draw_frame() {
   if (!session_) return;
   const double seconds = since_frame_.isValid() ? 1e-3 * static_cast<double>(since_frame_.restart()) : 0.0;
   if (!since_frame_.isValid()) since_frame_.start();
@@ -333,7 +344,7 @@ void TrialPage::frame() {
                                            session_->takes_turns() ? QString("X") : QString())
                                 : QString());
     ++frames_;
-    if (frame_hook_) frame_hook_(snapshot);
+    emit frame(snapshot);
     if (session_->finished()) end("finished");
   } catch (const std::exception& error) {
     const QString message = QString::fromUtf8(error.what());

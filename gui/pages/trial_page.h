@@ -40,6 +40,8 @@ class TrialPage : public QWidget {
   /// Lets the session go without a result (its log stays as interrupted when it was running).
   void close_trial();
   bool running() const { return running_; }
+  /// The open trial, for whoever looks at it from another window; null: none is open.
+  std::shared_ptr<TrialSession> session() const { return session_; }
   /// An assessment is under way or being scored: it cannot be left without its result.
   bool assessing() const { return assessed() && (running_ || ending_); }
 
@@ -49,11 +51,16 @@ class TrialPage : public QWidget {
   OperatorView& operator_view() { return *operator_view_; }
   SagittalView& sagittal_view();
   /// Called after each frame of a running trial with the snapshot that was drawn.
-  void set_frame_hook(std::function<void(const engine::Snapshot&)> hook) { frame_hook_ = std::move(hook); }
+  void set_frame_hook(const std::function<void(const engine::Snapshot&)>& hook);
   /// Frames drawn since start(), a second.
   double frames_per_second() const;
 
  signals:
+  /// A session is open and not started; it runs; a frame of it was drawn (the snapshot that was); it is let go.
+  void opened();
+  void started();
+  void frame(const vallecula::engine::Snapshot& snapshot);
+  void closed();
   void finished(const vallecula::gui::TrialOutcome& outcome);
   void failed(const QString& message);
   void left();
@@ -67,7 +74,8 @@ class TrialPage : public QWidget {
 
  private:
   bool assessed() const;
-  void frame();
+  void let_go();
+  void draw_frame();
   void show_buttons();
   void show_help();
   /// The scenario's helps in the operator's view; all are off in an assessment.
@@ -94,7 +102,7 @@ class TrialPage : public QWidget {
   QTimer timer_;
   QElapsedTimer since_frame_, since_start_, since_shown_;
   QPointer<QThread> scoring_;
-  std::function<void(const engine::Snapshot&)> frame_hook_;
+  QMetaObject::Connection frame_hook_;
   Tool shown_in_hand_ = Tool::blade;
   bool running_ = false, ending_ = false;
   int frames_ = 0;
