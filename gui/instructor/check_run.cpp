@@ -136,7 +136,9 @@ void CheckRun::look_at_rate() {
   if (state_.measures != asked_ || state_.measured_s < kMeasureS) return;
   const double rate_hz = static_cast<double>(state_.ticks) / state_.measured_s;
   const double late = static_cast<double>(state_.late) / static_cast<double>(std::max<std::int64_t>(1, state_.ticks));
-  const QString words = tr("%1 Hz over %2 s, %3 % of the forces late by more than 1 ms")
+  const QString words = (state_.real_time ? tr("%1 Hz over %2 s, %3 % of the forces late by more than 1 ms")
+                                          : tr("%1 Hz over %2 s, %3 % of the forces late by more than 1 ms, without "
+                                               "real-time priority"))
                             .arg(rate_hz, 0, 'f', 0)
                             .arg(state_.measured_s, 0, 'f', 1)
                             .arg(100.0 * late, 0, 'f', 1);

@@ -14,6 +14,7 @@
 #include "gui/instructor/reach_pad.h"
 #include "gui/pages/background.h"
 #include "gui/session/user_settings.h"
+#include "gui/views/capitalised.h"
 
 namespace vallecula::gui {
 namespace {
@@ -50,13 +51,12 @@ void set_role(QLabel* label, const char* role) {
 
 }  // namespace
 
-DeviceCheck::DeviceCheck(const QString& name, const QString& label, Maker make, QWidget* parent,
-                         std::function<int()> random)
+DeviceCheck::DeviceCheck(const QString& name, Maker make, QWidget* parent, std::function<int()> random)
     : QDialog(parent), name_(name), make_(std::move(make)), random_(std::move(random)) {
   if (!random_) random_ = [] { return static_cast<int>(QRandomGenerator::global()->bounded(2)); };
   setWindowTitle(tr("Device check"));
-  auto* title = new QLabel(tr("Check of %1").arg(label), this);
-  title->setObjectName("title");
+  title_ = new QLabel(tr("Device check"), this);
+  title_->setObjectName("title");
   pad_ = new ReachPad(this);
   ask_ = new QLabel(this);
   ask_->setObjectName("heading");
@@ -84,7 +84,7 @@ DeviceCheck::DeviceCheck(const QString& name, const QString& label, Maker make, 
   auto* all = new QVBoxLayout(this);
   all->setContentsMargins(24, 18, 24, 16);
   all->setSpacing(10);
-  all->addWidget(title);
+  all->addWidget(title_);
   all->addLayout(upper, 1);
   all->addWidget(ask_);
   all->addWidget(answers_);
@@ -180,6 +180,7 @@ void DeviceCheck::begin() {
         mouse_ = dynamic_cast<device::MouseDevice*>(device.get());
         if (mouse_ != nullptr) mouse_->set_view_axes({-1, 0, 0}, {0, -1, 0}, {0, 0, -1});
         const device::DeviceInfo info = device->info();
+        title_->setText(tr("Check of %1").arg(capitalised(QString::fromStdString(info.model))));
         probe_ = std::make_unique<DeviceProbe>(std::move(device), guard_settings(info));
         run_ = std::make_unique<CheckRun>(*probe_, clutch_button_in_hand(info), random_);
         pad_->setFocus();

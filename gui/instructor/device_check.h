@@ -27,9 +27,9 @@ class DeviceCheck : public QDialog {
   Q_OBJECT
  public:
   using Maker = std::function<std::unique_ptr<device::HapticDevice>()>;
-  /// `name` as make_device takes it, `label` for a person; `make` opens the device, on a thread of its own, once now and
+  /// `name` as make_device takes it; `make` opens the device, on a thread of its own, once now and
   /// once for every further check. `random`: 0 or 1, the sign of each push.
-  DeviceCheck(const QString& name, const QString& label, Maker make, QWidget* parent = nullptr,
+  DeviceCheck(const QString& name, Maker make, QWidget* parent = nullptr,
               std::function<int()> random = {});
   ~DeviceCheck() override;
 
@@ -60,7 +60,7 @@ class DeviceCheck : public QDialog {
   QTimer clock_;
   std::array<QLabel*, kCheckSteps> marks_{}, words_{};
   ReachPad* pad_;
-  QLabel* ask_;
+  QLabel *title_, *ask_;
   QWidget* answers_;
   QPushButton *push_, *cannot_, *centre_, *again_, *close_;
 };

@@ -1,5 +1,7 @@
 #include "gui/instructor/device_probe.h"
 
+#include <pthread.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -15,6 +17,7 @@ using device::Vector;
 constexpr std::chrono::milliseconds kPeriod{1};
 /// After a stand this long the ticks that were missed are left out, not made up for in a burst.
 constexpr std::chrono::milliseconds kLongestCatchUp{20};
+constexpr int kServoPriority = 80;
 constexpr double kRampS = 0.15;  ///< in which a push grows and falls
 
 double push_for(const device::DeviceInfo& info) {
@@ -72,6 +75,9 @@ double DeviceProbe::push_at(double seconds) const noexcept {
 
 void DeviceProbe::run() {
   ProbeState state;
+  sched_param priority{};  // as a trial's servo has it, so that the rate is that of a trial
+  priority.sched_priority = kServoPriority;
+  state.real_time = pthread_setschedparam(pthread_self(), SCHED_FIFO, &priority) == 0;
   Asked heard;
   Vector centre{0, 0, 0}, push_began{0, 0, 0};
   bool pushing_now = false, centred = false;

@@ -29,6 +29,7 @@ struct ProbeState {
   double measured_s = 0.0;     ///< since measure() was asked for
   std::int64_t ticks = 0;      ///< in that time
   std::int64_t late = 0;       ///< of them: their force was written more than 1 ms after it was due
+  bool real_time = false;      ///< the system granted real-time priority
   int pushes = 0;              ///< done, whole or not
   double pushed_n = 0.0;       ///< the largest force that was sent to the device in the last push
   bool pushed_away = false;    ///< the last push ended because the handle went away

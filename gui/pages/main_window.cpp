@@ -14,6 +14,7 @@
 #include "device/factory.h"
 #include "gui/authoring/authoring_page.h"
 #include "gui/import/import_wizard.h"
+#include "gui/instructor/station.h"
 #include "gui/pages/devices_page.h"
 #include "gui/pages/replay_page.h"
 #include "gui/pages/result_page.h"
@@ -132,6 +133,21 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
   connect(replay_, &ReplayPage::failed, this, [this](const QString& message) {
     leave_replay();
     emit replay_failed(message);
+  });
+  connect_station();
+}
+
+void MainWindow::connect_station() {
+  station_ = new InstructorStation(*this, records_->desk(), *trial_);
+  connect(station_, &InstructorStation::next_trainee_begins, this, [this] {
+    cancelled_ = true;  // what is being prepared was for the one before
+    if (trial_->session()) trial_->close_trial();
+    back_to_start();
+  });
+  connect(station_, &InstructorStation::records_wanted, this, [this] { pages_->setCurrentWidget(records_); });
+  connect(station_, &InstructorStation::told, start_, &StartPage::set_message);
+  connect(devices_, &DevicesPage::check_wanted, station_, [this](const device::FoundDevice& device) {
+    station_->check_device(QString::fromStdString(device.name));
   });
 }
 

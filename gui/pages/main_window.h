@@ -20,6 +20,7 @@ namespace vallecula::gui {
 class AuthoringPage;
 class DevicesPage;
 class ImportWizard;
+class InstructorStation;
 class RecordsPage;
 class ReplayPage;
 class ResultPage;
@@ -52,6 +53,7 @@ class MainWindow : public QMainWindow {
   ImportWizard& import_wizard() { return *import_; }
   DevicesPage& devices_page() { return *devices_; }
   RecordsPage& records_page() { return *records_; }
+  InstructorStation& station() { return *station_; }
   /// "start", "records", "devices", "import", "authoring", "prepare", "trial", "rating", "result", "replay"
   QString page_name() const;
 
@@ -68,6 +70,9 @@ class MainWindow : public QMainWindow {
  private:
   /// `seed`: of an attempt to be repeated; 0: a new one is drawn.
   void prepare_choice(const Choice& choice, std::uint32_t seed = 0);
+  /// Once the devices of the choice were checked in this session, or their check was closed.
+  void prepare_checked(const Choice& choice, std::uint32_t seed);
+  void connect_station();
   /// `patient`: gives the package's folder; runs on the preparing thread.
   void prepare(TrialSetup setup, std::function<std::filesystem::path()> patient, bool start_at_once);
   void report_progress(const std::string& stage, double fraction);
@@ -99,6 +104,7 @@ class MainWindow : public QMainWindow {
   SelfRatingPage* rating_;
   ResultPage* result_;
   ReplayPage* replay_;
+  InstructorStation* station_;
   QPointer<QThread> worker_;
   std::atomic<bool> cancelled_{false};
   curricula::Scenario scenario_;

@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "gui/authoring/authoring_page.h"
+#include "gui/instructor/station.h"
 #include "gui/pages/background.h"
 #include "gui/pages/replay_page.h"
 #include "gui/pages/result_page.h"
@@ -52,6 +53,10 @@ void MainWindow::try_scenario(const QString& file, const QString& id) {
 }
 
 void MainWindow::prepare_choice(const Choice& choice, std::uint32_t seed) {
+  station_->check_before({choice.device, choice.second}, [=] { prepare_checked(choice, seed); });
+}
+
+void MainWindow::prepare_checked(const Choice& choice, std::uint32_t seed) {
   TrialSetup setup;
   setup.curriculum = choice.curriculum;
   setup.scenario = choice.scenario.id;
@@ -112,12 +117,13 @@ void MainWindow::prepare(TrialSetup setup, std::function<std::filesystem::path()
         report_progress("Ready", 1.0);
         return prepared;
       },
-      [this, start_at_once](Prepared ready) {
+      [this, start_at_once, device = QString::fromStdString(setup.device)](Prepared ready) {
         scenario_ = ready.session->scenario();
         misfits_ = misfits(ready.session->package(), scenario_);
         pages_->setCurrentWidget(trial_);
         try {
           trial_->open(ready.session, ready.look);
+          trial_->set_device_note(station_->checks().words(device));
         } catch (const std::exception& error) {
           show_failure(QString::fromUtf8(error.what()));
           return;

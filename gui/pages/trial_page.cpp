@@ -113,7 +113,11 @@ QWidget* TrialPage::make_foot() {
   reset_ = new QPushButton("Reset", foot);
   zoom_ = new QPushButton(foot);
   leave_ = new QPushButton("Back", foot);
+  device_note_ = new QLabel(foot);
+  device_note_->setObjectName("faint");
+  device_note_->hide();
   row->addWidget(help_, 1);
+  row->addWidget(device_note_);
   for (auto* button : {zoom_, reset_, end_, start_, leave_}) {
     button->setFocusPolicy(Qt::NoFocus);  // keys are the blade's
     row->addWidget(button);
@@ -298,6 +302,11 @@ void TrialPage::close_trial() {
   side_->distractions().serve(nullptr, false);
   running_ = false;
   let_go();
+}
+
+void TrialPage::set_device_note(const QString& note) {
+  device_note_->setText(note);
+  device_note_->setVisible(!note.isEmpty());
 }
 
 const curricula::Scenario& TrialPage::scenario() const {

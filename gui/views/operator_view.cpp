@@ -103,6 +103,11 @@ void OperatorView::set_ghost_time(double time_s) {
 void OperatorView::update_from(const engine::Snapshot& snapshot) {
   if (!look_ || snapshot.step < 0) return;
   look_->update(snapshot);
+  follow(snapshot);
+}
+
+void OperatorView::follow(const engine::Snapshot& snapshot) {
+  if (!look_ || snapshot.step < 0) return;
   tool_->place(snapshot.proxy_pose);
   ghost_shown_ = ghost_->place(snapshot.device_pose, snapshot.proxy_pose);
   if (mark_) mark_->update(snapshot);

@@ -32,6 +32,8 @@ class OperatorView : public GlView {
   void set_ghost_time(double time_s);
   /// Moves tongue, blade and ghost, tube, cords and secretions to the snapshot's step; draw() then shows it.
   void update_from(const engine::Snapshot& snapshot);
+  /// The same in a second view of a look that has moved to this snapshot already: a look moves once a frame.
+  void follow(const engine::Snapshot& snapshot);
   void set_zoom(Zoom zoom) { zoom_ = zoom; }
   Zoom zoom() const { return zoom_; }
   /// As near as it is to be, without the way there: after a jump in time.

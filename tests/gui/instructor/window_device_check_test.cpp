@@ -96,7 +96,7 @@ class WindowDeviceCheck : public Screen {
   WindowDeviceCheck() { ::setenv("VALLECULA_HOME", box_.home().c_str(), 1); }
   void open(int sign = 1) {
     check_ = std::make_unique<DeviceCheck>(
-        "touch:T1", "Touch X", [hand = hand_] { return std::make_unique<HandDevice>(hand); }, nullptr,
+        "touch:T1", [hand = hand_] { return std::make_unique<HandDevice>(hand); }, nullptr,
         [sign] { return sign > 0 ? 1 : 0; });
     QObject::connect(check_.get(), &DeviceCheck::checked, [this](const CheckResult& result) { results_.push_back(result); });
     check_->show();
@@ -284,7 +284,7 @@ TEST_F(WindowDeviceCheck, OneThatVanishesInTheMiddleIsToldAndCheckedAgainWhenItI
 }
 
 TEST_F(WindowDeviceCheck, OneThatCannotBeOpenedSaysWhy) {
-  check_ = std::make_unique<DeviceCheck>("touch", "Touch", []() -> std::unique_ptr<device::HapticDevice> {
+  check_ = std::make_unique<DeviceCheck>("touch", []() -> std::unique_ptr<device::HapticDevice> {
     throw std::runtime_error("no libHD.so was found; install the vendor's driver");
   });
   QObject::connect(check_.get(), &DeviceCheck::checked, [this](const CheckResult& result) { results_.push_back(result); });
@@ -295,7 +295,7 @@ TEST_F(WindowDeviceCheck, OneThatCannotBeOpenedSaysWhy) {
 }
 
 TEST_F(WindowDeviceCheck, TheMouseIsMovedByDragWheelAndKeysAndHasNoForceOrClutch) {
-  check_ = std::make_unique<DeviceCheck>("mouse", "Mouse", [] { return std::make_unique<device::MouseDevice>(); });
+  check_ = std::make_unique<DeviceCheck>("mouse", [] { return std::make_unique<device::MouseDevice>(); });
   QObject::connect(check_.get(), &DeviceCheck::checked, [this](const CheckResult& result) { results_.push_back(result); });
   check_->show();
   ASSERT_TRUE(wait_asks("to the right"));
