@@ -113,7 +113,24 @@ DeviceCheck::DeviceCheck(const QString& name, Maker make, QWidget* parent, std::
 }
 
 DeviceCheck::~DeviceCheck() {
-  if (opening_) opening_->wait();
+  if (opener_) opener_->wait();
+}
+
+void DeviceCheck::done(int result) {
+  closing_ = true;
+  if (opening_) {  // it is closed once it is known what there is to let go
+    ask_->setText(tr("Closing the device ..."));
+    return;
+  }
+  release();
+  QDialog::done(result);
+}
+
+void DeviceCheck::release() {
+  clock_.stop();
+  run_.reset();
+  mouse_ = nullptr;
+  probe_.reset();
 }
 
 QWidget* DeviceCheck::make_lines() {
@@ -165,18 +182,22 @@ QWidget* DeviceCheck::make_answers() {
 
 void DeviceCheck::begin() {
   if (opening_) return;
-  clock_.stop();
-  run_.reset();
-  mouse_ = nullptr;
-  probe_.reset();  // the device is free before it is opened anew
+  release();  // before it is opened anew
+  opening_ = true;
   show_lines({});
   ask_->setText(tr("Opening the device ..."));
   for (QWidget* one : {static_cast<QWidget*>(push_), static_cast<QWidget*>(centre_), static_cast<QWidget*>(cannot_),
                        static_cast<QWidget*>(again_), answers_})
     one->setEnabled(false);
-  opening_ = run_in_background<std::unique_ptr<device::HapticDevice>>(
+  opener_ = run_in_background<std::unique_ptr<device::HapticDevice>>(
       this, make_,
       [this](std::unique_ptr<device::HapticDevice> device) {
+        opening_ = false;
+        if (closing_) {
+          device.reset();
+          done(QDialog::Rejected);
+          return;
+        }
         mouse_ = dynamic_cast<device::MouseDevice*>(device.get());
         if (mouse_ != nullptr) mouse_->set_view_axes({-1, 0, 0}, {0, -1, 0}, {0, 0, -1});
         const device::DeviceInfo info = device->info();
@@ -186,7 +207,11 @@ void DeviceCheck::begin() {
         pad_->setFocus();
         clock_.start();
       },
-      [this](const QString& message) { end(CheckRun::not_opened(message)); });
+      [this](const QString& message) {
+        opening_ = false;
+        end(CheckRun::not_opened(message));
+        if (closing_) done(QDialog::Rejected);
+      });
 }
 
 void DeviceCheck::look() {
@@ -216,15 +241,13 @@ void DeviceCheck::show_lines(const std::array<CheckLine, kCheckSteps>& lines) {
 }
 
 void DeviceCheck::end(const std::array<CheckLine, kCheckSteps>& lines) {
-  clock_.stop();
-  run_.reset();
-  mouse_ = nullptr;
-  probe_.reset();  // a trial may have it now
-  show_lines(lines);
+  const auto told = lines;  // they may be the run's
+  release();
+  show_lines(told);
   CheckResult result;
   result.device = name_;
   result.at = QDateTime::currentDateTime();
-  result.lines = lines;
+  result.lines = told;
   for (QWidget* one : {static_cast<QWidget*>(push_), static_cast<QWidget*>(centre_), static_cast<QWidget*>(cannot_), answers_})
     one->setEnabled(false);
   again_->setEnabled(true);

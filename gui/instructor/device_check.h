@@ -32,6 +32,8 @@ class DeviceCheck : public QDialog {
   DeviceCheck(const QString& name, Maker make, QWidget* parent = nullptr,
               std::function<int()> random = {});
   ~DeviceCheck() override;
+  /// Closed, the device is free: a trial may open it at once.
+  void done(int result) override;
 
  signals:
   /// All that can be told is told; comes again after another check.
@@ -47,13 +49,15 @@ class DeviceCheck : public QDialog {
   void look();
   void show_run();
   void show_lines(const std::array<CheckLine, kCheckSteps>& lines);
+  void release();
   void end(const std::array<CheckLine, kCheckSteps>& lines);
   bool move_by_key(int key, bool finely);
 
   const QString name_;
   const Maker make_;
   std::function<int()> random_;
-  QPointer<QThread> opening_;
+  QPointer<QThread> opener_;
+  bool opening_ = false, closing_ = false;
   std::unique_ptr<DeviceProbe> probe_;
   std::unique_ptr<CheckRun> run_;
   device::MouseDevice* mouse_ = nullptr;  ///< the probe's, where it is one

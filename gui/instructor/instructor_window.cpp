@@ -110,8 +110,17 @@ QWidget* InstructorWindow::make_left() {
   column->setSpacing(8);
   column->addLayout(head);
   column->addLayout(line);
+  events_ = new QListWidget(left);
+  events_->setObjectName("events");
+  events_->setAccessibleName(tr("Events"));
+  events_->setToolTip(tr("What happens, by the trial's clock (min:s)"));
+  events_->setWordWrap(true);
+  events_->setSelectionMode(QAbstractItemView::NoSelection);
+  events_->setFixedHeight(6 * events_->fontMetrics().lineSpacing());
+  events_->setStyleSheet("QListWidget::item { padding: 1px 4px; }");
   column->addWidget(view_, 1);
   column->addWidget(monitor_);
+  column->addWidget(events_);
   return left;
 }
 
@@ -121,13 +130,8 @@ QWidget* InstructorWindow::make_right() {
   readings_ = new TrialReadings(right);
   controls_ = new InstructorControls(right);
   checklist_ = new RunChecklist(right);
-  events_ = new QListWidget(right);
-  events_->setAccessibleName(tr("Events"));
-  events_->setWordWrap(true);
-  events_->setSelectionMode(QAbstractItemView::NoSelection);
   tabs_ = new QTabWidget(right);
   tabs_->addTab(checklist_, tr("Checklist"));
-  tabs_->addTab(events_, tr("Events"));
   tabs_->addTab(readings_, tr("Figures"));
   auto* column = new QVBoxLayout(right);
   column->setContentsMargins(0, 0, 0, 0);

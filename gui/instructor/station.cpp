@@ -1,5 +1,6 @@
 #include "gui/instructor/station.h"
 
+#include <QEvent>
 #include <QMainWindow>
 
 #include "device/factory.h"
@@ -19,6 +20,7 @@ InstructorStation::InstructorStation(QMainWindow& window, RecordsDesk& trainee, 
   next_->setShortcut(Qt::CTRL | Qt::Key_T);
   next_->setToolTip(tr("Signs the present trainee out and the next one in; scenario, patient and device stay (Ctrl+T)"));
   window_.addActions({open_, next_});
+  window_.installEventFilter(this);
   connect(open_, &QAction::triggered, this, &InstructorStation::open);
   connect(next_, &QAction::triggered, this, &InstructorStation::change_trainee);
   // A trial belongs to whoever began it.
@@ -27,6 +29,12 @@ InstructorStation::InstructorStation(QMainWindow& window, RecordsDesk& trainee, 
 }
 
 InstructorStation::~InstructorStation() = default;
+
+/// The second window does not outlive the first.
+bool InstructorStation::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == &window_ && event->type() == QEvent::Hide && !event->spontaneous() && second_) second_->close();
+  return QObject::eventFilter(watched, event);
+}
 
 void InstructorStation::open() {
   if (second_ && second_->isVisible()) {

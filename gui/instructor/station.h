@@ -43,6 +43,7 @@ class InstructorStation : public QObject {
   void device_checked(const vallecula::gui::CheckResult& result);
 
  private:
+  bool eventFilter(QObject* watched, QEvent* event) override;
   void open();
   void show_second(const curricula::Who& who, const curricula::Person& person);
   void change_trainee();

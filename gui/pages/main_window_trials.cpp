@@ -118,6 +118,7 @@ void MainWindow::prepare(TrialSetup setup, std::function<std::filesystem::path()
         return prepared;
       },
       [this, start_at_once, device = QString::fromStdString(setup.device)](Prepared ready) {
+        if (cancelled_) return back_to_start();  // at the last moment
         scenario_ = ready.session->scenario();
         misfits_ = misfits(ready.session->package(), scenario_);
         pages_->setCurrentWidget(trial_);
