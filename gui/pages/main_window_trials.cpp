@@ -70,6 +70,7 @@ void MainWindow::prepare_checked(const Choice& choice, std::uint32_t seed) {
     kept->setValue("scenario", QString::fromStdString(choice.scenario.id));
     kept->setValue("device", choice.device);
     kept->setValue("patient", QString::fromStdString(choice.patient.string()));
+    if (!choice.patient.empty()) remember(choice.patient);
   }
   again_ = [this, choice] { prepare_choice(choice); };
   const std::string moment = QDateTime::currentDateTime().toString("yyyyMMdd-HHmmss").toStdString();
@@ -99,7 +100,7 @@ void MainWindow::prepare(const TrialSetup& setup, bool start_at_once) {
 void MainWindow::prepare(TrialSetup setup, std::function<std::filesystem::path()> patient, bool start_at_once) {
   if (worker_ && !worker_->isFinished()) return;
   results_ = setup.final_out.empty() ? setup.out : setup.final_out;
-  start_->set_message("");
+  tell_first("");
   cancelled_ = false;
   prepare_stage_->setText("Looking for the patient ...");
   prepare_bar_->setValue(0);
@@ -145,7 +146,7 @@ void MainWindow::replay(const std::filesystem::path& trial, double at_s, const s
   QWidget* from = pages_->currentWidget();
   replay_from_ = from == result_ || from == records_ ? from : nullptr;
   result_->tell("");
-  start_->set_message("");
+  tell_first("");
   cancelled_ = false;
   prepare_stage_->setText("Reading the trial");
   prepare_bar_->setValue(0);
@@ -156,7 +157,7 @@ void MainWindow::replay(const std::filesystem::path& trial, double at_s, const s
     else if (replay_from_ == records_)
       records_->tell(message);
     else
-      start_->set_message(message);
+      tell_first(message);
     leave_replay();
     emit replay_failed(message);
   };
