@@ -126,6 +126,23 @@ constexpr char kCordsToCarina[] = "cords_to_carina_m";
 /// The head's extension on the neck, degrees; where it is known, depth is told for the neutral head as well.
 constexpr char kHeadExtension[] = "head_extension_deg";
 
+/// Of a trial begun at the vallecula: so many ticks, not counting those in a pause, the blade was led there by a plan.
+constexpr char kLeadInTicks[] = "lead_in_ticks";
+
+/// Bits of LogTick::buttons that scores ask for (engine::Action has all of them).
+enum LoggedAction : std::uint32_t {
+  kLoggedEyeRight = 1u << 21,
+  kLoggedEyeLeft = 1u << 22,
+  kLoggedEyeUp = 1u << 23,
+  kLoggedEyeDown = 1u << 24,
+  kLoggedExtension = 1u << 25,
+  kLoggedEyeMoves = kLoggedEyeRight | kLoggedEyeLeft | kLoggedEyeUp | kLoggedEyeDown,
+  kLoggedSaturationDriven = (1u << 26) | (1u << 27),
+  kLoggedHeartDriven = (1u << 28) | (1u << 29),
+  kLoggedSpasm = 1u << 30,
+  kLoggedByInstructor = kLoggedSaturationDriven | kLoggedHeartDriven | kLoggedSpasm,
+};
+
 /// Everything that must be known to understand and to repeat the trial. No identity of patient or trainee.
 struct LogHeader {
   int schema = 1;  ///< as read; written: 4 with events or contact areas, 3 with an intubation, 2 with a tool of its own, which

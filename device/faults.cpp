@@ -5,9 +5,10 @@ namespace vallecula::device {
 
 namespace {
 
-constexpr std::array<const char*, 9> kNames = {"none",       "force_exceeded", "communication_lost",
-                                               "unplugged",  "motor_warm",     "non_finite_command",
-                                               "servo_late", "not_calibrated", "driver_error"};
+constexpr std::array<const char*, 10> kNames = {"none",       "force_exceeded", "communication_lost",
+                                                "unplugged",  "motor_warm",     "non_finite_command",
+                                                "servo_late", "not_calibrated", "driver_error",
+                                                "frozen"};
 
 }  // namespace
 
@@ -41,6 +42,8 @@ const char* describe(DeviceFault fault) noexcept {
       return "The servo loop is late: close other programs, and set up real-time priority.";
     case DeviceFault::not_calibrated:
       return "The device does not know where it stands: put its pen into the ink well, or move it once to its ends.";
+    case DeviceFault::frozen:
+      return "The trial is held: it goes on when it is let go.";
     case DeviceFault::driver_error:
       return "The device's driver reports an error: unplug it, wait five seconds, plug it in again.";
   }

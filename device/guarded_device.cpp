@@ -60,6 +60,7 @@ void GuardedDevice::begin_anew() noexcept {
   centred_ = seen_tool_ = false;
   begin_at(start_.position_m, start_.rotation_wxyz);
   now_s_ = 0.0;
+  freeze(false);
   fault_.store(DeviceFault::none, std::memory_order_relaxed);
   state_.store(GuardState::working, std::memory_order_relaxed);
 }
@@ -69,7 +70,8 @@ DeviceFault GuardedDevice::trouble(const DeviceReading& reading, bool has_pose) 
   if (fault != DeviceFault::none) return fault;
   const Calibration calibration = device_.calibration();
   if (calibration != Calibration::good && calibration != Calibration::not_needed) return DeviceFault::not_calibrated;
-  return reading.valid && has_pose ? DeviceFault::none : DeviceFault::driver_error;
+  if (!reading.valid || !has_pose) return DeviceFault::driver_error;
+  return frozen() ? DeviceFault::frozen : DeviceFault::none;
 }
 
 void GuardedDevice::pause(DeviceFault fault) noexcept {

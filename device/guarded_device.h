@@ -73,6 +73,9 @@ class GuardedDevice {
   DeviceFault fault() const noexcept { return fault_.load(std::memory_order_relaxed); }
   /// The hand confirms by a key; no effect while the device is not back.
   void confirm() noexcept { confirmations_.fetch_add(1, std::memory_order_relaxed); }
+  /// Somebody holds the trial: paused as by a fault of that name until it is let go; the hand then confirms.
+  void freeze(bool on) noexcept { frozen_.store(on, std::memory_order_relaxed); }
+  bool frozen() const noexcept { return frozen_.load(std::memory_order_relaxed); }
 
  private:
   struct Place {
@@ -101,6 +104,7 @@ class GuardedDevice {
   std::uint32_t buttons_ = 0;    ///< of the last tick
   std::uint32_t confirmed_ = 0;  ///< confirmations_ when the device came back
   std::atomic<std::uint32_t> confirmations_{0};
+  std::atomic<bool> frozen_{false};
   std::atomic<GuardState> state_{GuardState::working};
   std::atomic<DeviceFault> fault_{DeviceFault::none};
 };

@@ -26,7 +26,8 @@ enum class DeviceFault : std::uint8_t {
   non_finite_command,
   servo_late,      ///< the driver's own loop, or whoever commands it, missed its deadline for too long
   not_calibrated,  ///< it works, but does not know where it stands
-  driver_error     ///< the driver reports an error that has no name here
+  driver_error,    ///< the driver reports an error that has no name here
+  frozen           ///< none of the device's: somebody holds the trial
 };
 /// One plain sentence for a person.
 const char* describe(DeviceFault fault) noexcept;

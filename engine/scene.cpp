@@ -32,6 +32,18 @@ void check(const SceneDescription& d) {
   positive(d.sphere_ratio, "the sphere ratio", "tetrahedron volumes");
   if (d.sphere_levels < 1 || d.sphere_levels > 6)
     throw std::invalid_argument("the sphere tree's grid has " + std::to_string(d.sphere_levels) + " levels; 1 to 6 work");
+  const auto unit = [](const Vec3& v, const char* what) {
+    if (!(std::abs(v.norm() - 1) < 1e-3))
+      throw std::invalid_argument(std::string(what) + " has a length of " + std::to_string(v.norm()) + " instead of 1");
+  };
+  unit(d.sight.eye_right, "the eye's axis to the right");
+  unit(d.sight.eye_up, "the eye's axis upwards");
+  unit(d.neck.axis, "the neck's axis");
+  if (!d.neck.joint.allFinite()) throw std::invalid_argument("the neck's joint is not finite");
+  for (const NeckDescription::Carried& c : d.neck.carried)
+    if (c.body < 0 || c.body >= static_cast<int>(d.soft.bodies.size()) || !c.at.allFinite() ||
+        d.soft.bodies[static_cast<std::size_t>(c.body)].motion != SprungBody::Motion::translation)
+      throw std::invalid_argument("the neck carries body " + std::to_string(c.body) + ", which is none that shifts");
   if (d.rigid.triangle_structure.size() != d.rigid.surface.triangles.size())
     throw std::invalid_argument("rigid anatomy: a structure is needed for each triangle");
 }

@@ -91,6 +91,7 @@ struct ToolDescription {
 
 struct SightDescription {
   Vec3 eye = Vec3::Zero();
+  Vec3 eye_right = -Vec3::UnitX(), eye_up = -Vec3::UnitY();  ///< the operator's own axes, unit, at right angles
   std::vector<Vec3> glottis_outline;   ///< polygon of the glottic opening, in order
   std::vector<TriangleMesh> occluders; ///< rigid surfaces that can stand in the way (face with mouth and airway walls)
   /// What of this moves with a sprung body, each point by a share of the body's way (0..1).
@@ -100,6 +101,17 @@ struct SightDescription {
     std::vector<float> point_share;    ///< of the occluders' points, in their order; empty: none moves
   };
   std::vector<Follower> followers;
+};
+
+/// Where the head turns on the neck, and what of the neck goes along, in the head's own frame.
+struct NeckDescription {
+  Vec3 joint = Vec3::Zero();         ///< atlanto-occipital, m
+  Vec3 axis = Vec3::UnitX();         ///< unit; a right-handed turn of the neck about it extends the head
+  struct Carried {
+    int body = -1;                   ///< of SoftBodyDescription::bodies, one that shifts: where it rests goes along
+    Vec3 at = Vec3::Zero();          ///< its own place, m
+  };
+  std::vector<Carried> carried;      ///< empty: extension changes nothing
 };
 
 struct HapticSettings {
@@ -116,6 +128,7 @@ struct SceneDescription {
   LipDescription lips;
   ToolDescription tool;
   SightDescription sight;
+  NeckDescription neck;
   HapticSettings haptics;
   std::optional<IntubationDescription> intubation;  ///< none: laryngoscopy alone
   bool hold_volume = true;             ///< nearly incompressible tissue as a whole keeps its volume within 1 %

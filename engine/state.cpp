@@ -64,6 +64,16 @@ void collect_tissue_load(const Scene& scene, SceneState& state, std::array<Struc
     if (weight[s] > 0) loads[s].centre_m /= weight[s];
 }
 
+/// What of the neck hangs on springs has its rest along the arc about the joint.
+void turn_neck(const Scene& scene, SceneState& state) {
+  const NeckDescription& neck = scene.description.neck;
+  if (state.posture.extension == 0.0 || neck.carried.empty()) return;
+  const Mat3 turn = Eigen::AngleAxisd(kExtension * eased(state.posture.extension), neck.axis).toRotationMatrix();
+  for (const NeckDescription::Carried& c : neck.carried)
+    state.tissue.body_load[static_cast<std::size_t>(c.body)] +=
+        scene.model.bodies[static_cast<std::size_t>(c.body)].stiffness * (turn * (c.at - neck.joint) - (c.at - neck.joint));
+}
+
 /// What anatomy and tool ask of the sprung bodies in the coming step: the tool on what is theirs, and the joints' stops.
 void load_bodies(const Scene& scene, SceneState& state) {
   TissueState& tissue = state.tissue;
@@ -80,6 +90,7 @@ void load_bodies(const Scene& scene, SceneState& state) {
     tissue.body_load[b].x() -= std::copysign(stiffer * beyond, angle);
     tissue.body_load_stiffness[b] += stiffer;
   }
+  turn_neck(scene, state);
   if (!state.intubation) return;
   for (std::size_t b = 0; b < scene.model.bodies.size(); ++b) {
     tissue.body_load[b] += state.intubation->body_load[b];
@@ -123,7 +134,7 @@ void look_past_tube(const Scene& scene, SceneState& state) {
 }
 
 void look(const Scene& scene, SceneState& state) {
-  scene.sight.begin(state.sight, state.tissue.body_displacement);
+  scene.sight.begin(state.sight, state.tissue.body_displacement, eye_offset(scene, state));
   scene.sight.add(state.sight, scene.model.nodes, scene.surface.triangles,
                   [&](int i) -> Vec3 { return scene.model.rest[i] + state.tissue.displacement[i]; });
   const TriangleMesh& tool = scene.description.tool.surface;
@@ -148,6 +159,11 @@ SceneState::SceneState(const Scene& scene)
           std::max({scene.model.rest.size(), scene.description.tool.surface.points.size(),
                     scene.intubation ? std::size_t{kTubeNodes * kTubeSides} : 0}))) {
   if (scene.intubation) intubation.emplace(scene);
+}
+
+Vec3 eye_offset(const Scene& scene, const SceneState& state) noexcept {
+  const SightDescription& sight = scene.description.sight;
+  return kEyeMove * (eased(state.posture.right) * sight.eye_right + eased(state.posture.up) * sight.eye_up);
 }
 
 Pose within_reach(const Scene& scene, const Pose& pose) noexcept {
@@ -194,6 +210,9 @@ StepResult step(const Scene& scene, SceneState& state, const StepInput& input) n
   const bool paused = scene.intubation && !hands_there(input);
   bool valid = input.valid && !paused && (result.faults & kFaultDevicePose) == 0;
   if (!input.valid) result.faults |= kFaultDeviceInvalid;
+
+  // A pause leaves both heads as they are.
+  if (hands_there(input)) step(state.posture, input.actions, scene.model.step_s);
 
   const Pose before = state.proxy.pose;
   const bool held = paused || proxy_held(state.limit.state);

@@ -5,6 +5,7 @@
 #include "engine/contact/tissue_contact.h"
 #include "engine/haptics/force_limit.h"
 #include "engine/haptics/prediction.h"
+#include "engine/posture.h"
 #include "engine/scene_data.h"
 #include "engine/tick_record.h"
 #include "engine/tissue/implicit_step.h"
@@ -56,6 +57,7 @@ struct SceneState {
   HandState hand;              ///< last good device pose and its velocity
   bool placed = false;         ///< the first good pose has placed the proxy
   Pose free_pose;              ///< of the proxy when it last touched nothing: where it begins anew after a fault
+  PostureState posture;        ///< of the operator's head and the infant's
   LineOfSight::Scratch sight;
   double glottis_visible = 0.0;
   std::int64_t step = 0;       ///< steps taken
@@ -63,6 +65,9 @@ struct SceneState {
 };
 
 constexpr std::int64_t kSightEverySteps = 20;
+
+/// Where the operator's eye is, from SightDescription::eye, m.
+Vec3 eye_offset(const Scene& scene, const SceneState& state) noexcept;
 
 /// A usable pose as the scene takes it: a unit rotation, no farther than 1 m from the tissue.
 Pose within_reach(const Scene& scene, const Pose& pose) noexcept;

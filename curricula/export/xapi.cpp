@@ -217,7 +217,7 @@ std::vector<XapiStatement> statements_of(const RecordRow& trial, const XapiSourc
 
   const QJsonObject lasted{{"duration", duration(times.lasted_s)}};
   state("initialized", times.begun, {});
-  if (trial.score.complete && (!launch || launch->judged)) {
+  if (trial.score.counts() && (!launch || launch->judged)) {
     if (!recorded("completed")) {
       QJsonObject result = lasted;
       result["completion"] = true;

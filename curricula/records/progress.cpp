@@ -30,8 +30,8 @@ std::vector<CurveSummary> summaries(const std::vector<RecordRow>& rows) {
     curve.key = {row.trainee_id, row.curriculum_id, row.scenario_id, row.device_kind};
     if (curve.first_utc.empty() || row.finished_utc < curve.first_utc) curve.first_utc = row.finished_utc;
     curve.last_utc = std::max(curve.last_utc, row.finished_utc);
-    if (!row.score.complete) {
-      ++curve.interrupted;
+    if (!row.score.counts()) {
+      ++(row.score.complete ? curve.set_aside : curve.interrupted);
       continue;
     }
     const bool success = procedure_succeeded(row);
@@ -66,7 +66,7 @@ std::vector<RecordRow> rows_of(Records& records, const Who& who, long long train
 }  // namespace
 
 bool procedure_succeeded(const RecordRow& row) {
-  return row.score.complete && row.score.passed && row.attempts <= kAttemptsOfAProcedure;
+  return row.score.counts() && row.score.passed && row.attempts <= kAttemptsOfAProcedure;
 }
 
 std::vector<CurveSummary> Progress::curves(const Who& who, long long trainee_id) const {
@@ -85,7 +85,7 @@ std::vector<RecordRow> Progress::trials(const Who& who, long long trainee_id, in
 }
 
 std::map<std::string, std::vector<PastResult>> Progress::results(const Who& who, long long trainee_id) const {
-  const std::vector<RecordRow> rows = rows_of(records_, who, trainee_id, " AND complete <> 0 ORDER BY id");
+  const std::vector<RecordRow> rows = rows_of(records_, who, trainee_id, " AND complete <> 0 AND set_aside = '' ORDER BY id");
   std::map<std::string, std::vector<PastResult>> results;
   for (const RecordRow& row : rows)
     results[row.curriculum_id].push_back(

@@ -21,6 +21,7 @@ struct CurveSummary {
   std::string trainee_name;         ///< in a cohort; else empty
   int trials = 0;                   ///< whole ones
   int interrupted = 0;              ///< cut off: in no figure below
+  int set_aside = 0;                ///< by an instructor's change or for beginning at the vallecula: likewise
   int passed = 0;                   ///< within two attempts (procedure_succeeded)
   int passed_in_a_row = 0;          ///< up to the last trial
   int to_three_in_a_row = -1;       ///< trials up to and with the third success in a row; -1: not reached
@@ -56,7 +57,7 @@ class Progress {
   /// The newest `count` of all their trials, newest first.
   std::vector<RecordRow> trials(const Who& who, long long trainee_id, int count) const;
   /// What counts towards the mastery of a curriculum's modules, oldest first, for progress_of(), by the curriculum's id;
-  /// without interrupted ones.
+  /// without interrupted ones and those set aside.
   std::map<std::string, std::vector<PastResult>> results(const Who& who, long long trainee_id) const;
   std::vector<Day> calendar(const Who& who, long long trainee_id) const;  ///< days with trials, by date
   /// Every trainee's curves, by name; instructors only.

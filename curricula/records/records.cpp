@@ -30,6 +30,12 @@ void must_be_a_time(const char* name, const std::string& value) {
     throw RecordsError(std::string("records: ") + name + " '" + value + "' is not an ISO 8601 time");
 }
 
+std::string lines(const std::vector<std::string>& sentences) {
+  std::string all;
+  for (const std::string& one : sentences) all += (all.empty() ? "" : "\n") + one;
+  return all;
+}
+
 constexpr const char* kNotRecorded = "the trial could not be recorded";
 
 long long insert_trial(Connection& connection, const RecordRow& row, const std::string& uid) {
@@ -53,6 +59,7 @@ long long insert_trial(Connection& connection, const RecordRow& row, const std::
       {"complete", static_cast<int>(s.complete)},  // PostgreSQL takes no truth value for a number
       {"passed", static_cast<int>(s.passed)},
       {"reasons", reasons_to_json(s.reasons)},
+      {"set_aside", bound(lines(s.set_aside))},
       {"peak_tongue_force_n", s.peak_tongue_force_n},
       {"time_of_peak_tongue_force_s", s.time_of_peak_tongue_force_s},
       {"time_to_trachea_visible_s",
@@ -250,6 +257,8 @@ std::vector<RecordRow> trial_rows(Connection& connection, const QString& where, 
       for (const QJsonValue& reason : QJsonDocument::fromJson(query.value("reasons").toByteArray()).array()) {
         s.reasons.push_back(reason.toString().toStdString());
       }
+      for (const QString& why : query.value("set_aside").toString().split('\n', Qt::SkipEmptyParts))
+        s.set_aside.push_back(why.toStdString());
       s.peak_tongue_force_n = number("peak_tongue_force_n");
       s.time_of_peak_tongue_force_s = number("time_of_peak_tongue_force_s");
       const QVariant visible = query.value("time_to_trachea_visible_s");

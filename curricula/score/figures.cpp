@@ -40,7 +40,7 @@ double any(const Score& score, bool Attempt::*what) {
 const std::vector<Figure>& figures() {
   static const std::vector<Figure> all{
       {"passed", "Passed", "", "every limit of the scenario was kept", kOwn, false, 1,
-       [](const Score& s) { return Value(s.passed ? 1.0 : 0.0); }},
+       [](const Score& s) { return s.set_aside.empty() ? Value(s.passed ? 1.0 : 0.0) : std::nullopt; }},
       {"attempt_time_s", "Attempt time", "s", "blade into the mouth to blade out, less pauses; of several the longest",
        kNear4Neos, false, -1, [](const Score& s) { return s.attempt_begun ? Value(s.attempt_time_s) : std::nullopt; }},
       {"time_to_trachea_visible_s", "Time to first sight", "s",

@@ -58,7 +58,7 @@ void judge(const TrialLog& log, const Scenario& scenario, const Moments& moments
     return at_s < 0.0 ? std::string() : " (" + std::string(what) + " " + second(at_s) + ")";
   };
   score.criteria = {completeness(log, score), attempt_begun(log, score), glottis_seen(scenario, score)};
-  if (score.attempt_begun)
+  if (score.attempt_begun && !score.at_vallecula)
     score.criteria.push_back(score.intubation ? longest_attempt_time(scenario, score) : attempt_time(scenario, score));
   score.criteria.push_back(peak("peak_tongue_force_n", "Peak force on the tongue", score.peak_tongue_force_n,
                                 pass.peak_tongue_force_n, score.time_of_peak_tongue_force_s));

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "curricula/score/helps.h"
 #include "curricula/score/intubation.h"
 #include "curricula/score/rubric.h"
 #include "curricula/score/stays.h"
@@ -135,9 +136,7 @@ void settle_attempts(Score& score) {
   }
 }
 
-}  // namespace
-
-Score score_trial(const TrialLog& log, const Scenario& scenario) {
+Score score_of(const TrialLog& log, const Scenario& scenario, bool led_in) {
   Score score;
   score.ticks = static_cast<long long>(log.ticks.size());
   score.loop_rate_hz = log.footer.loop_rate_hz;
@@ -145,7 +144,6 @@ Score score_trial(const TrialLog& log, const Scenario& scenario) {
   score.overruns = log.footer.overruns;
   score.real_time_setup = log.footer.real_time_setup;
   score.complete = log.footer.complete;
-  score.pauses = pauses_in(log);
   measure_attempt(log, score);
   measure_sight(log, scenario, score);
   Moments moments = measure_forces(log, scenario, score);
@@ -159,8 +157,19 @@ Score score_trial(const TrialLog& log, const Scenario& scenario) {
   score.blade = measure_blade(log, attempts);
   score.motion = measure_motion(log, attempts);
   score.dual_task = measure_dual_task(log, scenario);
+  measure_helps(log, led_in, score);
   judge(log, scenario, moments, score);
+  score.reasons.insert(score.reasons.begin(), score.set_aside.begin(), score.set_aside.end());
   score.checklist = checklist_of(score, log, scenario);
+  return score;
+}
+
+}  // namespace
+
+Score score_trial(const TrialLog& log, const Scenario& scenario) {
+  const std::optional<TrialLog> rest = after_lead_in(log);
+  Score score = score_of(rest ? *rest : log, scenario, rest.has_value());
+  score.pauses = pauses_in(log);
   return score;
 }
 

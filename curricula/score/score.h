@@ -30,6 +30,13 @@ struct Criterion {
   std::string sentence;  ///< figure, limit and second, for a person
 };
 
+/// A help beside the hands, or an instructor's change: how often and how long it was asked for, trial time.
+struct Use {
+  int times = 0;
+  double for_s = 0.0;
+  double first_s = -1.0;  ///< -1: never
+};
+
 /// A time in which the device could not be used.
 struct Pause {
   double at_s = 0.0, for_s = 0.0;  ///< trial time
@@ -70,6 +77,13 @@ struct Score {
   bool complete = false;                             ///< the log has its end; otherwise the trial was interrupted
   std::vector<Criterion> criteria;                   ///< the whole rubric, met or not
   std::optional<IntubationScore> intubation;         ///< none: laryngoscopy alone
+
+  Use eye_moves, extension, saturation_driven, heart_driven, spasm_driven;  ///< the last three by an instructor
+  bool at_vallecula = false;  ///< begun there: what the blade was led through is in no figure
+  /// Why the trial counts neither as passed nor as failed, whatever `passed` says: a sentence each; they stand first among
+  /// the reasons. Empty: it counts.
+  std::vector<std::string> set_aside;
+  bool counts() const { return complete && set_aside.empty(); }
 
   // Each defined at its struct; told, not judged.
   ForceFigures force;
@@ -119,6 +133,7 @@ struct Score {
 ///   breaths are counted from that stay's begin.
 /// - recognised late: more than breaths_to_confirm breaths in one stay in the oesophagus.
 /// - the lowest saturation and heart rate count from the first attempt's start.
+/// - a trial begun at the vallecula is scored from where the hand took the blade over, and its attempt's time is not judged.
 /// - passed: the log is complete and finite, the attempt took place, and every limit of scenario.pass is kept.
 /// Never throws for a log that read_trial_log gave.
 Score score_trial(const TrialLog& log, const Scenario& scenario);

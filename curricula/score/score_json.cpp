@@ -14,6 +14,12 @@ namespace {
 
 QString text(const std::string& s) { return QString::fromStdString(s); }
 
+QJsonObject use_to_json(const Use& use) {
+  return {{"times", use.times},
+          {"for_s", number_or_null(use.for_s)},
+          {"first_s", number_or_null(use.first_s, use.first_s >= 0.0)}};
+}
+
 }  // namespace
 
 QJsonValue number_or_null(double value, bool exists) {
@@ -47,6 +53,15 @@ std::string score_to_json(const Score& score, const TrialLog& log, const Scenari
   QJsonArray reasons;
   for (const std::string& reason : score.reasons) reasons.append(text(reason));
   o["reasons"] = reasons;
+  QJsonArray aside;
+  for (const std::string& why : score.set_aside) aside.append(text(why));
+  o["set_aside"] = aside;
+  o["at_vallecula"] = score.at_vallecula;
+  o["eye_moves"] = use_to_json(score.eye_moves);
+  o["head_extension"] = use_to_json(score.extension);
+  o["instructor"] = QJsonObject{{"saturation", use_to_json(score.saturation_driven)},
+                                {"heart", use_to_json(score.heart_driven)},
+                                {"laryngospasm", use_to_json(score.spasm_driven)}};
 
   o["time_of_peak_tongue_force_s"] = number_or_null(score.time_of_peak_tongue_force_s, score.peak_tongue_force_n > 0.0);
   o["time_of_peak_gum_force_s"] = number_or_null(score.time_of_peak_gum_force_s, score.peak_gum_force_n > 0.0);

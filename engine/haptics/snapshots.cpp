@@ -19,6 +19,8 @@ void fill_snapshot(const Scene& scene, const SceneState& state, const StepResult
   s.model_force_n = result.model_force_n;
   s.loads = result.loads;
   s.glottis_visible = result.glottis_visible;
+  s.eye_offset_m = eye_offset(scene, state);
+  s.extension_rad = kExtension * eased(state.posture.extension);
   s.faults = result.faults;
   std::copy(state.tissue.body_displacement.begin(), state.tissue.body_displacement.end(), s.body_displacement.begin());
   s.has_intubation = state.intubation.has_value();

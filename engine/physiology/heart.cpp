@@ -7,6 +7,9 @@ namespace vallecula::engine {
 namespace {
 
 constexpr double kSlowest = 40.0;   // 1/min: an escape rhythm
+constexpr double kFastest = 220.0;  // 1/min: no driven heart beats faster (assumed)
+// Of what a heart is driven off, a whole breath takes so much back: half of it within seven (assumed).
+constexpr double kBackPerBreath = 0.1;
 constexpr double kLeastLoad = 0.2;  // N: less is not noticed
 // The vagus answers a load's change: one that stays is forgotten after some 10 s (two stages of this time constant
 // each, assumed), so that a tube which lies well lets the heart go back to rest within half a minute.
@@ -41,6 +44,7 @@ HeartState start(const Heart& h, double arterial) noexcept {
 void breathe(HeartState& s, double share) noexcept {
   s.awakening += share * kAwakeningPerBreath * (1.0 - s.awakening);
   s.inflation += share * kInflationPerBreath * (1.0 - s.inflation);
+  s.driven_per_min *= 1.0 - std::min(1.0, share) * kBackPerBreath;
 }
 
 void beat(const Heart& h, HeartState& s, double arterial, double load_n, double dt_s) noexcept {
@@ -52,10 +56,17 @@ void beat(const Heart& h, HeartState& s, double arterial, double load_n, double 
   const double reflex = h.reflex * (1.0 - (1.0 - vagal) * (1.0 - chemo));
   const double direct = ramp(s.tissue, kDirectBegins, kDirectFull);
   const double free = h.first_per_min + s.awakening * (h.resting_per_min - h.first_per_min);
-  const double target = kSlowest + (free - kSlowest) * (1.0 - reflex) * (1.0 - direct);
+  const double target =
+      std::clamp(kSlowest + (free - kSlowest) * (1.0 - reflex) * (1.0 - direct) + s.driven_per_min, kSlowest, kFastest);
   follow(s.getting_used_to_n, load_n, kGetsUsed, dt_s);
   follow(s.used_to_n, s.getting_used_to_n, kGetsUsed, dt_s);
   follow(s.per_min, target, target < s.per_min ? kSlowing : kQuickening, dt_s);
+}
+
+void drive(HeartState& s, double by_per_min) noexcept {
+  const double to = std::clamp(s.per_min + by_per_min, kSlowest, kFastest), way = to - s.per_min;
+  s.per_min = to;
+  s.driven_per_min = std::clamp(s.driven_per_min + way, kSlowest - kFastest, kFastest - kSlowest);
 }
 
 double flow(const Heart& h, const HeartState& s) noexcept { return s.per_min / h.resting_per_min; }

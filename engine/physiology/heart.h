@@ -20,6 +20,7 @@ struct HeartState {
   double inflation = 0.0;  ///< 0..1: how much the last breaths hold the vagus back
   /// Of the load on larynx and epiglottis: what the vagus no longer answers, and what that is on its way to.
   double used_to_n = 0.0, getting_used_to_n = 0.0;
+  double driven_per_min = 0.0;  ///< by which drive() holds it off; breaths bring it back
 };
 
 HeartState start(const Heart& h, double arterial) noexcept;
@@ -29,6 +30,10 @@ void breathe(HeartState& s, double share) noexcept;
 
 /// dt_s (s) with this arterial saturation and this load on larynx and epiglottis (N, of blade and tube together).
 void beat(const Heart& h, HeartState& s, double arterial, double load_n, double dt_s) noexcept;
+
+/// From outside, as an instructor does: the rate changes by this, within what a heart does (assumed), and stays off by as
+/// much until breaths reach the lungs.
+void drive(HeartState& s, double by_per_min) noexcept;
 
 /// Blood flow as a share of the flow at rest: an infant's stroke volume hardly changes.
 double flow(const Heart& h, const HeartState& s) noexcept;

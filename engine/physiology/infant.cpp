@@ -119,6 +119,8 @@ double reached(const InfantInput& in, double opening) noexcept {
   }
 }
 
+double direction(int asked) noexcept { return asked > 0 ? 1.0 : -1.0; }
+
 double number_or(double value, double otherwise, std::uint32_t& faults) noexcept {
   if (std::isfinite(value)) return value;
   faults |= kInfantFaultInput;
@@ -127,7 +129,7 @@ double number_or(double value, double otherwise, std::uint32_t& faults) noexcept
 
 bool sound(const InfantState& s) noexcept {
   double sum = s.oxygen.arterial + s.oxygen.venous + s.oxygen.shunt + s.heart.per_min + s.heart.awakening +
-               s.heart.tissue + s.heart.inflation + s.heart.used_to_n + s.heart.getting_used_to_n + s.pending_s +
+               s.heart.tissue + s.heart.inflation + s.heart.used_to_n + s.heart.getting_used_to_n + s.heart.driven_per_min + s.pending_s +
                s.pending_load_n + s.breath_phase + s.since_given_s + s.given_interval_s + s.since_breath_s;
   for (const double p : s.oxygen.alveolar_mmhg) sum += p;
   return std::isfinite(sum);
@@ -256,6 +258,11 @@ InfantSigns step(const Infant& infant, InfantState& s, const InfantInput& input,
   } else {
     s.breath_phase = 0.0;
   }
+
+  if (input.drive_saturation != 0)
+    shift(s.oximeter, drive(infant.oxygen, s.oxygen, direction(input.drive_saturation) * kDrivenSaturation * dt,
+                            infant.oxygen.given_mmhg));
+  if (input.drive_heart != 0) drive(s.heart, direction(input.drive_heart) * kDrivenHeart * dt);
 
   s.pending_load_n = std::max(s.pending_load_n, load);
   s.pending_s += dt;

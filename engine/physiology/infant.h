@@ -42,6 +42,9 @@ Infant build_infant(const InfantDescription& description);
 enum class Breath : std::uint8_t { none, mask, tube };
 enum class TubeTip : std::uint8_t { none, oesophagus, trachea, main_bronchus };  ///< none: out, or above the glottis
 
+constexpr double kDrivenSaturation = 0.05;  ///< 1/s, of an instructor's key held
+constexpr double kDrivenHeart = 20.0;       ///< 1/min a second, likewise
+
 struct InfantInput {
   Breath breath = Breath::none;  ///< given in this tick: one tick per breath
   TubeTip tip = TubeTip::none;
@@ -49,6 +52,7 @@ struct InfantInput {
   double tube_load_n = 0.0;      ///< likewise
   double glottis_opening = 1.0;  ///< 0..1: through closed cords neither mask nor own breath comes
   bool breathing = false;        ///< tries by itself; a premedicated infant cannot
+  int drive_saturation = 0, drive_heart = 0;  ///< from outside: -1 down, 1 up, by kDrivenSaturation and kDrivenHeart
 };
 
 /// Named faults of a step, bits of InfantSigns::faults.

@@ -33,6 +33,10 @@ void sample(OximeterState& s, int delay_samples, double arterial) noexcept {
   s.percent = percent(sum / kAveraged);
 }
 
+void shift(OximeterState& s, double by) noexcept {
+  for (float& seen : s.seen) seen = static_cast<float>(std::clamp(static_cast<double>(seen) + by, 0.0, 1.0));
+}
+
 void breathe(const Co2Detector& d, Co2DetectorState& s, bool in_airway, double heart_per_min) noexcept {
   if (in_airway && heart_per_min >= d.least_heart_per_min)
     s.breaths = std::min(s.breaths + 1, d.breaths_needed);

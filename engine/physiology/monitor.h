@@ -24,6 +24,9 @@ OximeterState start_oximeter(double arterial) noexcept;
 /// One sample: the display is the mean of 8 s whose middle lies delay_samples (40..200) ago, in whole percent.
 void sample(OximeterState& s, int delay_samples, double arterial) noexcept;
 
+/// All that it has seen changes by this: what is driven from outside shows at once.
+void shift(OximeterState& s, double by) noexcept;
+
 /// Colours of a colorimetric detector: purple without CO2, yellow with it.
 enum class DetectorColour : std::uint8_t { purple, yellow };
 

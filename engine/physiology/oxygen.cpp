@@ -10,6 +10,8 @@ constexpr double kAdultP50 = 26.86;    // mmHg: where Severinghaus' equation giv
 constexpr double kBtpsToStpd = 863.0;  // mmHg: ml BTPS times a pressure, over this, is ml STPD (760 * 310 / 273)
 constexpr double kScarce = 0.15;       // venous saturation below which tissue gets less than it would use (assumed)
 
+constexpr double kLeastDriven = 0.05, kMostDriven = 1.0;  // arterial, by drive()
+
 double end_capillary(const Oxygen& o, const OxygenState& s) noexcept {
   double sum = 0.0;
   for (int i = 0; i < kLungUnits; ++i) sum += o.flow_share[i] * saturation(s.alveolar_mmhg[i], o.p50_mmhg);
@@ -55,6 +57,27 @@ void use(const Oxygen& o, OxygenState& s, double flow, double dt_s) noexcept {
   const double arterial = s.arterial + (taken + blood_ml * (s.venous - s.arterial)) / o.arterial_ml;
   s.venous += (blood_ml * (s.arterial - s.venous) - used) / o.venous_ml;
   s.arterial = arterial;
+}
+
+double drive(const Oxygen& o, OxygenState& s, double by, double most_mmhg) noexcept {
+  const double before = s.arterial, arterial = std::clamp(s.arterial + by, kLeastDriven, kMostDriven);
+  const double way = arterial - before;
+  for (int i = 0; i < kLungUnits; ++i) {
+    const double wanted = saturation(s.alveolar_mmhg[i], o.p50_mmhg) + way;
+    double low = 0.0, high = most_mmhg;
+    for (int k = 0; k < 40; ++k) {
+      const double middle = (low + high) / 2;
+      (saturation(middle, o.p50_mmhg) < wanted ? low : high) = middle;
+    }
+    // A saturation near 1 stands for any pressure: the lung is not emptied by a rise, nor filled by a fall.
+    s.alveolar_mmhg[i] = way > 0 ? std::max(s.alveolar_mmhg[i], high) : std::min(s.alveolar_mmhg[i], low);
+  }
+  s.arterial = arterial;
+  s.venous = std::clamp(s.venous + way, 0.0, arterial);
+  const double full = end_capillary(o, s);
+  if (way > 0 && full - s.venous > 1e-6)
+    s.shunt = std::clamp((full - arterial) / (full - s.venous), std::min(o.shunt, s.shunt), s.shunt);
+  return way;
 }
 
 double store_ml(const Oxygen& o, const OxygenState& s) noexcept {

@@ -48,6 +48,11 @@ void breathe(const Oxygen& o, OxygenState& s, double share, double gas_mmhg) noe
 /// dt_s (s) without a breath, blood flowing at `flow` times its resting rate.
 void use(const Oxygen& o, OxygenState& s, double flow, double dt_s) noexcept;
 
+/// From outside, as an instructor does: all saturations change by `by` together, lungs, arteries and veins, within what
+/// gas of `most_mmhg` and an empty store allow; where the shunt stands in the way of a rise it gives way, down to the
+/// infant's own. Returns by how much the arterial one changed. What breaths and blood do to it afterwards is theirs.
+double drive(const Oxygen& o, OxygenState& s, double by, double most_mmhg) noexcept;
+
 /// All oxygen in lungs and blood, ml STPD.
 double store_ml(const Oxygen& o, const OxygenState& s) noexcept;
 

@@ -1,9 +1,12 @@
 #include "engine/sight/line_of_sight.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+
+#include "engine/posture.h"
 
 namespace vallecula::engine {
 
@@ -72,19 +75,31 @@ LineOfSight::LineOfSight(const SightDescription& sight, const std::vector<Sprung
 
 /// Of the occluders only triangles that are before the glottis, or can come there, are looked at in a tick.
 void LineOfSight::keep_occluders_near(const SightDescription& sight) {
-  Scratch rest;
-  rest.samples.resize(points_.size());
-  place_samples(rest, {});
+  // As seen from the corners of where the eye can be: across the axis a point's picture goes as the eye does.
+  std::array<Scratch, 4> corners;
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    corners[k].samples.resize(points_.size());
+    look_from(kEyeMove * ((k & 1u) != 0 ? 1.0 : -1.0) * sight.eye_right +
+                  kEyeMove * ((k & 2u) != 0 ? 1.0 : -1.0) * sight.eye_up,
+              corners[k]);
+    place_samples(corners[k], {});
+  }
   std::size_t first = 0;
   for (const TriangleMesh& mesh : sight.occluders) {
     std::vector<int> kept(mesh.points.size(), -1);
     for (const auto& t : mesh.triangles) {
-      const Vec3 a = project(mesh.points[t[0]]), b = project(mesh.points[t[1]]), c = project(mesh.points[t[2]]);
-      const auto [u0, u1] = std::minmax({a.x(), b.x(), c.x()});
-      const auto [v0, v1] = std::minmax({a.y(), b.y(), c.y()});
-      if (u1 < rest.low_u - kComesNear || u0 > rest.high_u + kComesNear || v1 < rest.low_v - kComesNear ||
-          v0 > rest.high_v + kComesNear)
-        continue;
+      bool left = true, right = true, below = true, above = true;  // of the glottis, from wherever it is looked at
+      for (const Scratch& eye : corners) {
+        const Vec3 a = project(mesh.points[t[0]], eye), b = project(mesh.points[t[1]], eye),
+                   c = project(mesh.points[t[2]], eye);
+        const auto [u0, u1] = std::minmax({a.x(), b.x(), c.x()});
+        const auto [v0, v1] = std::minmax({a.y(), b.y(), c.y()});
+        left = left && u1 < eye.low_u - kComesNear;
+        right = right && u0 > eye.high_u + kComesNear;
+        below = below && v1 < eye.low_v - kComesNear;
+        above = above && v0 > eye.high_v + kComesNear;
+      }
+      if (left || right || below || above) continue;
       std::array<int, 3> own;
       for (int k = 0; k < 3; ++k) {
         int& place = kept[t[k]];
@@ -115,7 +130,7 @@ void LineOfSight::place_samples(Scratch& scratch, const std::vector<Vec3>& body_
   scratch.low_u = scratch.low_v = std::numeric_limits<double>::infinity();
   scratch.high_u = scratch.high_v = -scratch.low_u;
   for (std::size_t i = 0; i < points_.size(); ++i) {
-    const Vec3 p = project(sample_at(i, body_displacement));
+    const Vec3 p = project(sample_at(i, body_displacement), scratch);
     scratch.samples[i] = p;
     scratch.low_u = std::min(scratch.low_u, p.x());
     scratch.high_u = std::max(scratch.high_u, p.x());
@@ -124,11 +139,16 @@ void LineOfSight::place_samples(Scratch& scratch, const std::vector<Vec3>& body_
   }
 }
 
-Vec3 LineOfSight::project(const Vec3& p) const noexcept {
-  const Vec3 d = p - eye_;
+void LineOfSight::look_from(const Vec3& eye_offset, Scratch& scratch) const noexcept {
+  scratch.eye = eye_ + eye_offset;
+  scratch.distance = distance_ - axis_.dot(eye_offset);
+}
+
+Vec3 LineOfSight::project(const Vec3& p, const Scratch& from) const noexcept {
+  const Vec3 d = p - from.eye;
   const double depth = axis_.dot(d);
   if (!(depth > 1e-6)) return Vec3(0, 0, -1);
-  const double scale = distance_ / depth;
+  const double scale = from.distance / depth;
   return Vec3(u_.dot(d) * scale, v_.dot(d) * scale, depth);
 }
 
@@ -160,7 +180,9 @@ LineOfSight::Scratch LineOfSight::make_scratch(std::size_t most_points) const {
   return scratch;
 }
 
-void LineOfSight::begin(Scratch& scratch, const std::vector<Vec3>& body_displacement) const noexcept {
+void LineOfSight::begin(Scratch& scratch, const std::vector<Vec3>& body_displacement,
+                        const Vec3& eye_offset) const noexcept {
+  look_from(eye_offset.allFinite() ? eye_offset : Vec3(Vec3::Zero()), scratch);
   std::fill(scratch.hidden.begin(), scratch.hidden.end(), 0);
   place_samples(scratch, body_displacement);
   add(scratch, static_cast<int>(occluders_.points.size()), occluders_.triangles, [&](int i) -> Vec3 {

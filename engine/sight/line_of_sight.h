@@ -22,16 +22,20 @@ class LineOfSight {
     std::vector<char> hidden;
     std::vector<Vec3> samples;            ///< projected, as the glottis lies
     std::vector<Vec3> projected;          ///< of the occluder that is looked at
+    Vec3 eye = Vec3::Zero();              ///< where the rays start
+    double distance = 1.0;                ///< of the glottis' centre from it along the axis
     double low_u = 0.0, high_u = 0.0, low_v = 0.0, high_v = 0.0;  ///< about the samples
   };
   Scratch make_scratch(std::size_t most_points) const;
 
-  /// Starts an evaluation: only the anatomy stands in the way, as it lies with the bodies displaced.
-  void begin(Scratch& scratch, const std::vector<Vec3>& body_displacement) const noexcept;
+  /// Starts an evaluation: only the anatomy stands in the way, as it lies with the bodies displaced. The eye is moved by
+  /// `eye_offset` (m), up to kEyeMove to each side in its own axes: of what comes before a farther eye some is left out.
+  void begin(Scratch& scratch, const std::vector<Vec3>& body_displacement,
+             const Vec3& eye_offset = Vec3::Zero()) const noexcept;
   /// Adds an occluder: `points[i]` in world coordinates through `position(i)`.
   template <class Position>
   void add(Scratch& scratch, int point_count, const std::vector<std::array<int, 3>>& triangles, Position position) const noexcept {
-    for (int i = 0; i < point_count; ++i) scratch.projected[i] = project(position(i));
+    for (int i = 0; i < point_count; ++i) scratch.projected[i] = project(position(i), scratch);
     for (const auto& t : triangles)
       hide_behind(scratch.projected[t[0]], scratch.projected[t[1]], scratch.projected[t[2]], scratch);
   }
@@ -48,7 +52,8 @@ class LineOfSight {
  private:
   /// (u, v, depth): perspective from the eye onto the plane through the glottis' centre, depth along the axis; depth <= 0
   /// behind the eye.
-  Vec3 project(const Vec3& p) const noexcept;
+  Vec3 project(const Vec3& p, const Scratch& from) const noexcept;
+  void look_from(const Vec3& eye_offset, Scratch& scratch) const noexcept;
   void hide_behind(const Vec3& a, const Vec3& b, const Vec3& c, Scratch& scratch) const noexcept;
   Vec3 sample_at(std::size_t i, const std::vector<Vec3>& body_displacement) const noexcept;
   void place_samples(Scratch& scratch, const std::vector<Vec3>& body_displacement) const noexcept;

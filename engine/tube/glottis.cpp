@@ -70,7 +70,11 @@ void step(const Glottis& g, GlottisState& s, const GlottisInput& input, double d
   const bool begins = input.touched && !s.touched;
   s.touched = input.touched;
   s.weary_s = std::max(0.0, s.weary_s - dt);
-  if (s.closed_s > 0) {
+  if (input.held_closed && !g.relaxed) {
+    // The last tick of it: let go, they open as after any closure.
+    s.spasm = true;
+    s.closed_s = std::max(s.closed_s, dt);
+  } else if (s.closed_s > 0) {
     s.closed_s -= dt;
     if (!(s.closed_s > 0)) {
       s.closed_s = 0.0;

@@ -29,6 +29,7 @@ Glottis checked(const Glottis& glottis);
 struct GlottisInput {
   bool breathing = false;
   double breath_phase = 0.0;  ///< of the infant's own breathing, 0..1 from the begin of a breath in
+  bool held_closed = false;   ///< from outside, as by a laryngospasm; relaxed cords cannot be
   bool touched = false;       ///< by blade, tube or catheter, at the cords or above them within the larynx
 };
 

@@ -105,6 +105,11 @@ Breath way_of_breath(const Passage& passage, const SceneState& scene, const Intu
   return blade_in || r.place == TipPlace::mouth ? Breath::none : Breath::mask;
 }
 
+/// -1, 0 or 1.
+int driven(std::uint32_t actions, Action down, Action up) {
+  return static_cast<int>((actions & up) != 0) - static_cast<int>((actions & down) != 0);
+}
+
 double load_on(const StepResult& result, Structure structure) {
   return result.loads[static_cast<std::size_t>(structure)].force_n.norm();
 }
@@ -130,11 +135,14 @@ void step_patient(const Scene& scene, const SceneState& state, std::uint32_t act
   input.tube_load_n = loads.vagal_n;
   input.glottis_opening = s.glottis.opening;
   input.breathing = in.description.breathes;
+  input.drive_saturation = driven(actions, kInstructorSaturationDown, kInstructorSaturationUp);
+  input.drive_heart = driven(actions, kInstructorHeartDown, kInstructorHeartUp);
   s.signs = step(in.infant, s.infant, input, dt);
 
   GlottisInput cords;
   cords.breathing = in.description.breathes;
   cords.breath_phase = s.signs.breath_phase;
+  cords.held_closed = (actions & kInstructorSpasm) != 0;
   cords.touched = std::max(loads.glottis_n, load_on(result, Structure::larynx)) > kTouch;
   step(in.description.glottis, s.glottis, cords, dt);
   if ((s.signs.faults & kInfantFaultState) != 0 || (s.glottis.faults & kGlottisFaultState) != 0)

@@ -18,7 +18,7 @@ std::optional<double> value_of(const RecordRow& row, const Figure& figure) {
 }
 
 QString result_of(const RecordRow& row) {
-  return !row.score.complete ? "interrupted" : row.score.passed ? "passed" : "not passed";
+  return !row.score.complete ? "interrupted" : !row.score.counts() ? "set aside" : row.score.passed ? "passed" : "not passed";
 }
 
 TrialChart::Content learning_chart(const std::vector<RecordRow>& rows, const Figure& figure,
@@ -28,10 +28,10 @@ TrialChart::Content learning_chart(const std::vector<RecordRow>& rows, const Fig
   for (const RecordRow& row : rows) {
     TrialChart::Point point;
     point.value = value_of(row, figure);
-    point.mark = !row.score.complete ? TrialChart::Mark::interrupted
+    point.mark = !row.score.counts() ? TrialChart::Mark::interrupted
                  : row.score.passed  ? TrialChart::Mark::good
                                      : TrialChart::Mark::bad;
-    if (!row.score.complete) point.value.reset();  // of a part of a trial: comparable with nothing
+    if (!row.score.counts()) point.value.reset();  // of a part of a trial: comparable with nothing
     point.tip = QString("trial %1, %2: %3%4")
                     .arg(++number)
                     .arg(for_people(row.finished_utc), result_of(row),

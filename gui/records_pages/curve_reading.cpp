@@ -54,8 +54,8 @@ CurveReading read_curve(const std::vector<curricula::RecordRow>& rows, const cur
         "assumed.";
   }
   for (const curricula::RecordRow& row : rows) {
-    if (!row.score.complete) {
-      ++reading.interrupted;
+    if (!row.score.counts()) {
+      reading.interrupted += row.score.complete ? 0 : 1;
       continue;
     }
     if (reading.assessments_only && row.mode != curricula::Mode::assessment) continue;

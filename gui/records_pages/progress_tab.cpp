@@ -172,8 +172,8 @@ ProgressTab::Subject ProgressTab::ask_subject(curricula::Records& records, const
       CurveSummary& curve = subject.curves[i];
       if (!same(curve.key, {row.trainee_id, row.curriculum_id, row.scenario_id, row.device_kind})) continue;
       ++subject.to_rate[i];
-      --(row.score.complete ? curve.trials : curve.interrupted);
-      if (row.score.complete && curricula::procedure_succeeded(row)) --curve.passed;
+      --(row.score.counts() ? curve.trials : row.score.complete ? curve.set_aside : curve.interrupted);
+      if (curricula::procedure_succeeded(row)) --curve.passed;
     }
   for (auto row = rows.rbegin(); row != rows.rend(); ++row) {  // the newest is the first
     const std::string date = for_people(row->finished_utc).left(10).toStdString();

@@ -53,7 +53,7 @@ QImage draw_curve_chart(const std::vector<curricula::RecordRow>& trials, const C
   std::vector<const curricula::RecordRow*> whole;
   double highest = 1.0;
   for (const curricula::RecordRow& row : trials) {
-    if (!row.score.complete) continue;
+    if (!row.score.counts()) continue;
     whole.push_back(&row);
     highest = std::max(highest, row.score.peak_tongue_force_n);
   }

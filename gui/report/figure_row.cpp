@@ -5,6 +5,10 @@
 
 namespace vallecula::gui {
 
+const char* verdict(const curricula::Score& score) {
+  return !score.set_aside.empty() ? "Set aside" : score.passed ? "Passed" : "Not passed";
+}
+
 std::string escaped(const std::string& text) { return QString::fromStdString(text).toHtmlEscaped().toStdString(); }
 
 std::string number(double value, int digits) {

@@ -58,7 +58,7 @@ Row outcome(const curricula::Score& score, const curricula::Scenario& scenario) 
 std::string intubation_sentence(const curricula::Score& score, const curricula::Scenario& scenario) {
   const curricula::IntubationScore& i = *score.intubation;
   std::string text =
-      std::string(score.passed ? "Passed" : "Not passed") + " (" + scenario.title + "): " + outcome_in_words(i) + ". ";
+      std::string(verdict(score)) + " (" + scenario.title + "): " + outcome_in_words(i) + ". ";
   if (i.attempts.empty()) return text + "The blade never entered the mouth.";
   text += count(i.attempts.size(), "attempt") + (i.attempts.size() == 1 ? " of " : ", the longest of ") +
           number(score.attempt_time_s, 1) + " s";

@@ -138,7 +138,7 @@ void write_trainee_pdf(const std::filesystem::path& file, long long trainee_id, 
     const CurveReading reading = read_curve(rows, courses.find(curriculum));
     const std::size_t whole = rows.size() - static_cast<std::size_t>(reading.interrupted);
     const auto passed = std::count_if(rows.begin(), rows.end(), [&](const curricula::RecordRow& row) {
-      return row.score.complete && succeeded(row, reading);
+      return row.score.counts() && succeeded(row, reading);
     });
     summary.push_back({escaped(curriculum), escaped(scenario), escaped(device), std::to_string(whole),
                        std::to_string(reading.interrupted), std::to_string(passed),
@@ -152,7 +152,7 @@ void write_trainee_pdf(const std::filesystem::path& file, long long trainee_id, 
   std::vector<Cells> all;
   for (const curricula::ExportTrial& trial : trials) {
     const curricula::RecordRow& row = trial.row;
-    const std::string result = !row.score.complete ? "cut off" : row.score.passed ? "passed" : "<b>not passed</b>";
+    const std::string result = !row.score.complete ? "cut off" : !row.score.counts() ? "set aside" : row.score.passed ? "passed" : "<b>not passed</b>";
     all.push_back({minute(row.finished_utc), escaped(row.scenario_id), escaped(row.device_kind), name_of(row.mode), result,
                    outcome(row), row.points ? number(*row.points, 0) : "", number(row.score.attempt_time_s, 1),
                    number(row.score.peak_tongue_force_n, 1)});

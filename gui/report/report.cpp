@@ -120,7 +120,7 @@ std::string pauses_in_words(const curricula::Score& score) {
 std::string summary_sentence(const curricula::Score& score, const curricula::Scenario& scenario) {
   if (score.intubation) return intubation_sentence(score, scenario);
   const bool seen = score.time_to_trachea_visible_s >= 0.0;
-  return std::string(score.passed ? "Passed" : "Not passed") + " (" + scenario.title + "): " +
+  return std::string(verdict(score)) + " (" + scenario.title + "): " +
          (seen ? "the glottis came into sight after " + number(score.time_to_trachea_visible_s, 1) + " s (" +
                      number(score.glottis_visible_max_percent, 0) + " % at best)"
                : "the glottis never came into sight (" + number(score.glottis_visible_max_percent, 0) + " % at best)") +
@@ -137,11 +137,13 @@ void write_report(const fs::path& folder, const curricula::TrialLog& log, const 
       "</title>\n<meta name=\"viewport\" content=\"width=device-width\">\n<style>" + kStyle +
       "</style></head><body>\n<h1>" + escaped(scenario.title) + "</h1>\n<p class=\"sub\">Patient " +
       escaped(log.header.package_name) + ", scenario " + escaped(scenario.id) + "</p>\n";
-  html += std::string("<p class=\"summary ") + (score.passed ? "passed" : "failed") + "\">" +
+  html += std::string("<p class=\"summary ") + (!score.set_aside.empty() ? "" : score.passed ? "passed" : "failed") + "\">" +
           escaped(summary_sentence(score, scenario)) + "</p>\n<p class=\"change\">" +
           escaped(what_to_change(score, scenario)) + "</p>\n";
   if (!score.reasons.empty()) {
-    html += score.passed ? "<h2>Why it was passed</h2>\n<ul>\n" : "<h2>Why it was not passed</h2>\n<ul>\n";
+    html += !score.set_aside.empty() ? "<h2>Why it counts neither way, and what was measured</h2>\n<ul>\n"
+            : score.passed           ? "<h2>Why it was passed</h2>\n<ul>\n"
+                                     : "<h2>Why it was not passed</h2>\n<ul>\n";
     for (const std::string& reason : score.reasons) html += "<li>" + escaped(reason) + "</li>\n";
     html += "</ul>\n";
   }

@@ -70,6 +70,13 @@ void add_dual_task(const curricula::DualTask& task, std::vector<Row>& rows) {
     rows.push_back({"Reaction to them, on average", number(*task.mean_reaction_s, 1) + " s", "", ""});
 }
 
+void add_help(const char* name, const curricula::Use& use, std::vector<Row>& rows) {
+  if (use.times > 0)
+    rows.push_back({name, count(use.times, use.times == 1 ? "time" : "times") + ", " + number(use.for_s, 1) + " s in all, first at " +
+                              number(use.first_s, 1) + " s",
+                    "", ""});
+}
+
 std::string when(double at_s) { return at_s < 0.0 ? "" : number(at_s, 1) + " s"; }
 
 }  // namespace
@@ -84,6 +91,8 @@ std::vector<Row> technique_rows(const curricula::Score& score) {
       rows.push_back({"Tube's depth, from the middle of the good third",
                       millimetres(std::fabs(*error_m)) + (*error_m > 0.0 ? " deeper" : " shallower"), "", ""});
   if (score.dual_task) add_dual_task(*score.dual_task, rows);
+  add_help("Own head moved aside", score.eye_moves, rows);
+  add_help("Head extended by an assistant", score.extension, rows);
   return rows;
 }
 

@@ -69,6 +69,9 @@ std::string pause_words(device::GuardState state, device::DeviceFault fault, boo
   if (state == device::GuardState::paused && recorded)
     return "The recorded hand was paused here; it goes on by itself.";
   if (state == device::GuardState::paused) return device::describe(fault);
+  if (state == device::GuardState::confirming && fault == device::DeviceFault::frozen)
+    return "The trial is let go. To go on press Enter or a button of the device, or hold the grey blade on the steel "
+           "one for half a second.";
   if (state == device::GuardState::confirming)
     return "The device is back. To go on press Enter or a button of the device, or hold the grey blade on the steel "
            "one for half a second.";

@@ -1,5 +1,7 @@
 #include "gui/session/hands_port.h"
 
+#include <utility>
+
 #include "engine/haptics/coupling.h"
 
 namespace vallecula::gui {
@@ -31,6 +33,13 @@ engine::Pose pose_of(const device::DeviceReading& reading) {
   return {engine::Vec3(p[0], p[1], p[2]), engine::Quat(q[0], q[1], q[2], q[3])};
 }
 
+engine::Pose pose_of(const device::Keyframe& at) {
+  device::DeviceReading reading;
+  reading.position_m = at.position_m;
+  reading.rotation_wxyz = at.rotation_wxyz;
+  return pose_of(reading);
+}
+
 void see(device::GuardedDevice& device, const engine::Pose& tool) {
   const engine::Vec3& p = tool.position;
   const engine::Quat& q = tool.rotation;
@@ -43,23 +52,39 @@ HandsPort::HandsPort(device::GuardedDevice& device, const engine::Pose& tube, st
                      const device::ActionPlan& plan, const HandActions& actions)
     : first_(device),
       held_(tube),
+      takes_turns_(true),
       plan_(&plan),
       actions_(&actions),
       change_button_(change_button),
       changes_(actions.changes()) {}
 
+void HandsPort::lead_in(device::Trajectory way, std::int64_t ticks) {
+  way_ = std::move(way);
+  led_ticks_ = 0;
+  lead_ticks_ = ticks;
+  led_in_ = ticks > 0;
+}
+
 engine::PortInput HandsPort::read(double time_s) noexcept {
   const device::DeviceReading reading = first_.read(time_s);
+  const engine::Pose device = pose_of(reading);
   engine::PortInput input;
-  input.pose = pose_of(reading);
+  input.pose = device;
   input.buttons = reading.buttons;
   input.valid = reading.valid;
   if (second_ != nullptr) {
     const device::DeviceReading other = second_->read(time_s);
     input.second_pose = pose_of(other);
     input.valid = input.second_valid = reading.valid && other.valid;
-  } else if (held_) {
+  }
+  if (led_in()) {
+    lead(device, input);
+  } else if (takes_turns_) {
     take_turns(reading, input);
+  } else {
+    HeldTools shown = held_;
+    shown.follow(device);
+    input.pose = shown.blade();
   }
   if (plan_ == nullptr) return input;
   std::uint32_t asked = plan_->at(time_s) | actions_->bits();
@@ -68,48 +93,65 @@ engine::PortInput HandsPort::read(double time_s) noexcept {
   return input;
 }
 
+void HandsPort::lead(const engine::Pose& device, engine::PortInput& input) noexcept {
+  const bool works = input.valid && engine::usable(device);
+  if (works) ++led_ticks_;
+  const double share = static_cast<double>(led_ticks_) / static_cast<double>(lead_ticks_);
+  input.pose = pose_of(way_->at(way_->start_s() + share * (way_->end_s() - way_->start_s())));
+  if (takes_turns_) {
+    input.second_pose = held_.tube();
+    input.second_valid = input.valid;
+  }
+  changes_ = actions_ != nullptr ? actions_->changes() : 0;
+  if (works) device_ = device;
+  valid_ = works;
+  if (led_ticks_ < lead_ticks_) return;
+  held_.take_blade(input.pose, device);
+  led_in_.store(false, std::memory_order_relaxed);
+}
+
 void HandsPort::take_turns(const device::DeviceReading& reading, engine::PortInput& input) noexcept {
   const std::uint32_t changes = actions_->changes();
   // The press that ends a pause changes nothing.
   const bool pressed = (reading.buttons & ~buttons_ & change_button_) != 0 && valid_;
   const bool works = reading.valid && engine::usable(input.pose);
   if (works && (pressed || ((changes - changes_) & 1u) != 0)) {
-    held_->follow(input.pose);
-    held_->change(input.pose);
+    held_.follow(input.pose);
+    held_.change(input.pose);
   }
   // Through a pause the tool in the hand is shown where the hand is; a pose that is none comes through to be recorded.
-  HeldTools shown = *held_;
+  HeldTools shown = held_;
   shown.follow(input.pose);
   if (works) {
-    *held_ = shown;
+    held_ = shown;
     device_ = input.pose;
   }
   changes_ = changes;
   buttons_ = reading.buttons;
   valid_ = works;
-  in_hand_.store(held_->in_hand(), std::memory_order_relaxed);
+  in_hand_.store(held_.in_hand(), std::memory_order_relaxed);
   input.pose = shown.blade();
   input.second_pose = shown.tube();
   input.second_valid = reading.valid;
 }
 
 void HandsPort::see_tool(const engine::Pose& tool) noexcept {
-  if (!held_)
-    see(first_, tool);
-  else if (held_->in_hand() == Tool::blade)
-    see(first_, held_->device_for(tool));
+  if (held_.in_hand() == Tool::blade && !led_in())
+    see(first_, held_.device_for(tool));
   else if (valid_)
     see(first_, device_);  // where the tube's grip is, no port tells: the hand goes on from where it was
 }
 
 void HandsPort::write(const engine::Vec3& force_n) noexcept {
-  if (!held_ || held_->in_hand() == Tool::blade) first_.write({force_n.x(), force_n.y(), force_n.z()});
+  if (held_.in_hand() != Tool::blade) return;
+  const engine::Vec3 felt = led_in() ? engine::Vec3(engine::Vec3::Zero()) : force_n;
+  first_.write({felt.x(), felt.y(), felt.z()});
 }
 
 void HandsPort::write_second(const engine::Vec3& force_n) noexcept {
   if (second_ != nullptr)
     second_->write({force_n.x(), force_n.y(), force_n.z()});
-  else if (held_ && held_->in_hand() == Tool::tube)
+  else if (takes_turns_ && held_.in_hand() == Tool::tube)
     first_.write({force_n.x(), force_n.y(), force_n.z()});
 }
 

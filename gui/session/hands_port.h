@@ -6,6 +6,7 @@
 
 #include "device/action_plan.h"
 #include "device/guarded_device.h"
+#include "device/trajectory.h"
 #include "engine/haptics/port.h"
 #include "gui/session/hand_actions.h"
 #include "gui/session/held_tools.h"
@@ -30,6 +31,13 @@ class HandsPort final : public engine::HapticPort {
   HandsPort(device::GuardedDevice& device, const engine::Pose& tube, std::uint32_t change_button,
             const device::ActionPlan& plan, const HandActions& actions);
 
+  /// Before the first tick: the blade goes `way` by itself, one of `ticks` equal parts in each tick in which the hands
+  /// could be used; then the blade's hand has it where it is then, and moves it from there. Until then that hand feels and
+  /// moves nothing.
+  void lead_in(device::Trajectory way, std::int64_t ticks);
+  /// Any thread: that is still so.
+  bool led_in() const noexcept { return led_in_.load(std::memory_order_relaxed); }
+
   engine::PortInput read(double time_s) noexcept override;
   void see_tool(const engine::Pose& tool) noexcept override;
   void write(const engine::Vec3& force_n) noexcept override;
@@ -40,13 +48,18 @@ class HandsPort final : public engine::HapticPort {
 
  private:
   void take_turns(const device::DeviceReading& reading, engine::PortInput& input) noexcept;
+  void lead(const engine::Pose& device, engine::PortInput& input) noexcept;
 
   device::GuardedDevice& first_;
   device::GuardedDevice* second_ = nullptr;
-  std::optional<HeldTools> held_;
+  HeldTools held_{engine::Pose{}};
+  bool takes_turns_ = false;
   const device::ActionPlan* plan_ = nullptr;
   const HandActions* actions_ = nullptr;
   std::uint32_t change_button_ = 0, buttons_ = 0, changes_ = 0;
+  std::optional<device::Trajectory> way_;  ///< that the blade is led
+  std::int64_t led_ticks_ = 0, lead_ticks_ = 0;
+  std::atomic<bool> led_in_{false};
   bool valid_ = false;          ///< in the last tick
   engine::Pose device_;         ///< of the last valid tick
   std::atomic<Tool> in_hand_{Tool::blade};

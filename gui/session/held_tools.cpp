@@ -21,6 +21,13 @@ void HeldTools::change(const Pose& device) noexcept {
   own_ = false;
 }
 
+void HeldTools::take_blade(const Pose& blade, const Pose& device) noexcept {
+  in_hand_ = Tool::blade;
+  blade_ = taken_tool_ = blade;
+  taken_device_ = device;
+  own_ = false;
+}
+
 Pose HeldTools::device_for(const Pose& tool) const noexcept {
   if (own_) return tool;
   Pose device;

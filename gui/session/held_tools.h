@@ -17,6 +17,9 @@ class HeldTools {
   /// The hand lets go of its tool and takes the other, where that is: nothing jumps. `device`: where it does so.
   void change(const engine::Pose& device) noexcept;
 
+  /// The hand takes the blade, which is at `blade`, with the device where it is.
+  void take_blade(const engine::Pose& blade, const engine::Pose& device) noexcept;
+
   Tool in_hand() const noexcept { return in_hand_; }
   const engine::Pose& blade() const noexcept { return blade_; }
   const engine::Pose& tube() const noexcept { return tube_; }

@@ -11,11 +11,6 @@ namespace vallecula::gui {
 
 namespace {
 
-std::size_t bytes_of(const engine::Snapshot& s) {
-  return sizeof s + s.soft_points.size() * sizeof(float) +
-         (s.body_displacement.size() + s.lip_displacement.size()) * sizeof(engine::Vec3);
-}
-
 /// What the log knows is shown as the log has it.
 void take_recorded(const engine::TickRecord& tick, double sight, engine::Snapshot& s) {
   s.time_s = tick.time_s;
@@ -34,23 +29,12 @@ void take_recorded(const engine::TickRecord& tick, double sight, engine::Snapsho
 
 }  // namespace
 
-FilmPlan plan_film(std::size_t ticks, double period_s, std::size_t bytes_per_frame, std::size_t most_bytes) {
-  FilmPlan plan;
-  if (ticks == 0) return plan;
-  const std::size_t most = std::max<std::size_t>(1, most_bytes / std::max<std::size_t>(1, bytes_per_frame));
-  plan.every_ticks = std::max<std::int64_t>(1, std::llround(1.0 / (kFilmRateHz * period_s)));
-  plan.every_ticks = std::max(plan.every_ticks, static_cast<std::int64_t>((ticks + most - 1) / most));
-  plan.frames = (ticks - 1) / static_cast<std::size_t>(plan.every_ticks) + 1;
-  plan.bytes = plan.frames * bytes_per_frame;
-  return plan;
-}
-
 ReplayFilm::ReplayFilm(std::shared_ptr<const curricula::TrialLog> log, const engine::SceneDescription& description,
                        std::size_t most_bytes)
     : log_(std::move(log)), replayer_(engine::build_scene(description)) {
   if (log_->ticks.empty()) throw std::runtime_error("the trial's log has no tick, so there is nothing to replay");
   plan_ = plan_film(log_->ticks.size(), log_->header.servo_period_s, bytes_of(replayer_.snapshot()), most_bytes);
-  frames_.resize(plan_.frames);
+  frames_.emplace(plan_.frames);
   worker_ = std::thread([this] {
     try {
       compute();
@@ -90,10 +74,10 @@ void ReplayFilm::compute() {
     }
     if (recorded.has_sight) sight = recorded.glottis_visible;
     if (i % static_cast<std::size_t>(plan_.every_ticks) != 0) continue;
-    engine::Snapshot& frame = frames_[i / static_cast<std::size_t>(plan_.every_ticks)];
+    engine::Snapshot& frame = frames_->next();
     frame = replayer_.snapshot();
     take_recorded(recorded, sight, frame);
-    computed_.fetch_add(1, std::memory_order_release);
+    frames_->publish();
   }
 }
 
@@ -109,7 +93,7 @@ std::size_t ReplayFilm::frame_at(double time_s) const {
 }
 
 const engine::Snapshot* ReplayFilm::frame(std::size_t index) const {
-  return index < computed() ? &frames_[index] : nullptr;
+  return frames_->at(index);
 }
 
 std::string ReplayFilm::remark() const { return finished() ? remark_ : std::string(); }

@@ -14,20 +14,12 @@
 #include "engine/haptics/runner.h"
 #include "engine/scene.h"
 #include "engine/snapshot.h"
+#include "gui/session/film_frames.h"
 
 namespace vallecula::gui {
 
 /// At most this much is kept, besides the log; a longer trial or a finer mesh has fewer frames a second.
 constexpr std::size_t kFilmBytes = std::size_t{512} << 20;
-constexpr double kFilmRateHz = 30.0;  ///< where it fits
-
-struct FilmPlan {
-  std::int64_t every_ticks = 1;  ///< frame i shows the end of tick i * every_ticks
-  std::size_t frames = 0;
-  std::size_t bytes = 0;  ///< of all of them
-};
-/// As many frames as fit, at kFilmRateHz or less; one at least where there is a tick.
-FilmPlan plan_film(std::size_t ticks, double period_s, std::size_t bytes_per_frame, std::size_t most_bytes);
 
 class ReplayFilm {
  public:
@@ -45,7 +37,7 @@ class ReplayFilm {
   /// Any thread: null while it has not been computed. Poses, forces, sight and the tube's figures are the recorded ones,
   /// bit for bit; the shapes are computed. It stays as it is.
   const engine::Snapshot* frame(std::size_t index) const;
-  std::size_t computed() const { return computed_.load(std::memory_order_acquire); }  ///< frames, from the first on
+  std::size_t computed() const { return frames_->computed(); }  ///< frames, from the first on
   bool finished() const { return finished_.load(std::memory_order_acquire); }         ///< whole, or stopped
   /// Computes no further; what there is stays.
   void stop() { stop_ = true; }
@@ -57,8 +49,7 @@ class ReplayFilm {
   std::shared_ptr<const curricula::TrialLog> log_;
   engine::Replayer replayer_;
   FilmPlan plan_;
-  std::vector<engine::Snapshot> frames_;
-  std::atomic<std::size_t> computed_{0};
+  std::optional<FilmFrames> frames_;  ///< sized before the thread begins
   std::atomic<bool> stop_{false}, finished_{false};
   std::string remark_;  ///< written before finished_
   std::thread worker_;

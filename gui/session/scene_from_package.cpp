@@ -8,6 +8,7 @@
 #include "engine/tool/miller_blade.h"
 #include "gui/session/anatomy_motion.h"
 #include "gui/session/intubation_of.h"
+#include "gui/session/operator_axes.h"
 #include "gui/session/package_parts.h"
 
 namespace vallecula::gui {
@@ -41,6 +42,8 @@ constexpr double kLipRecovery = 0.15;        // s
 constexpr double kBodyDampingRatio = 1.0;    // critically damped (assumed)
 constexpr double kHyoidMass = 0.010;         // kg, with the muscles that hang on it (assumed)
 constexpr double kMandibleMass = 0.030;      // kg (assumed)
+// The joint between skull and neck, behind and below the condyles of the jaw (assumed; no landmark has it).
+constexpr double kNeckBehind = 0.013, kNeckBelow = 0.006;  // m, term
 
 Vec3 metres(const pipeline::Point& p) { return Vec3(p[0], p[1], p[2]) * kMetres; }
 
@@ -145,6 +148,25 @@ void follow_bodies(const AnatomyMotion& motion, engine::RigidAnatomy& rigid) {
   }
 }
 
+/// Hyoid and larynx rest where the neck has them; where each is, its anchored nodes tell. The larynx' walls, the glottis and
+/// the windpipe go with the hyoid as ever, by kLarynxShare: their own part of the arc is understated (README).
+engine::NeckDescription neck_of(const PatientPackage& package, const engine::SoftBodyDescription& soft) {
+  engine::NeckDescription neck;
+  neck.joint = landmark_m(package, "condyle_axis") + size_of(package) * Vec3(0, kNeckBehind, -kNeckBelow);
+  neck.joint.x() = 0.0;
+  for (const int body : {kHyoidBody, kLarynxBody}) {
+    Vec3 sum = Vec3::Zero();
+    int count = 0;
+    for (std::size_t i = 0; i < soft.nodes.size(); ++i)
+      if (soft.node_anchor[i] == body) {
+        sum += soft.nodes[i];
+        ++count;
+      }
+    if (count > 0) neck.carried.push_back({body, sum / count});
+  }
+  return neck;
+}
+
 }  // namespace
 
 engine::SceneDescription scene_from_package(const PatientPackage& package, const curricula::Scenario& scenario) {
@@ -167,6 +189,10 @@ engine::SceneDescription scene_from_package(const PatientPackage& package, const
   scene.lips.recovery_s = kLipRecovery;
   scene.tool.surface = engine::blade_surface(engine::miller_blade(scenario.blade));
   scene.sight.eye = landmark_m(package, "operator_eye");
+  const OperatorAxes axes = operator_axes(package);
+  scene.sight.eye_right = axes.right;
+  scene.sight.eye_up = axes.up;
+  scene.neck = neck_of(package, scene.soft);
   for (const auto& p : surface(package, "glottis").points) scene.sight.glottis_outline.push_back(metres(p));
   scene.sight.occluders = {scene.rigid.surface};
   engine::SightDescription::Follower jaw{kMandibleBody, 0.0, {}}, larynx{kHyoidBody, kLarynxShare, {}};

@@ -265,6 +265,13 @@ device::Trajectory expert_laryngoscopy(const PatientPackage& package, double hol
   return follow(OperatorFrame(package), plan);
 }
 
+device::Trajectory way_to_vallecula(const PatientPackage& package) {
+  std::vector<Waypoint> plan = adapted(kExpert, package.approach);
+  plan.erase(std::find_if(plan.begin(), plan.end(), [](const Waypoint& w) { return w.time_s > kInVallecula; }), plan.end());
+  for (Waypoint& w : plan) w.time_s *= kLeadInS / kInVallecula;
+  return follow(OperatorFrame(package), plan);
+}
+
 device::Trajectory scripted_hand(const std::string& kind, const PatientPackage& package, const curricula::Scenario&) {
   const OperatorFrame frame(package);
   const std::vector<Waypoint> expert = adapted(kExpert, package.approach);

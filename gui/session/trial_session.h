@@ -63,6 +63,8 @@ class TrialSession {
   const pipeline::PatientPackage& package() const;
   const curricula::Scenario& scenario() const;
   const engine::SceneDescription& scene() const;  ///< m, LPS: tool mesh, soft mesh, surfaces as the engine has them
+  /// As it is stepped; to be stepped by others too.
+  std::shared_ptr<const engine::Scene> built_scene() const;
   /// What became of trials that were cut off before this one, a sentence each.
   const std::vector<std::string>& notices() const;
   device::HapticDevice& device();  ///< a mouse device is fed through this (dynamic_cast to device::MouseDevice)
@@ -102,8 +104,7 @@ class TrialSession {
   void reset(const std::function<void()>& between = {});
   /// Practice only: as reset(), but the blade is first led the scripted expert's way until its tip is in the vallecula;
   /// then the hand has it from there, wherever the device is by then, without a jump. Throws std::runtime_error in an
-  /// assessment, and where there is no way in (a tool of its own, no planned way in this patient). The trial is logged as
-  /// begun at the vallecula: it counts neither as a time nor towards mastery.
+  /// assessment. The trial is logged as begun at the vallecula: it counts neither as a time nor towards mastery.
   void reset_at_vallecula(const std::function<void()>& between = {});
   /// The blade is still being led there; the hand does nothing yet. Any thread, while no reset() runs.
   bool led_in() const;

@@ -121,6 +121,11 @@ void TwoHands::confirm() {
   if (second_guard_) second_guard_->confirm();
 }
 
+void TwoHands::freeze(bool on) {
+  guard_->freeze(on);
+  if (second_guard_) second_guard_->freeze(on);
+}
+
 std::string TwoHands::pause_fault() const {
   const bool second = second_guard_ && pauses(*second_guard_) && !pauses(*guard_);
   const device::HapticDevice& device = second ? *second_.device : *device_;

@@ -32,6 +32,9 @@ class TwoHands {
   void renew_scripts();
   /// The port of a new attempt.
   engine::HapticPort& begin();
+  /// Of the attempt that was begun, before its first tick: HandsPort::lead_in.
+  void lead_in(device::Trajectory way, std::int64_t ticks) { port_->lead_in(std::move(way), ticks); }
+  bool led_in() const { return port_ && port_->led_in(); }
   /// No hand is left with the last force.
   void let_go();
 
@@ -51,6 +54,9 @@ class TwoHands {
   /// Why it is paused and what to do; empty: it is not.
   std::string pause() const;
   void confirm();
+  /// Pauses every hand until it is let go and confirmed.
+  void freeze(bool on);
+  bool frozen() const { return guard_ && guard_->frozen(); }
   /// Name of the fault of the device that pauses it, as LogFooter::pause_faults; empty: it is not known.
   std::string pause_fault() const;
   /// Nothing more will come of the scripts.

@@ -186,5 +186,25 @@ TEST(Glottis, WhatCannotBeIsRefused) {
   });
 }
 
+// An instructor's key: closed while it is held, open again as after any closure; relaxed cords are not theirs to close.
+TEST(Glottis, HeldClosedFromOutsideAsInALaryngospasm) {
+  for (const bool relaxed : {false, true}) {
+    Glottis g;
+    g.relaxed = relaxed;
+    Cords cords(g);
+    GlottisInput held;
+    held.held_closed = true;
+    const double before = cords.state.opening;
+    for (int n = 0; n < 300; ++n) step(g, cords.state, held, kTick);
+    EXPECT_EQ(cords.state.opening, relaxed ? before : 0.0);
+    EXPECT_EQ(cords.state.spasm, !relaxed);
+    for (int n = 0; n < 3000; ++n) step(g, cords.state, held, kTick);
+    EXPECT_EQ(cords.state.spasm, !relaxed) << "it does not tire";
+    for (int n = 0; n < 600; ++n) cords.tick(false);
+    EXPECT_FALSE(cords.state.spasm);
+    EXPECT_GT(cords.state.opening, 0.4);
+  }
+}
+
 }  // namespace
 }  // namespace vallecula::engine

@@ -63,6 +63,8 @@ PortInput tour(const Scene& scene, std::int64_t n) {
   if (n < 60) in.buttons |= kActionBreath;
   if (n > 1200 && n < 1800) in.buttons |= kActionPress;
   if (n >= 2500) in.buttons |= kActionStyletOut;
+  if (n > 700 && n < 900) in.buttons |= kInstructorSaturationDown | kInstructorHeartUp;
+  if (n > 3200) in.buttons |= kInstructorSpasm | kActionEyeRight;
   if (n > 1900 && n < 2000) in.second_valid = false;
   if (n == 2100) in.second_pose.position.y() = kNan;
   if (n == 2110) in.second_pose.rotation.coeffs() *= 3;
