@@ -60,6 +60,7 @@ class WindowTube : public Screen {
     row->addWidget(sagittal_, 10);
     window_.resize(1280, 640);
     operator_->set_zoom(OperatorView::Zoom::mouth);
+    operator_->set_blue_trachea(true);  // told from everything else
     const std::shared_ptr<PatientLook> look = make_patient_look(*package_);
     operator_->show_patient(look, scene_->tool.surface, &*scene_->intubation);
     sagittal_->show_patient(look, scene_->tool.surface, &*scene_->intubation);
