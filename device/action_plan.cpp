@@ -10,7 +10,8 @@ namespace vallecula::device {
 
 namespace {
 
-constexpr std::array<const char*, kActionWords> kWords = {"breath", "suction", "press", "stylet-out", "catheter"};
+constexpr std::array<const char*, kActionWords> kWords = {
+    "breath", "suction", "press", "stylet-out", "catheter", "eye-right", "eye-left", "eye-up", "eye-down", "extend"};
 
 }  // namespace
 

@@ -27,8 +27,8 @@ class ActionPlan {
 };
 
 /// The words of a file's actions column, from the bit 1 << kFirstActionBit on: "breath", "suction", "press", "stylet-out",
-/// "catheter". The application gives these bits their meaning.
-constexpr int kFirstActionBit = 16, kActionWords = 5;
+/// "catheter", "eye-right", "eye-left", "eye-up", "eye-down", "extend". The application gives these bits their meaning.
+constexpr int kFirstActionBit = 16, kActionWords = 10;
 /// Bits of words joined by +; "" and "-" are none. Throws DeviceError that names what words there are.
 std::uint32_t actions_of(const std::string& words);
 

@@ -16,6 +16,8 @@ struct Snapshot {
   Vec3 displayed_force_n = Vec3::Zero();
   std::array<StructureLoad, kLoadedStructures> loads{};
   double glottis_visible = 0.0;  ///< newest value, 0..1
+  Vec3 eye_offset_m = Vec3::Zero();  ///< of the operator's eye from SightDescription::eye, world (posture.h)
+  double extension_rad = 0.0;    ///< of the head on the neck, beyond the scan's (posture.h)
   std::uint32_t faults = 0;
   std::int64_t ticks = 0;            ///< servo ticks so far
   std::int64_t deadline_misses = 0;  ///< forces written more than 1 ms after they were due

@@ -14,8 +14,23 @@ enum Action : std::uint32_t {
   kActionPress = 1u << 18,      ///< the assistant presses on the larynx
   kActionStyletOut = 1u << 19,  ///< once it goes down the stylet is out for good
   kActionCatheter = 1u << 20,   ///< while set the second hand has the catheter; it changes outside the mouth only
+  // Helps of every scene, with an intubation or without (engine/posture.h).
+  kActionEyeRight = 1u << 21,  ///< while set the operator's eye is kEyeMove to that side of his standing place,
+  kActionEyeLeft = 1u << 22,   ///< in his own axes: right is the patient's right, up is anterior
+  kActionEyeUp = 1u << 23,
+  kActionEyeDown = 1u << 24,
+  kActionExtend = 1u << 25,  ///< while set the head is extended on the neck by kExtension more: a shoulder roll
+  // An instructor's, of the infant: nothing without an intubation.
+  kInstructorSaturationDown = 1u << 26,  ///< while set: kDrivenSaturation of the true and the displayed value
+  kInstructorSaturationUp = 1u << 27,
+  kInstructorHeartDown = 1u << 28,  ///< while set: kDrivenHeart
+  kInstructorHeartUp = 1u << 29,
+  kInstructorSpasm = 1u << 30,  ///< while set the cords are closed as in a laryngospasm; no effect on relaxed cords
 };
-constexpr std::uint32_t kAllActions = 0x1fu << 16;
+constexpr std::uint32_t kAllActions = 0x7fffu << 16;
+constexpr std::uint32_t kEyeActions = kActionEyeRight | kActionEyeLeft | kActionEyeUp | kActionEyeDown;
+constexpr std::uint32_t kInstructorActions = kInstructorSaturationDown | kInstructorSaturationUp |
+                                             kInstructorHeartDown | kInstructorHeartUp | kInstructorSpasm;
 
 /// Where the tip of what the second hand holds is. `larynx`: from the inlet to the cricoid.
 enum class TipPlace : std::uint8_t { outside, mouth, larynx, trachea, main_bronchus, oesophagus };

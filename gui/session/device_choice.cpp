@@ -128,16 +128,19 @@ std::unique_ptr<device::HapticDevice> recorded_hand(const curricula::TrialLog& l
   return std::make_unique<device::RecordedDevice>(std::move(readings), limit_n);
 }
 
-SecondHand recorded_second(const std::string& file) {
-  const curricula::TrialLog log = curricula::read_trial_log(file);
-  SecondHand hand{recorded_hand(log, true), {}};
-  if (!hand.device) return hand;
+device::ActionPlan actions_in(const curricula::TrialLog& log) {
   std::vector<device::TimedActions> changes;
   for (const curricula::LogTick& tick : log.ticks) {
     const std::uint32_t asked = tick.buttons & engine::kAllActions;
     if (changes.empty() || changes.back().bits != asked) changes.push_back({tick.time_s, asked});
   }
-  hand.actions = device::ActionPlan(std::move(changes));
+  return device::ActionPlan(std::move(changes));
+}
+
+SecondHand recorded_second(const std::string& file) {
+  const curricula::TrialLog log = curricula::read_trial_log(file);
+  SecondHand hand{recorded_hand(log, true), {}};
+  if (hand.device) hand.actions = actions_in(log);
   return hand;
 }
 
@@ -200,6 +203,11 @@ std::unique_ptr<device::HapticDevice> make_device(const std::string& name, const
   }
   if (given.kind == kRecorded) return recorded_hand(curricula::read_trial_log(given.argument), false);
   return from_factory(given, starting_pose(package, scenario));
+}
+
+device::ActionPlan recorded_actions(const std::string& name) {
+  const DeviceName given = split(name);
+  return given.kind == kRecorded ? actions_in(curricula::read_trial_log(given.argument)) : device::ActionPlan();
 }
 
 SecondHand make_second_hand(const std::string& name, const std::string& first, const PlannedOn& planned) {

@@ -54,6 +54,8 @@ constexpr const char* kSameDevice = "same";
 /// `name` as make_device's, of a script or record its second hand; or kSameDevice; or empty: that of the script or
 /// record `first` where it has one, else kSameDevice. For scenarios with an intubation.
 SecondHand make_second_hand(const std::string& name, const std::string& first, const PlannedOn& planned);
+/// What was asked for beside the hands, where `name` is a record's; of any other nothing.
+device::ActionPlan recorded_actions(const std::string& name);
 /// Throws UnknownDevice when `name` is none that make_second_hand takes.
 void check_second_name(const std::string& name);
 

@@ -8,14 +8,21 @@ namespace {
 
 constexpr std::uint32_t kDeviceButtons = 0xffff;  // the bits above are engine::Action's
 /// A pause leaves these as they are; the others are asked for in time, which stands.
-constexpr std::uint32_t kStandingActions = engine::kActionStyletOut | engine::kActionCatheter;
+constexpr std::uint32_t kStandingActions =
+    engine::kActionStyletOut | engine::kActionCatheter | engine::kEyeActions | engine::kActionExtend;
 
 static_assert(engine::kActionBreath == 1u << device::kFirstActionBit &&
-                  engine::kAllActions == ((1u << device::kActionWords) - 1) << device::kFirstActionBit &&
+                  (engine::kAllActions & ~engine::kInstructorActions) ==
+                      ((1u << device::kActionWords) - 1) << device::kFirstActionBit &&
                   engine::kActionSuction == engine::kActionBreath << 1 &&
                   engine::kActionPress == engine::kActionBreath << 2 &&
                   engine::kActionStyletOut == engine::kActionBreath << 3 &&
-                  engine::kActionCatheter == engine::kActionBreath << 4,
+                  engine::kActionCatheter == engine::kActionBreath << 4 &&
+                  engine::kActionEyeRight == engine::kActionBreath << 5 &&
+                  engine::kActionEyeLeft == engine::kActionBreath << 6 &&
+                  engine::kActionEyeUp == engine::kActionBreath << 7 &&
+                  engine::kActionEyeDown == engine::kActionBreath << 8 &&
+                  engine::kActionExtend == engine::kActionBreath << 9,
               "a script's words are the engine's actions");
 
 engine::Pose pose_of(const device::DeviceReading& reading) {

@@ -16,8 +16,11 @@ namespace vallecula::gui {
 /// tick's record. Whatever is given must outlive it.
 class HandsPort final : public engine::HapticPort {
  public:
-  /// The blade's hand alone.
+  /// The blade's hand alone, of which nothing is asked besides.
   explicit HandsPort(device::GuardedDevice& blade) : first_(blade) {}
+  /// The blade's hand alone.
+  HandsPort(device::GuardedDevice& blade, const device::ActionPlan& plan, const HandActions& actions)
+      : first_(blade), plan_(&plan), actions_(&actions) {}
   /// A device for each hand.
   HandsPort(device::GuardedDevice& blade, device::GuardedDevice& tube, const device::ActionPlan& plan,
             const HandActions& actions)

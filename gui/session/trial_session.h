@@ -50,7 +50,8 @@ struct TrialOutcome {
   long long record_id = 0;  ///< of its row: what a rating or a note is given to
 };
 
-/// Life: construct (loads and builds; may take a second) -> start -> poll latest()/finished -> finish. finish() is
+/// Life: construct (loads and builds; may take a second) -> start -> poll latest()/finished -> finish. start() and the
+/// resets return at once; what goes to disk and records is the session's own thread's, before the first tick. finish() is
 /// called once, and where it throws, the ticks written until then stay, to be kept when a program starts next; the destructor stops the threads of a trial that was not finished and keeps its log as interrupted.
 class TrialSession {
  public:
@@ -73,7 +74,18 @@ class TrialSession {
   bool by_person() const;  ///< false: the device is a script's or a record's
   HandActions& actions();  ///< what the window's keys ask for; change_hand() makes device() take the other tool
 
+  /// Returns at once. The log is made and the trial registered before the first tick, on another thread; where that
+  /// fails, finished() turns true and problem() says why, as finish() would throw it.
   void start();
+  /// Asked to start, and the first tick has not come: records or disk are being waited for. Window's thread.
+  bool starting() const;
+  /// Why the attempt could not begin or its log could not be written, for a person; empty: nothing so far. Any thread.
+  std::string problem() const;
+  /// The trainee or the instructor holds the trial: its clock stands, no force is shown, the tools stay. Let go, it goes on
+  /// as after any pause, once the hand confirms. Logged as a pause with the fault "frozen". Throws std::runtime_error in
+  /// an assessment. Window's thread.
+  void freeze(bool on);
+  bool frozen() const;  ///< any thread
   /// Why the trial is paused and what to do, for a person; empty: it is not. While it is, the tool stays where it was, no
   /// force is shown, and the trial's clock stands. Any thread, while no reset() runs.
   std::string pause() const;
@@ -88,6 +100,13 @@ class TrialSession {
   /// (where it had one of its own) as before-reset-N.tool.ply.
   /// `between`: called when the old attempt is over and the new one has not begun (a hand is put back then).
   void reset(const std::function<void()>& between = {});
+  /// Practice only: as reset(), but the blade is first led the scripted expert's way until its tip is in the vallecula;
+  /// then the hand has it from there, wherever the device is by then, without a jump. Throws std::runtime_error in an
+  /// assessment, and where there is no way in (a tool of its own, no planned way in this patient). The trial is logged as
+  /// begun at the vallecula: it counts neither as a time nor towards mastery.
+  void reset_at_vallecula(const std::function<void()>& between = {});
+  /// The blade is still being led there; the hand does nothing yet. Any thread, while no reset() runs.
+  bool led_in() const;
   /// Newest whole snapshot; wait-free; to be called by one thread only (the window's).
   const engine::Snapshot& latest();
   TrialOutcome finish(const std::string& how);  ///< stops, closes the log, scores, writes the results, adds the record

@@ -45,6 +45,8 @@ void TwoHands::make_device_of(bool second) {
     second_ = {setup_.own_second_device(), {}};
   else if (intubation_)
     second_ = make_second_hand(setup_.second, setup_.device, planned);
+  else
+    second_ = {nullptr, recorded_actions(setup_.device)};
 }
 
 void TwoHands::renew_scripts() {
@@ -67,7 +69,7 @@ engine::HapticPort& TwoHands::begin() {
   else
     guard_ = guard_device(*device_, guarding_, package_, starting_pose(package_, scenario_));
   if (!intubation_) {
-    port_ = std::make_unique<HandsPort>(*guard_);
+    port_ = std::make_unique<HandsPort>(*guard_, second_.actions, actions_);
     return *port_;
   }
   const device::Keyframe start = starting_tube_pose(package_, *intubation_);
