@@ -31,10 +31,6 @@ constexpr int kLeastPictureMs = 100;
 constexpr double kShareOfACore = 0.2;
 constexpr int kMostEvents = 500;
 
-double load(const engine::Snapshot& snapshot, engine::Structure structure) {
-  return snapshot.loads[static_cast<std::size_t>(structure)].force_n.norm();
-}
-
 QString clock_words(double seconds) {
   const int whole = static_cast<int>(seconds);
   return QString("%1:%2").arg(whole / 60).arg(whole % 60, 2, 10, QChar('0'));
@@ -208,9 +204,9 @@ void InstructorWindow::frame(const engine::Snapshot& snapshot) {
   if (since_drawn_.isValid() && static_cast<double>(since_drawn_.elapsed()) < wait_ms) return;
   since_drawn_.start();
   ++drawn_;
-  view_->follow(snapshot);
+  view_->update_from(snapshot);  // the look has moved to it already, in the trial page's view
   view_->draw();
-  bars_->show_forces(load(snapshot, engine::Structure::tongue), load(snapshot, engine::Structure::gum));
+  bars_->show_forces(blade_forces(snapshot.loads, snapshot.proxy_pose));
   readings_->show_snapshot(snapshot, session_->paused_s());
   monitor_->show_snapshot(snapshot);
   add_events(live_.watch(snapshot, QString::fromStdString(session_->pause()), session_->paused_s(),

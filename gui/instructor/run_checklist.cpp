@@ -1,5 +1,6 @@
 #include "gui/instructor/run_checklist.h"
 
+#include <QCoreApplication>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>

@@ -8,22 +8,26 @@
 #include <QWidget>
 #include <functional>
 #include <memory>
+#include <vector>
 
+#include "gui/pages/key_list.h"
 #include "gui/session/trial_session.h"
 #include "gui/views/patient_look.h"
 
 class QLabel;
 class QPushButton;
+class QToolButton;
 
 namespace vallecula::gui {
 
 class BladeControl;
 class HandPanel;
-class MonitorPanel;
+class HelpPanel;
 class MouseIntroduction;
 class OperatorView;
 class SagittalView;
-class TrialSide;
+class SoundButton;
+class TrialPanels;
 
 class TrialPage : public QWidget {
   Q_OBJECT
@@ -54,6 +58,11 @@ class TrialPage : public QWidget {
   const pipeline::PatientPackage& patient() const;
   OperatorView& operator_view() { return *operator_view_; }
   SagittalView& sagittal_view();
+  TrialPanels& panels() { return *panels_; }
+  /// What an instructor has the team say: shown for a while among the team's messages, with the sign of its sender.
+  void say(const QString& line);
+  /// All keys of the page as it is now, from the tables by which they are taken.
+  std::vector<KeyGroup> keys() const;
   /// Called after each frame of a running trial with the snapshot that was drawn.
   void set_frame_hook(const std::function<void(const engine::Snapshot&)>& hook);
   /// Frames drawn since start(), a second.
@@ -89,16 +98,35 @@ class TrialPage : public QWidget {
   /// Whose hand the one device drives: on the view, in the help, and where keys and mouse go.
   void show_steered();
   bool takes_key(QKeyEvent* event, bool pressed);
+  struct PageKey;
+  static const std::vector<PageKey>& page_keys();
+  const PageKey* page_key(const QKeyEvent& event) const;
+  void enter_pressed();
+  void escape_pressed();
+  void reset_pressed();
+  void change_zoom();
+  void change_sound();
+  void eye_left();
+  void eye_right();
+  void eye_up();
+  void eye_down();
+  void extend_head();
+  void list_keys();
   /// An alert hides the hint.
   void show_banner(const QString& alert, const QString& hint);
+  QWidget* make_centre();
+  QLayout* make_head();
   QWidget* make_foot();
+  void show_running(const engine::Snapshot& snapshot);
 
   std::shared_ptr<TrialSession> session_;
   std::shared_ptr<PatientLook> look_;
   OperatorView* operator_view_;
-  TrialSide* side_;
-  MonitorPanel* monitor_;
+  TrialPanels* panels_;
   HandPanel* hands_;
+  HelpPanel* helps_;
+  SoundButton* sound_;
+  QToolButton* panels_button_;
   BladeControl* control_;
   MouseIntroduction* introduction_;
   QLabel *title_, *banner_, *help_, *steered_, *device_note_;

@@ -95,6 +95,7 @@ SoftSurface::SoftSurface(const pipeline::TetMesh& mesh, int levels) : nodes_(mes
     levels_.push_back(std::move(fine));
     coarse = &levels_.back().triangles;
   }
+  shown_levels_ = levels_.size();
   points_.resize(count);
   normals_.resize(count);
   bumps_.assign(count, {0, 0, 0});
@@ -128,6 +129,7 @@ SoftSurface::SoftSurface(const pipeline::TetMesh& mesh, int levels) : nodes_(mes
   surface_->GetPointData()->SetScalars(colours);
   auto wet = vtkSmartPointer<vtkFloatArray>::New();
   wet->SetName(kWetness);
+  wet->SetNumberOfComponents(2);
   wet->SetNumberOfTuples(static_cast<vtkIdType>(count));
   wet->Fill(1.0);
   surface_->GetPointData()->AddArray(wet);
@@ -135,18 +137,22 @@ SoftSurface::SoftSurface(const pipeline::TetMesh& mesh, int levels) : nodes_(mes
 }
 
 void SoftSurface::shade(const Openness& openness) {
-  auto* colours = vtkUnsignedCharArray::SafeDownCast(surface_->GetPointData()->GetScalars());
+  auto* wet = vtkFloatArray::SafeDownCast(surface_->GetPointData()->GetArray(kWetness));
   for (std::size_t i = 0; i < points_.size(); ++i) {
     const auto& n = normals_[i];
     const double light = 0.35 + 0.65 * std::min(1.0, 1.4 * openness.at({points_[i][0], points_[i][1], points_[i][2]},
                                                                        {n[0], n[1], n[2]}));
-    for (int c = 0; c < 3; ++c) {
-      const auto id = static_cast<vtkIdType>(i);
-      colours->SetComponent(id, c,
-                            colours->GetComponent(id, c) * (c == 0 ? std::sqrt(light) : light));  // blood glows red
-    }
+    wet->SetComponent(static_cast<vtkIdType>(i), 1, light);
   }
-  colours->Modified();
+  wet->Modified();
+}
+
+void SoftSurface::set_coarser(int levels) {
+  const auto left = levels_.size() - std::min(levels_.size(), static_cast<std::size_t>(std::max(0, levels)));
+  if (left == shown_levels_) return;
+  shown_levels_ = left;
+  surface_->SetPolys(cells_of(left == 0 ? triangles_ : levels_[left - 1].triangles));
+  refine_and_publish();
 }
 
 void SoftSurface::update(const std::vector<float>& soft_points_m) {
@@ -169,7 +175,8 @@ void SoftSurface::compute_normals(const std::vector<std::array<int, 3>>& triangl
 void SoftSurface::refine_and_publish() {
   std::size_t count = node_of_.size();
   compute_normals(triangles_, count);
-  for (const auto& level : levels_) {
+  for (std::size_t l = 0; l < shown_levels_; ++l) {
+    const Level& level = levels_[l];
     for (std::size_t e = 0; e < level.edges.size(); ++e) {
       const auto [a, b] = level.edges[e];
       const Float3 &pa = points_[a], &pb = points_[b], &na = normals_[a], &nb = normals_[b];

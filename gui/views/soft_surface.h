@@ -22,6 +22,8 @@ class SoftSurface {
   void shade(const Openness& openness);
   /// New node positions: x y z (m) per node of the tet mesh, in the package's order. Anything else is ignored.
   void update(const std::vector<float>& soft_points_m);
+  /// Shows this many levels fewer than there are.
+  void set_coarser(int levels);
   /// Points (mm), normals and colours; the same object for life, changed in place by update().
   vtkPolyData* surface() const { return surface_; }
   /// The tetrahedra's own boundary at rest, closed (mm).
@@ -39,6 +41,7 @@ class SoftSurface {
   std::vector<int> node_of_;                   ///< tet-mesh node of each boundary point
   std::vector<std::array<int, 3>> triangles_;  ///< boundary, outward
   std::vector<Level> levels_;
+  std::size_t shown_levels_ = 0;
   std::vector<std::array<float, 3>> points_, normals_, bumps_;
   vtkSmartPointer<vtkPolyData> surface_;
 };
