@@ -67,6 +67,7 @@ DeviceCheck::DeviceCheck(const QString& name, Maker make, QWidget* parent, std::
   upper->addWidget(make_lines(), 3);
   upper->addWidget(pad_, 2);
   push_ = new QPushButton(tr("&Push"), this);
+  push_->setObjectName("primary");
   push_->setToolTip(tr("Enter: the device pushes once, gently, and you say which way"));
   centre_ = new QPushButton(tr("Count from &here"), this);
   centre_->setToolTip(tr("The place where the handle is becomes the middle of the mouth"));
@@ -138,6 +139,7 @@ QWidget* DeviceCheck::make_lines() {
   auto* grid = new QGridLayout(lines);
   grid->setContentsMargins(0, 0, 0, 0);
   grid->setVerticalSpacing(9);
+  grid->setHorizontalSpacing(12);
   grid->setColumnStretch(2, 1);
   for (int i = 0; i < kCheckSteps; ++i) {
     const auto at = static_cast<std::size_t>(i);

@@ -23,23 +23,16 @@ InstructorControls::InstructorControls(QWidget* parent) : QWidget(parent) {
   connect(freeze_, &QPushButton::clicked, this, &InstructorControls::freeze_wanted);
   auto* grid = new QGridLayout;
   grid->setSpacing(6);
-  const auto row = [&](int at, const QString& name, std::initializer_list<QPushButton*> buttons) {
-    grid->addWidget(new QLabel(name, this), at, 0);
-    int column = 1;
-    for (QPushButton* button : buttons) grid->addWidget(button, at, column++);
-  };
-  row(0, tr("Saturation"),
-      {vital_button(tr("SpO2 \xe2\x96\xbc"), tr("Held, the saturation falls (%)"), engine::kInstructorSaturationDown),
-       vital_button(tr("SpO2 \xe2\x96\xb2"), tr("Held, the saturation rises (%)"), engine::kInstructorSaturationUp)});
-  row(1, tr("Heart"),
-      {vital_button(tr("Heart \xe2\x96\xbc"), tr("Held, the heart slows (beats a minute)"), engine::kInstructorHeartDown),
-       vital_button(tr("Heart \xe2\x96\xb2"), tr("Held, the heart quickens (beats a minute)"), engine::kInstructorHeartUp)});
-  row(2, tr("Cords"),
-      {vital_button(tr("Laryngospasm"), tr("Pressed, the cords close; pressed again, they are let go"),
-                    engine::kInstructorSpasm),
-       freeze_});
-  grid->setColumnStretch(1, 1);
-  grid->setColumnStretch(2, 1);
+  const auto put = [&](int row, int column, QPushButton* button) { grid->addWidget(button, row, column); };
+  put(0, 0, vital_button(tr("SpO2 \xe2\x96\xbc"), tr("Held, the saturation falls (%)"), engine::kInstructorSaturationDown));
+  put(0, 1, vital_button(tr("SpO2 \xe2\x96\xb2"), tr("Held, the saturation rises (%)"), engine::kInstructorSaturationUp));
+  put(0, 2, freeze_);
+  put(1, 0, vital_button(tr("Heart \xe2\x96\xbc"), tr("Held, the heart slows (beats a minute)"),
+                         engine::kInstructorHeartDown));
+  put(1, 1, vital_button(tr("Heart \xe2\x96\xb2"), tr("Held, the heart quickens (beats a minute)"),
+                         engine::kInstructorHeartUp));
+  put(1, 2, vital_button(tr("Laryngospasm"), tr("Pressed, the cords close; pressed again, they are let go"),
+                         engine::kInstructorSpasm));
   line_ = new QComboBox(this);
   line_->setEditable(true);
   line_->setInsertPolicy(QComboBox::NoInsert);
@@ -107,15 +100,15 @@ QPushButton* InstructorControls::vital_button(const QString& text, const QString
 void InstructorControls::allow(bool running, bool vital_signs, bool assessment) {
   const int now = (running ? 1 : 0) | (vital_signs ? 2 : 0) | (assessment ? 4 : 0);
   if (std::exchange(allowed_, now) == now) return;
-  freeze_->setEnabled(running);
+  freeze_->setEnabled(running && !assessment);
   for (const auto& [button, action] : vital_) button->setEnabled(running && vital_signs);
   line_->setEnabled(running && !assessment);
   say_->setEnabled(running && !assessment && !line_->currentText().trimmed().isEmpty());
   rules_->setText(
       assessment
-          ? tr("Assessment: you may freeze. Vital signs you change are recorded, and the trial is marked. "
-               "The team says nothing: a line would be a help.")
-      : vital_signs ? tr("Vital signs you change are recorded, and the trial is marked.")
+          ? tr("Assessment: it is not held up, and the team says nothing, for a line would be a help. A trial whose "
+               "vital signs you change counts neither way.")
+      : vital_signs ? tr("Vital signs you change are recorded; the trial then counts neither way.")
                     : tr("This scenario has no infant's vital signs."));
   tell({});
 }

@@ -219,9 +219,11 @@ void InstructorWindow::show_state() {
   const bool assessed = session_ && session_->scenario().attempt.mode == curricula::Mode::assessment;
   const bool infant = session_ && session_->scene().intubation.has_value();
   const bool frozen = running && session_->frozen();
-  const QString title = session_ ? plain_of(session_->scenario().title) : tr("No trial is open");
-  if (title_->text() != title) title_->setText(title);
-  state_->setText(!session_   ? tr("Waiting for a trial")
+  if (session_)
+    title_->setText(plain_of(session_->scenario().title));
+  else if (title_->text().isEmpty())
+    title_->setText(tr("No trial is open"));
+  state_->setText(!session_   ? (record_ != 0 ? tr("Over; waiting for the next trial") : tr("Waiting for a trial"))
                   : !running  ? tr("Prepared, not started")
                   : frozen    ? tr("FROZEN at %1").arg(clock_words(live_.now_s()))
                   : session_->pause().empty() ? tr("Running, %1").arg(clock_words(live_.now_s()))
@@ -281,6 +283,7 @@ void InstructorWindow::recorded(const TrialOutcome& outcome) {
                        : outcome.record_id == 0 ? tr("This trial has no record: the ticks cannot be kept.")
                                                 : QString());
   tabs_->setCurrentWidget(checklist_);
+  show_state();
 }
 
 void InstructorWindow::keep_ratings_given() {

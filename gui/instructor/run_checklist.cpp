@@ -70,6 +70,7 @@ QToolButton* RunChecklist::tick(const QString& text, const QString& meaning) {
   auto* button = new QToolButton(this);
   button->setText(text);
   button->setCheckable(true);
+  button->setStyleSheet("padding: 2px 9px;");  // a whole list is to be seen at once
   button->setFocusPolicy(Qt::StrongFocus);
   button->setAccessibleName(meaning);
   button->setToolTip(meaning);
@@ -109,7 +110,7 @@ void RunChecklist::begin(const curricula::Scenario& scenario) {
   grid_->addWidget(rows_widget_, 0, 0);
   for (QToolButton* step : steps_) step->setChecked(false);
   may_keep_ = false;
-  message_->setText(tr("Tick while you watch; what was ticked twice is open again."));
+  message_->setText(tr("Tick while you watch; ticked again, it is open."));
   show_button();
 }
 

@@ -16,9 +16,9 @@
 #include "gui/instructor/sign_in_dialog.h"
 #include "gui/instructor/station.h"
 #include "gui/pages/trial_page.h"
-#include "gui/session/builtin_patient.h"
 #include "gui/views/operator_view.h"
 #include "gui/views/theme.h"
+#include "tests/gui/arc_patient.h"
 #include "tests/gui/block_patient.h"
 #include "tests/gui/busy_course.h"
 #include "tests/gui/records_pages/window_records.h"
@@ -133,12 +133,9 @@ TEST_F(WindowInstructor, WatchesAnIntubationAndActsOnIt) {
   ASSERT_TRUE(wait_for([&] { return second_is_open(); }, 10000)) << "nobody has registered an instructor: anybody may";
   EXPECT_EQ(state(), "Waiting for a trial");
   EXPECT_FALSE(button("Freeze")->isEnabled());
-  const auto file = curricula_folder() / "first-intubation.yaml";
-  const curricula::Curriculum course = curricula::load_curriculum(file);
-  TrialSetup whole = setup("busy");
-  whole.curriculum = file;
-  whole.scenario = course.scenarios.front().id;
-  whole.patient = builtin_patient(course.scenarios.front().manikin, {});
+  TrialSetup whole = setup("tube");
+  whole.curriculum = test::write_tube_curriculum(box_.folder());
+  whole.patient = test::write_arc_patient(box_.folder());
   prepare(whole);
   EXPECT_EQ(state(), "Prepared, not started");
   TrialPage& page = window_->trial_page();
@@ -155,7 +152,9 @@ TEST_F(WindowInstructor, WatchesAnIntubationAndActsOnIt) {
   EXPECT_GT(colours_in(view->picture()), 40) << "the patient, not an empty ground";
 
   // A click is held long enough to be seen by a servo that looks a thousand times a second.
-  const auto held = [&](engine::Action action) { return page.session()->actions().held(action); };
+  const auto held = [&](std::uint32_t action) {
+    return page.session()->actions().held(static_cast<engine::Action>(action));
+  };
   auto* lower = button("SpO2 \xe2\x96\xbc");
   ASSERT_NE(lower, nullptr);
   QElapsedTimer since;
@@ -330,6 +329,7 @@ TEST_F(WindowInstructor, TheNextTraineeTakesOverByOneKeyAndThePin) {
   EXPECT_EQ(after.device, before.device);
   EXPECT_EQ(after.mode, curricula::Mode::practice);
 
+  QApplication::setActiveWindow(window_.get());
   QTest::keyClick(window_.get(), Qt::Key_T, Qt::ControlModifier);
   asks = dialog<SignInDialog>();
   ASSERT_NE(asks, nullptr);
