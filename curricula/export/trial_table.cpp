@@ -44,6 +44,8 @@ const std::vector<Column>& first_columns() {
        [](const ExportTrial& t) { return csv_number(t.row.duration_s); }},
       {{"complete", "", "1; 0: the trial was cut off, and its figures are those up to there", ""},
        [](const ExportTrial& t) { return whole(t.row.score.complete ? 1 : 0); }},
+      {{"set_aside", "", "1: an instructor changed it or it began at the vallecula, so it counts neither way; else 0", ""},
+       [](const ExportTrial& t) { return whole(t.row.score.set_aside.empty() ? 0 : 1); }},
       {{"outcome", "", "where the tube's tip lay at the end; empty: no intubation", ""},
        [](const ExportTrial& t) {
          return t.row.score.intubation ? csv_text(name_of(t.row.score.intubation->outcome)) : std::string();

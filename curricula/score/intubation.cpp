@@ -13,6 +13,9 @@ namespace {
 constexpr double kStoppedN = 0.5;  ///< along the tube: from here on closed cords before the tip stop it (assumed)
 /// Likewise of the cricoid: tubes that fit take up to 1.5 N there (engine/README.md), and only more says "too narrow".
 constexpr double kCricoidStopsN = 2.0;
+/// In all, while the tube stands there: one that opening cords let go of springs forward and knocks on it for some
+/// milliseconds (assumed).
+constexpr double kCricoidStopsS = 0.1;
 constexpr double kAtTheLastS = 1.0;    ///< before the end: the tube still stands against it (assumed)
 constexpr double kJustBeforeS = 10.0;  ///< before the end: the cricoid is what it was given up for (assumed)
 constexpr double kBevelM = 0.008;  ///< a bevelled tip reaches past what holds the tube's full width by less than this
@@ -69,7 +72,7 @@ void measure_infant(const LogTick& tick, IntubationScore& score) {
 
 Course follow(const TrialLog& log, const std::vector<Attempt>& attempts, IntubationScore& score) {
   Course course;
-  long long worked = 0;
+  long long worked = 0, at_cricoid = 0;
   for (const LogTick& tick : log.ticks) {
     if (paused(tick)) continue;
     const LogIntubation& i = tick.intubation;
@@ -79,9 +82,14 @@ Course follow(const TrialLog& log, const std::vector<Attempt>& attempts, Intubat
     measure_forces(tick, score);
     if (!attempts.empty() && tick.time_s >= attempts.front().start_s) measure_infant(tick, score);
     course.worked_s = static_cast<double>(worked) * log.header.servo_period_s;
-    if (i.in_hand == LoggedInHand::catheter || !(i.tip_load_n >= kStoppedN)) continue;
+    if (i.in_hand == LoggedInHand::catheter || !(i.tip_load_n >= kStoppedN)) {
+      at_cricoid = 0;
+      continue;
+    }
     const bool by_cords = i.tip_against == kTubeCords && cords_closed(i);
-    const bool by_cricoid = i.tip_against == kTubeCricoid && i.tip_load_n >= kCricoidStopsN;
+    at_cricoid += i.tip_against == kTubeCricoid && i.tip_load_n >= kCricoidStopsN;
+    const bool by_cricoid = i.tip_against == kTubeCricoid && i.tip_load_n >= kCricoidStopsN &&
+                            static_cast<double>(at_cricoid) * log.header.servo_period_s >= kCricoidStopsS;
     if (by_cords || by_cricoid)
       course.stop = {true, by_cords, course.worked_s, i.past_cords_m};
     else if (course.stop.was && !course.stop.by_cords && i.past_cords_m < course.stop.depth_m + kBevelM)

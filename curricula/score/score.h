@@ -124,8 +124,8 @@ struct Score {
 ///   tube stood against it within the last second, cricoid too narrow or cords closed; else out of time when
 ///   max_attempt_s is over; else by what stopped the tube last in the whole trial, or cords closed where a laryngospasm
 ///   lasted when the last attempt ended; else abandoned. "Stopped" by cords: 0.5 N or more along the tube
-///   (assumed), mostly of cords in spasm or less than a quarter open (assumed); by the cricoid: 2 N or more (assumed;
-///   tubes that fit take up to 1.5 N), of one that was never passed, and not longer ago than 10 s (assumed) without
+///   (assumed), mostly of cords in spasm or less than a quarter open (assumed); by the cricoid: 2 N or more for 0.1 s (assumed;
+///   tubes that fit take up to 1.5 N, and knock on it for milliseconds when cords that open let them go), of one that was never passed, and not longer ago than 10 s (assumed) without
 ///   pauses: whoever touched it once and then went elsewhere was not stopped by it.
 /// - with the head neutral the tip lies 0.2 mm deeper for each degree of extension (assumed), where the header's settings
 ///   know it (kHeadExtension). Judged again there where pass.depth_neutral asks for it.

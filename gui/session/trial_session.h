@@ -56,7 +56,7 @@ struct TrialOutcome {
 class TrialSession {
  public:
   explicit TrialSession(const TrialSetup& setup);  ///< throws std::runtime_error with one clear message
-  ~TrialSession();
+  ~TrialSession();  ///< of one that was started and not finished it may wait for disk and records: not on the window's thread
   TrialSession(const TrialSession&) = delete;
   TrialSession& operator=(const TrialSession&) = delete;
 

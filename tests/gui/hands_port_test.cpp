@@ -177,5 +177,77 @@ TEST_F(HandsPortTest, ThePressThatEndsAPauseChangesNoHandAndNothingJumps) {
   EXPECT_LT((input.second_pose.position - before.second_pose.position).norm(), 1e-12);
 }
 
+device::Trajectory lead() {
+  device::Keyframe from, to;
+  from.position_m = {0.2, 0, 0};
+  to.position_m = {0.2, 0.05, 0};
+  to.time_s = 1.0;
+  to.rotation_wxyz = {0.70710678118654752, 0.70710678118654752, 0, 0};
+  return device::Trajectory({from, to});
+}
+
+TEST_F(HandsPortTest, ALedBladeIsTakenOverWithoutAJumpWhereverTheHandIs) {
+  HandsPort port(blade_, plan_, actions_);
+  port.lead_in(lead(), 100);
+  engine::Pose before;
+  for (int n = 0; n < 100; ++n) {
+    blade_device_.reading.position_m = {0.001 * n, -0.002 * n, 0.3};  // nobody asks where the hand is
+    EXPECT_TRUE(port.led_in());
+    before = tick(port, Vec3(0, 0, 2)).pose;
+    EXPECT_EQ(blade_device_.force, (std::array<double, 3>{0, 0, 0})) << "what the plan meets is not the hand's";
+    EXPECT_NEAR(before.position.x(), 0.2, 1e-12);
+  }
+  EXPECT_FALSE(port.led_in());
+  EXPECT_NEAR(before.position.y(), 0.05, 1e-12);
+  engine::PortInput at = tick(port);
+  EXPECT_LT((at.pose.position - before.position).norm(), 1e-12);
+  EXPECT_LT(at.pose.rotation.angularDistance(before.rotation), 1e-7);
+  // From there it goes as the hand does, and turns as it does, about the axes of the world.
+  blade_device_.reading.position_m[1] += 0.01;
+  blade_device_.reading.rotation_wxyz = {0.99875026, 0, 0, 0.04997917};  // 0.1 rad about z
+  at = tick(port);
+  EXPECT_LT((at.pose.position - (before.position + Vec3(0, 0.01, 0))).norm(), 1e-9);
+  const engine::Quat turned = engine::Quat(Eigen::AngleAxisd(0.1, Vec3::UnitZ())) * before.rotation;
+  EXPECT_LT(at.pose.rotation.angularDistance(turned), 1e-6);
+  tick(port, Vec3(0, 0, 2));
+  ticks(port, 300, Vec3(0, 0, 2), Vec3::Zero());
+  EXPECT_NEAR(blade_device_.force[2], 2.0, 1e-6);
+}
+
+TEST_F(HandsPortTest, APauseStopsTheWayInAndTheTubeWaitsInItsPlace) {
+  HandsPort port(blade_, tube_, kChange, plan_, actions_);
+  port.lead_in(lead(), 100);
+  ticks(port, 40, Vec3::Zero(), Vec3::Zero());
+  const engine::Pose there = tick(port).pose;
+  blade_device_.broken = DeviceFault::unplugged;
+  engine::PortInput paused = ticks(port, 500, Vec3::Zero(), Vec3::Zero());
+  EXPECT_FALSE(paused.valid);
+  EXPECT_FALSE(paused.second_valid);
+  EXPECT_EQ(paused.pose.position, there.position);
+  blade_device_.broken = DeviceFault::none;
+  tick(port);
+  blade_.confirm();
+  actions_.change_hand();  // not while it is led
+  const engine::PortInput last = ticks(port, 59, Vec3::Zero(), Vec3::Zero());
+  EXPECT_FALSE(port.led_in());
+  EXPECT_EQ(port.in_hand(), Tool::blade);
+  EXPECT_EQ(last.second_pose.position, tube_.position);
+  EXPECT_NEAR(last.pose.position.y(), 0.05, 1e-12);
+}
+
+TEST_F(HandsPortTest, WithoutATubeKeysAndPlanAreHeardAsWell) {
+  const device::ActionPlan plan({{0.003, engine::kActionExtend}, {0.006, 0}});
+  HandsPort port(blade_, plan, actions_);
+  actions_.hold(engine::kActionEyeLeft, true);
+  blade_device_.reading.buttons = 0xff0001;
+  EXPECT_EQ(tick(port).buttons, 1u | engine::kActionEyeLeft) << "a device's own high bits are nobody's action";
+  ticks(port, 3, Vec3::Zero(), Vec3::Zero());
+  EXPECT_EQ(tick(port).buttons, 1u | engine::kActionEyeLeft | engine::kActionExtend);
+  blade_device_.broken = DeviceFault::unplugged;
+  actions_.hold(engine::kInstructorHeartDown, true);
+  EXPECT_EQ(tick(port).buttons & engine::kAllActions, static_cast<std::uint32_t>(engine::kActionEyeLeft))
+      << "a pause leaves the eye, and nobody changes the infant in it";
+}
+
 }  // namespace
 }  // namespace vallecula::gui::test

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
+#include <functional>
 #include <thread>
 
 #include "curricula/trial_log.h"
@@ -238,6 +239,48 @@ TEST_F(TrialPauseRealTime, AKeyTakesHoldAgainAndThePauseIsToldInPlainWords) {
   }
   EXPECT_NE(told.find("goes on by itself"), std::string::npos) << "nobody is sent to look for a cable: " << told;
   again.finish("ended");
+}
+
+TEST_F(TrialPauseRealTime, HeldByAPersonItStandsAndGoesOnWithoutAJump) {
+  // Presses from 0.3 s on and stays there: held in the press.
+  TrialSetup live = setup(hand("", {{0, 0.006}, {0.3, 0.006}, {0.6, -0.002}, {60, -0.002}}), "frozen");
+  live.realtime = true;
+  TrialSession session(live);
+  session.start();
+  const auto wait_for = [&](const std::function<bool()>& done) {
+    for (int i = 0; i < 8000 && !done(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    return done();
+  };
+  ASSERT_TRUE(wait_for([&] { return session.latest().ticks > 700; }));
+  EXPECT_FALSE(session.frozen());
+  session.freeze(true);
+  EXPECT_TRUE(session.frozen());
+  ASSERT_TRUE(wait_for([&] { return session.pause().find("held") != std::string::npos; })) << session.pause();
+  const std::int64_t at = session.latest().ticks;
+  ASSERT_TRUE(wait_for([&] { return session.latest().ticks > at + 200; }));
+  EXPECT_EQ(session.latest().displayed_force_n, engine::Vec3(engine::Vec3::Zero()));
+  session.confirm();  // nobody goes on while it is held
+  EXPECT_NE(session.pause(), "");
+  session.freeze(false);
+  ASSERT_TRUE(wait_for([&] { return session.pause().find("let go") != std::string::npos || session.pause().empty(); }));
+  session.confirm();
+  ASSERT_TRUE(wait_for([&] { return session.pause().empty(); }));
+  const std::int64_t again = session.latest().ticks;
+  ASSERT_TRUE(wait_for([&] { return session.latest().ticks > again + 200; }));
+  const curricula::TrialLog log = curricula::read_trial_log(session.finish("ended").log);
+  ASSERT_EQ(log.footer.pause_faults, (std::vector<std::string>{"frozen"}));
+  expect_harmless(log);
+  EXPECT_TRUE(log.ticks.back().device_valid);
+  EXPECT_GT(length(log.ticks.back().displayed_force_n), 0.05) << "the press is felt again";
+}
+
+TEST_F(TrialPause, AnAssessmentIsNeitherHeldNorBegunHalfWay) {
+  TrialSetup tested = setup(hand("", {{0, 0.006}, {1, 0.006}}), "tested");
+  tested.mode = curricula::Mode::assessment;
+  TrialSession session(tested);
+  EXPECT_THROW(session.freeze(true), std::runtime_error);
+  EXPECT_FALSE(session.frozen());
+  EXPECT_THROW(session.reset_at_vallecula(), std::runtime_error);
 }
 
 TEST_F(TrialPause, SettingsAreKeptPerDeviceAndNonsenseIsNone) {

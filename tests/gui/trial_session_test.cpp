@@ -83,7 +83,10 @@ TEST_F(SessionRealTime, AFolderHasOneTrialAtATime) {
   first.start();
   {
     TrialSession second(setup(true));
-    EXPECT_THROW(second.start(), std::runtime_error);
+    second.start();
+    wait(second);
+    EXPECT_NE(second.problem(), "");
+    EXPECT_THROW(second.finish("ended"), std::runtime_error);
   }
   wait(first);
   const TrialOutcome outcome = first.finish("ended");

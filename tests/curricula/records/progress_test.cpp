@@ -30,6 +30,33 @@ struct Class {
   Who boss, kiwi, emu;
 };
 
+TEST_P(AnyRecords, WhatWasSetAsideIsInNoFigureAndSaysWhyAfterwards) {
+  Class c(location());
+  c.add(c.kiwi_id, "2024-05-01T10:00:00Z", true);
+  RecordRow row = sample("2024-05-02T10:00:00Z");
+  row.trainee_id = c.kiwi_id;
+  row.device_kind = "mouse";
+  row.score.passed = true;
+  row.score.complete = true;
+  row.score.set_aside = {"The instructor changed it", "Begun elsewhere"};
+  c.records.add(row);
+  const Progress progress(c.records);
+  const auto curves = progress.curves(c.kiwi, c.kiwi_id);
+  ASSERT_EQ(curves.size(), 1u);
+  EXPECT_EQ(curves[0].trials, 1);
+  EXPECT_EQ(curves[0].set_aside, 1);
+  EXPECT_EQ(curves[0].interrupted, 0);
+  EXPECT_EQ(curves[0].passed, 1);
+  std::size_t counted = 0;
+  for (const auto& [curriculum, results] : progress.results(c.kiwi, c.kiwi_id)) counted += results.size();
+  EXPECT_EQ(counted, 1u);
+  const auto trials = progress.trials(c.kiwi, c.kiwi_id, 5);
+  ASSERT_EQ(trials.size(), 2u);
+  EXPECT_EQ(trials[0].score.set_aside, row.score.set_aside);
+  EXPECT_FALSE(procedure_succeeded(trials[0]));
+  EXPECT_TRUE(procedure_succeeded(trials[1]));
+}
+
 TEST_P(AnyRecords, ACurveIsOfOneTraineeScenarioAndDeviceKind) {
   Class c(location());
   for (int i = 0; i < 4; ++i) c.add(c.kiwi_id, "2024-05-0" + std::to_string(i + 1) + "T10:00:00Z", i != 1);

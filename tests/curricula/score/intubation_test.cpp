@@ -141,6 +141,12 @@ TEST(IntubationScore, EveryOutcomeIsWhereTheTipReallyIs) {
          t.intubation.tip_load_n *= 0.75;  // 1.5 N (engine/README.md)
        },
        Outcome::abandoned},
+      {"let go by cords that open, it knocks on the cricoid and lies there",
+       [](LogTick& t) {
+         pushed(15, 50, kTubeCricoid, 0.8)(t);
+         if (!between(t, 35, 35.05)) t.intubation.tip_load_n = 1.5;
+       },
+       Outcome::too_shallow},
       {"a touch of the cricoid by a tube that then lies in the larynx",
        [](LogTick& t) {
          pushed(15, 50, kTubeCricoid, 0.8)(t);

@@ -92,13 +92,14 @@ TEST(ActionPlan, RefusesTimesThatDoNotIncrease) {
 
 TEST(ActionPlan, EveryWordIsABitOfItsOwn) {
   std::uint32_t all = 0;
-  for (const char* word : {"breath", "suction", "press", "stylet-out", "catheter"}) {
+  for (const char* word : {"breath", "suction", "press", "stylet-out", "catheter", "eye-right", "eye-left", "eye-up",
+                           "eye-down", "extend"}) {
     const std::uint32_t bit = actions_of(word);
     EXPECT_EQ(bit & (bit - 1), 0u) << word;
     EXPECT_EQ(all & bit, 0u) << word;
     all |= bit;
   }
-  EXPECT_EQ(actions_of("breath+suction+press+stylet-out+catheter"), all);
+  EXPECT_EQ(actions_of("breath+suction+press+stylet-out+catheter+eye-right+eye-left+eye-up+eye-down+extend"), all);
   EXPECT_EQ(actions_of("-"), 0u);
   EXPECT_THROW(actions_of("breath,press"), DeviceError);
   EXPECT_THROW(actions_of("breath+"), DeviceError);

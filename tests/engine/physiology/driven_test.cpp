@@ -22,17 +22,18 @@ TEST(Driven, SaturationFallsAtItsRateTrueAndDisplayed) {
   for (const InfantDescription& d : {preterm(1), preterm(7), term(3), term(2, Course::preoxygenated)}) {
     Patient p(d), beside(d);
     const double store = store_ml(p.infant.oxygen, p.state.oxygen);
-    p.live(4.0, driven(-1, 0));
-    beside.live(4.0);
-    EXPECT_NEAR(beside.signs.sao2 - p.signs.sao2, 4.0 * kDrivenSaturation, 0.03) << d.seed;
-    EXPECT_NEAR(beside.signs.spo2 - p.signs.spo2, 4.0 * kDrivenSaturation, 0.06) << d.seed << " (it is shown once a second)";
+    p.live(2.0, driven(-1, 0));
+    beside.live(2.0);
+    // On top of apnoea, which itself goes faster where the stores are smaller.
+    EXPECT_NEAR(beside.signs.sao2 - p.signs.sao2, 2.0 * kDrivenSaturation, 0.015) << d.seed;
+    EXPECT_NEAR(beside.signs.spo2 - p.signs.spo2, 2.0 * kDrivenSaturation, 0.055) << d.seed << " (shown once a second)";
     EXPECT_LT(store_ml(p.infant.oxygen, p.state.oxygen), store) << "oxygen that nobody lacks was taken from nowhere";
     // It is no mere number on the screen: without breaths it does not come back by itself.
     const double low = p.signs.sao2;
     p.live(20.0);
     EXPECT_LT(p.signs.sao2, low + 0.02);
     p.ventilate(60, Breath::mask);
-    EXPECT_GT(p.signs.sao2, low + 0.10) << d.seed;
+    EXPECT_GT(p.signs.sao2, low + 0.07) << d.seed;
   }
 }
 
