@@ -29,10 +29,13 @@ vtkSmartPointer<vtkActor> tissue_actor(vtkPolyData* surface, MouthStage::Eye eye
 }
 
 // The lamp of a blade outside the mouth is a spot of light in a lit room; inside it is the light.
-constexpr double kLampOutside = 0.35, kLampInside = 1.05, kRoomInside = 0.80, kRoomBehindBlade = 0.16;
+constexpr double kLampOutside = 0.35, kLampInside = 1.5, kRoomInside = 0.80, kRoomBehindBlade = 0.34;
+constexpr double kExposure = 1.3;  // of a camera that sees by the lamp alone
 constexpr double kGlowNatural = 0.05, kGlowBlue = 0.45;  // blue is a sign: to be found where little light falls
 constexpr int kBladeSolids = 2;                          // a capsule along the blade, one along the handle
 constexpr std::array<int, 5> kShadowNodes{0, 6, 14, 24, 39};
+
+bool blue_everywhere = false;
 
 }  // namespace
 
@@ -54,9 +57,10 @@ MouthStage::MouthStage(std::shared_ptr<PatientLook> look, const engine::Triangle
     catheter_radius_mm_ = 500.0 * intubation->catheter_outer_m;
     tissues_.push_back(cords_->actor());
   }
-  set_blue_trachea(false);
+  colour_trachea();
   lighting_.lips = vec(look_->framing.mouth);
   lighting_.inward = (vec(look_->framing.glottis) - lighting_.lips).normalized();
+  if (eye == Eye::in_the_mouth) exposure_ = kExposure;
   lighting_.lamp_solids_from = kBladeSolids + 1;
   for (const auto& actor : tissues_) renderer->AddActor(actor);
   for (const auto& actor : tool_->actors()) renderer->AddActor(actor);
@@ -78,7 +82,7 @@ void MouthStage::update(const engine::Snapshot& snapshot) {
   // The eye follows the lamp: the deeper the blade, the less of the room is left and the brighter the lamp looks.
   const double in = eased(-0.05, 0.65, depth_);
   lighting_.room_inside = kRoomInside + in * (kRoomBehindBlade - kRoomInside);
-  lighting_.lamp = kLampOutside + in * (kLampInside - kLampOutside);
+  lighting_.lamp = exposure_ * (kLampOutside + in * (kLampInside - kLampOutside));
   gather_solids(snapshot);
 }
 
@@ -108,11 +112,21 @@ void MouthStage::gather_solids(const engine::Snapshot& snapshot) {
 void MouthStage::light(vtkCamera* camera) {
   lighting_.bulb = tool_->bulb_mm();
   lighting_.beam = tool_->beam();
+  colour_trachea();
   for (const auto& actor : tissues_) set_lighting(actor, camera, lighting_);
 }
 
-void MouthStage::set_blue_trachea(bool blue) {
-  if (!trachea_) return;
+void MouthStage::set_blue_trachea(std::optional<bool> blue) {
+  blue_ = blue;
+  colour_trachea();
+}
+
+void MouthStage::set_blue_everywhere(bool blue) { blue_everywhere = blue; }
+
+void MouthStage::colour_trachea() {
+  const bool blue = blue_.value_or(blue_everywhere);
+  if (!trachea_ || blue_shown_ == blue) return;
+  blue_shown_ = blue;
   trachea_->GetMapper()->SelectColorArray(blue ? kTracheaBlue : kTracheaNatural);
   set_glow(trachea_, blue ? kGlowBlue : kGlowNatural);
 }

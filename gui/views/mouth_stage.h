@@ -8,6 +8,7 @@
 #include <vtkRenderer.h>
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "engine/snapshot.h"
@@ -31,8 +32,10 @@ class MouthStage {
   void update(const engine::Snapshot& snapshot);
   /// Lights everything as the camera sees it: after every move of either.
   void light(vtkCamera* camera);
-  /// The paper's blue below the cords, or its natural look (the default).
-  void set_blue_trachea(bool blue);
+  /// The paper's blue below the cords, or its natural look; nothing: as all views have it.
+  void set_blue_trachea(std::optional<bool> blue);
+  /// What all views have from their next frame on that were not told otherwise: natural unless set. Window's thread.
+  static void set_blue_everywhere(bool blue);
   /// Takes the patient's left half of the skin away, for a look from the side.
   void set_half(bool on);
   /// What a slow machine goes without; both are on at first.
@@ -44,6 +47,7 @@ class MouthStage {
   double depth() const { return depth_; }
 
  private:
+  void colour_trachea();
   void gather_solids(const engine::Snapshot& snapshot);
   std::shared_ptr<PatientLook> look_;
   std::unique_ptr<ToolLook> tool_;
@@ -52,7 +56,8 @@ class MouthStage {
   std::unique_ptr<SecretionsLook> secretions_;
   std::vector<vtkSmartPointer<vtkActor>> tissues_;  ///< the skin first
   vtkSmartPointer<vtkActor> trachea_;               ///< one of them; null without a trachea
-  double tube_radius_mm_ = 0.0, catheter_radius_mm_ = 0.0, depth_ = -1.0;
+  std::optional<bool> blue_, blue_shown_;
+  double tube_radius_mm_ = 0.0, catheter_radius_mm_ = 0.0, depth_ = -1.0, exposure_ = 1.0;
   Lighting lighting_;
 };
 

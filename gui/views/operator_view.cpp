@@ -44,10 +44,11 @@ void OperatorView::show_patient(std::shared_ptr<PatientLook> look, const engine:
   stage_ = std::make_unique<MouthStage>(look_, tool, intubation, MouthStage::Eye::operators, renderer());
   for (const auto& actor : ghost_->actors()) renderer()->AddActor(actor);
   closeness_ = 0.0;
+  eye_offset_mm_.setZero();
   blade_in_ = ghost_shown_ = false;
   since_aimed_.restart();
   set_half(half_);
-  set_blue_trachea(blue_trachea_);
+  stage_->set_blue_trachea(blue_trachea_);
   set_free_camera(false);
 }
 
@@ -68,6 +69,7 @@ void OperatorView::set_ghost_time(double time_s) {
 void OperatorView::update_from(const engine::Snapshot& snapshot) {
   if (!look_ || snapshot.step < 0) return;
   stage_->update(snapshot);
+  eye_offset_mm_ = 1000.0 * snapshot.eye_offset_m;
   ghost_shown_ = ghost_->place(snapshot.device_pose, snapshot.proxy_pose);
   if (mark_) mark_->update(snapshot);
   // In or out, with some play so that the view does not flutter.
@@ -133,7 +135,7 @@ void OperatorView::aim() {
   closeness_ += std::clamp((close ? 1.0 : 0.0) - closeness_, -elapsed / kZoomSeconds, elapsed / kZoomSeconds);
   const double eased = closeness_ * closeness_ * (3.0 - 2.0 * closeness_);
 
-  const engine::Vec3 eye = vec(framing.eye);
+  const engine::Vec3 eye = vec(framing.eye) + eye_offset_mm_;
   across_mm_ = framing.face_mm * std::pow(framing.mouth_mm / framing.face_mm, eased);
   // Close to, the view is centred on the opening as it is seen, not on the nose below it.
   const engine::Vec3 at =

@@ -40,7 +40,7 @@ class OperatorView : public GlView {
   void turn_camera(double right_deg, double up_deg);
   /// Takes the patient's left half of the skin away, for a look from the side.
   void set_half(bool on);
-  /// The paper's blue below the cords instead of its natural look; stays for the patients that follow.
+  /// The paper's blue below the cords or its natural look, for this view alone; stays for the patients that follow.
   void set_blue_trachea(bool blue);
   bool ghost_shown() const { return ghost_shown_; }
   /// The blade's tip is past the gums.
@@ -66,8 +66,9 @@ class OperatorView : public GlView {
   std::unique_ptr<GlottisMark> mark_;
   Zoom zoom_ = Zoom::automatic;
   double closeness_ = 0.0, across_mm_ = 100.0;
-  bool ghost_shown_ = false, blade_in_ = false, free_camera_ = false, half_ = false,
-       blue_trachea_ = false;
+  engine::Vec3 eye_offset_mm_ = engine::Vec3::Zero();  ///< of an operator who moved his own head
+  bool ghost_shown_ = false, blade_in_ = false, free_camera_ = false, half_ = false;
+  std::optional<bool> blue_trachea_;
   QElapsedTimer since_aimed_;
 };
 

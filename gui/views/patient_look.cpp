@@ -21,9 +21,11 @@
 #include <stdexcept>
 
 #include "gui/session/poly_data.h"
+#include "gui/views/fine_tongue.h"
 #include "gui/views/openness.h"
 #include "gui/views/tissue_colours.h"
 #include "gui/views/tissue_shading.h"
+#include "pipeline/package/label_map.h"
 
 namespace vallecula::gui {
 namespace {
@@ -325,6 +327,15 @@ vtkSmartPointer<vtkPolyData> make_trachea(const pipeline::PatientPackage& packag
   return result;
 }
 
+std::optional<Surface> fine_tongue(const pipeline::PatientPackage& package, const std::filesystem::path& folder) {
+  if (folder.empty()) return std::nullopt;
+  try {
+    return segmented_tongue(package, pipeline::read_label_map(folder / "labels.nrrd"));
+  } catch (const pipeline::LabelMapError&) {  // a trial needs the tetrahedra alone
+    return std::nullopt;
+  }
+}
+
 }  // namespace
 
 vtkSmartPointer<vtkPolyData> to_poly_data(const Surface& surface) {
@@ -344,7 +355,7 @@ void PatientLook::update(const engine::Snapshot& snapshot) {
 
 std::shared_ptr<PatientLook> make_patient_look(pipeline::PatientPackage package,
                                                const std::function<void(const std::string&, double)>& progress,
-                                               Seen seen) {
+                                               Seen seen, const std::filesystem::path& folder) {
   const auto report = [&](const std::string& stage, double fraction) {
     if (progress) progress(stage, fraction);
   };
@@ -355,7 +366,10 @@ std::shared_ptr<PatientLook> make_patient_look(pipeline::PatientPackage package,
   report("surfaces", 0.0);
   auto look = std::make_shared<PatientLook>();
   look->framing = framing_of(package);
-  look->soft = std::make_unique<SoftSurface>(package.tongue, package.tongue.tets.size() > 12000 ? 1 : 2);
+  if (const auto fine = fine_tongue(package, folder))
+    look->soft = std::make_unique<SoftSurface>(package.tongue, *fine);
+  else
+    look->soft = std::make_unique<SoftSurface>(package.tongue, package.tongue.tets.size() > 12000 ? 1 : 2);
   report("light and shade", 0.3);
   const auto face = to_poly_data(*surface(package, "face"));
   const auto soft = look->soft->boundary();

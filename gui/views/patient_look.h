@@ -4,6 +4,7 @@
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <string>
@@ -52,9 +53,12 @@ struct PatientLook {
 enum class Seen { from_the_eye, all_round };
 
 /// Throws std::runtime_error naming the surface or landmark that is missing. `progress(stage, 0..1)` may be empty.
+/// `folder`: where the package lies; its labels then give the tongue's fine surface. Left out, or where they cannot be
+/// read or do not lie where the tetrahedra are, the tetrahedra's boundary is drawn, rounded.
 std::shared_ptr<PatientLook> make_patient_look(pipeline::PatientPackage package,
                                                const std::function<void(const std::string&, double)>& progress = {},
-                                               Seen seen = Seen::from_the_eye);
+                                               Seen seen = Seen::from_the_eye,
+                                               const std::filesystem::path& folder = {});
 
 /// A package surface as VTK has it (mm).
 vtkSmartPointer<vtkPolyData> to_poly_data(const pipeline::Surface& surface);

@@ -18,6 +18,11 @@ void QualityGovernor::set_mode(Mode mode) {
   if (mode == Mode::low) step_ = static_cast<int>(kQualities.size()) - 1;
 }
 
+void QualityGovernor::hold(int step) {
+  mode_ = Mode::held;
+  take(step);
+}
+
 bool QualityGovernor::take(int step) {
   const int within = std::clamp(step, 0, static_cast<int>(kQualities.size()) - 1);
   calm_s_ = 0.0;

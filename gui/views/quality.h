@@ -28,13 +28,15 @@ constexpr std::array<Quality, 7> kQualities{{{true, true, 0, 1.0},
 
 class QualityGovernor {
  public:
-  enum class Mode { automatic, high, low };
+  enum class Mode { automatic, high, low, held };
   /// Of the setting [look] quality: "high", "low"; anything else is automatic.
   static Mode mode_of(const QString& setting);
 
   /// high: always everything; low: always the least.
   void set_mode(Mode mode);
   Mode mode() const { return mode_; }
+  /// Stays at this step whatever frames cost: for measuring one.
+  void hold(int step);
   /// A frame of all views together, which ended at `now_s` and kept the window for `busy_s`. True when quality() is
   /// another from here on. The rule, in automatic: over the last second, above kBusyMost of the time a frame may take
   /// at 30 a second a step is given up; three seconds below kBusyLeast of it a step is taken back. A step changes the

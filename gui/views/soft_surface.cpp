@@ -34,7 +34,12 @@ constexpr double kPapillaTilt = 0.16;
 
 }  // namespace
 
-SoftSurface::SoftSurface(const pipeline::TetMesh& mesh, int levels) : nodes_(mesh.points.size()) {
+SoftSurface::SoftSurface(const pipeline::TetMesh& mesh, int levels) : SoftSurface(mesh, levels, nullptr) {}
+
+SoftSurface::SoftSurface(const pipeline::TetMesh& mesh, const pipeline::Surface& fine) : SoftSurface(mesh, 0, &fine) {}
+
+SoftSurface::SoftSurface(const pipeline::TetMesh& mesh, int levels, const pipeline::Surface* fine)
+    : nodes_(mesh.points.size()) {
   // A face that belongs to one tetrahedron only is boundary; the order of its corners faces outward.
   std::map<std::array<int, 3>, std::array<int, 3>> open;
   for (const auto& t : mesh.tets) {
@@ -97,6 +102,26 @@ SoftSurface::SoftSurface(const pipeline::TetMesh& mesh, int levels) : nodes_(mes
   }
   shown_levels_ = levels_.size();
   points_.resize(count);
+  if (fine != nullptr) {
+    ties_ = tie_to_tets(mesh, fine->points);
+    for (const auto& t : fine->triangles) {
+      const int first = static_cast<int>(count);
+      fine_.push_back({first + t[0], first + t[1], first + t[2]});
+    }
+    for (std::size_t i = 0; i < ties_.size(); ++i) {
+      const auto& p = fine->points[i];
+      points_.push_back({static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(p[2])});
+      double of_epiglottis = 0.0;
+      for (std::size_t k = 0; k < 4; ++k) {
+        const auto node = static_cast<std::size_t>(ties_[i].nodes[k]);
+        of_epiglottis += ties_[i].shares[k] * (tets_at[node] > 0 ? epiglottis[node] / tets_at[node] : 0.0);
+      }
+      pale.push_back(std::clamp(of_epiglottis, 0.0, 1.0));
+    }
+    count += ties_.size();
+    fine_shown_ = true;
+    coarse = &fine_;
+  }
   normals_.resize(count);
   bumps_.assign(count, {0, 0, 0});
 
@@ -148,6 +173,13 @@ void SoftSurface::shade(const Openness& openness) {
 }
 
 void SoftSurface::set_coarser(int levels) {
+  if (!fine_.empty()) {
+    if (fine_shown_ == (levels <= 0)) return;
+    fine_shown_ = levels <= 0;
+    surface_->SetPolys(cells_of(fine_shown_ ? fine_ : triangles_));
+    refine_and_publish();
+    return;
+  }
   const auto left = levels_.size() - std::min(levels_.size(), static_cast<std::size_t>(std::max(0, levels)));
   if (left == shown_levels_) return;
   shown_levels_ = left;
@@ -159,6 +191,15 @@ void SoftSurface::update(const std::vector<float>& soft_points_m) {
   if (soft_points_m.size() != 3 * nodes_) return;
   for (std::size_t i = 0; i < node_of_.size(); ++i)
     for (int axis = 0; axis < 3; ++axis) points_[i][axis] = 1000.0f * soft_points_m[3 * node_of_[i] + axis];
+  const std::size_t first = points_.size() - ties_.size();
+  for (std::size_t i = 0; i < ties_.size(); ++i) {
+    Float3 at{0, 0, 0};
+    for (std::size_t k = 0; k < 4; ++k) {
+      const float* node = &soft_points_m[3 * static_cast<std::size_t>(ties_[i].nodes[k])];
+      for (int axis = 0; axis < 3; ++axis) at[axis] += 1000.0f * ties_[i].shares[k] * node[axis];
+    }
+    points_[first + i] = at;
+  }
   refine_and_publish();
 }
 
@@ -174,7 +215,12 @@ void SoftSurface::compute_normals(const std::vector<std::array<int, 3>>& triangl
 
 void SoftSurface::refine_and_publish() {
   std::size_t count = node_of_.size();
-  compute_normals(triangles_, count);
+  if (fine_shown_) {
+    count = points_.size();
+    compute_normals(fine_, count);
+  } else {
+    compute_normals(triangles_, count);
+  }
   for (std::size_t l = 0; l < shown_levels_; ++l) {
     const Level& level = levels_[l];
     for (std::size_t e = 0; e < level.edges.size(); ++e) {

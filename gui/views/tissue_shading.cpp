@@ -43,9 +43,9 @@ const char* const kVertexLight = R"(//VTK::Normal::Impl
   float lampDistance = sqrt(lampDistance2 + 1e-3);
   toLamp /= lampDistance;
   float lamp = lampStrength * smoothstep(-0.1, 0.75, -dot(toLamp, lampBeamVC)) / (1.0 + 0.0016 * lampDistance2);
-  float bounce = 0.16 * lampStrength * wetness.x / (1.0 + 0.0016 * lampDistance2);
+  float bounce = 0.34 * lampStrength * wetness.x / (1.0 + 0.0006 * lampDistance2);
   float inside = wetness.x * smoothstep(0.0, 16.0, dot(at - lipsVC, inwardVC));
-  float fromRoom = mix(1.0, roomInside, inside), around = 1.0;
+  float fromRoom = mix(1.0, roomInside, inside), around = 1.0, roomPast = 1.0, lampPast = 1.0;
   vec3 toRoom = vec3(0.0995, 0.2488, 0.9634);
   for (int i = 0; i < solidCount; ++i) {
     vec4 a = solids[i];
@@ -53,10 +53,12 @@ const char* const kVertexLight = R"(//VTK::Normal::Impl
     vec3 b = solids[i + 1].xyz, ab = b - a.xyz;
     vec3 off = at - a.xyz - ab * clamp(dot(at - a.xyz, ab) / dot(ab, ab), 0.0, 1.0);
     float gap = length(off) - a.w;
-    around *= 1.0 - 0.55 * exp(-0.35 * max(gap, 0.0)) * smoothstep(0.5, -0.8, dot(facing, normalize(off)));
-    fromRoom *= mix(0.35, 1.0, past(at, toRoom, 60.0, a.xyz, b, a.w, 3.0));
-    if (i >= lampSolids) lamp *= mix(0.25, 1.0, past(at, toLamp, lampDistance, a.xyz, b, a.w, 5.0));
+    around *= 1.0 - 0.40 * exp(-0.45 * max(gap, 0.0)) * smoothstep(0.5, -0.8, dot(facing, normalize(off)));
+    roomPast = min(roomPast, past(at, toRoom, 60.0, a.xyz, b, a.w, 2.5));
+    if (i >= lampSolids) lampPast = min(lampPast, past(at, toLamp, lampDistance, a.xyz, b, a.w, 5.0));
   }
+  fromRoom *= mix(0.62, 1.0, roomPast);
+  lamp *= mix(0.30, 1.0, lampPast);
   vec3 wrap = vec3(0.40, 0.16, 0.12);
   vec3 room = clamp((vec3(dot(facing, toRoom)) + wrap) / (1.0 + wrap), 0.0, 1.0);
   vec3 window = clamp((vec3(dot(facing, vec3(-0.8018, 0.5345, 0.2673))) + wrap) / (1.0 + wrap), 0.0, 1.0);
@@ -65,7 +67,7 @@ const char* const kVertexLight = R"(//VTK::Normal::Impl
   vec3 open = vec3(pow(wetness.y, 0.6), wetness.y, wetness.y) * around;
   vec3 ambient = mix(vec3(0.15, 0.12, 0.13), vec3(0.27, 0.26, 0.27), 0.5 + 0.5 * facing.y);
   litVS = scalarColor.rgb * (open * fromRoom * (ambient + 0.52 * room + vec3(0.24, 0.225, 0.20) * window)
-        + mix(open, vec3(around), 0.6) * (lamp * vec3(1.0, 0.95, 0.86) * inner + bounce * vec3(1.0, 0.72, 0.66))
+        + mix(open, vec3(around), 0.75) * (lamp * vec3(1.0, 0.95, 0.86) * inner + bounce * vec3(1.0, 0.72, 0.66))
         + vec3(glow));
   towardsVS = toLamp + vec3(0.0, 0.0, 1.0);
   float mirrors = clamp(2.2 * wetness.y * around - 0.3, 0.0, 1.0);  // what lies deep mirrors little of the room

@@ -15,7 +15,7 @@
 namespace vallecula::gui {
 namespace {
 
-constexpr double kDownDeg = 10.0;  // the lens looks a little away from the blade, which else takes half of the picture
+constexpr double kDownDeg = -4.0;  // the lens looks a little over the blade's tip, where the glottis comes up
 constexpr double kNearMm = 0.3;    // what touches the lens fills the picture, and is not cut away
 constexpr double kFarMm = 200.0;
 
@@ -72,6 +72,7 @@ void VideoView::update_from(const engine::Snapshot& snapshot) {
   camera->SetPosition(at.x(), at.y(), at.z());
   camera->SetFocalPoint(to.x(), to.y(), to.z());
   camera->SetViewUp(up.x(), up.y(), up.z());
+  camera->SetUseHorizontalViewAngle(width() < height());
   camera->SetViewAngle(kFieldDeg);
   camera->SetClippingRange(kNearMm, kFarMm);
   stage_->light(camera);

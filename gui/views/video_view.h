@@ -18,9 +18,9 @@ class VideoView : public GlView {
                     const engine::IntubationDescription* intubation = nullptr);
   /// Moves blade, tissue and what is in the airway to the snapshot's step; draw() then shows it.
   void update_from(const engine::Snapshot& snapshot);
-  /// The paper's blue below the cords instead of its natural look; stays for the patients that follow.
+  /// The paper's blue below the cords or its natural look, for this view alone; stays for the patients that follow.
   void set_blue_trachea(bool blue);
-  /// Field of view from top to bottom, degrees.
+  /// Field of view along the shorter side, degrees.
   static constexpr double kFieldDeg = 60.0;
 
  protected:
@@ -28,7 +28,7 @@ class VideoView : public GlView {
 
  private:
   std::unique_ptr<MouthStage> stage_;
-  bool blue_trachea_ = false;
+  std::optional<bool> blue_trachea_;
 };
 
 }  // namespace vallecula::gui

@@ -26,6 +26,7 @@ class WindowTube : public Screen {
     setup.curriculum = curricula_folder() / "first-intubation.yaml";
     const curricula::Curriculum course = curricula::load_curriculum(setup.curriculum);
     setup.patient = builtin_patient(course.scenarios.front().manikin, {});
+    folder_ = setup.patient;
     setup.scenario = course.scenarios.front().id;
     setup.device = "scripted:expert";
     setup.out = box() / "expert";
@@ -64,7 +65,7 @@ class WindowTube : public Screen {
     window_.resize(1280, 640);
     operator_->set_zoom(OperatorView::Zoom::mouth);
     operator_->set_blue_trachea(true);  // told from everything else
-    const std::shared_ptr<PatientLook> look = make_patient_look(*package_);
+    const std::shared_ptr<PatientLook> look = make_patient_look(*package_, {}, Seen::from_the_eye, folder_);
     operator_->show_patient(look, scene_->tool.surface, &*scene_->intubation);
     sagittal_->show_patient(look, scene_->tool.surface, &*scene_->intubation);
     video_->show_patient(look, scene_->tool.surface, &*scene_->intubation);
@@ -93,6 +94,7 @@ class WindowTube : public Screen {
   }
 
   static inline std::unique_ptr<pipeline::PatientPackage> package_;
+  static inline std::filesystem::path folder_;
   static inline std::unique_ptr<engine::SceneDescription> scene_;
   static inline std::map<std::string, engine::Snapshot> moments_;
   static inline curricula::Score score_;
