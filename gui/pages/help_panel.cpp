@@ -48,7 +48,6 @@ HelpPanel::HelpPanel(QWidget* parent) : QWidget(parent) {
            arrow(1, 0, Action::kActionEyeRight, Action::kActionEyeLeft, Qt::RightArrow, tr("My head to the right"),
                  tr("Ctrl+Right"))};
   offer({}, {}, false);
-  for (QPushButton* later : {vallecula_, expert_}) later->hide();
 }
 
 void HelpPanel::serve(HandActions* actions) {

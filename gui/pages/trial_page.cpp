@@ -15,6 +15,7 @@
 #include "gui/pages/trial_panels.h"
 #include "gui/report/markdown.h"
 #include "gui/session/device_choice.h"
+#include "gui/session/expert_loop.h"
 #include "gui/session/patient_fit.h"
 #include "gui/session/user_settings.h"
 #include "gui/views/operator_view.h"
@@ -36,6 +37,7 @@ void TrialPage::open(std::shared_ptr<TrialSession> session, std::shared_ptr<Pati
   title_->setText(QString::fromStdString(scenario.title));
   title_->setToolTip(html_of(scenario.briefing));
   const auto& intubation = session_->scene().intubation;
+  take_look_settings();
   operator_view_->show_patient(look_, session_->scene().tool.surface, intubation ? &*intubation : nullptr);
   show_helps();
   panels_->open(*session_, look_);
@@ -84,15 +86,22 @@ void TrialPage::set_frame_hook(const std::function<void(const engine::Snapshot&)
 
 void TrialPage::let_go() {
   const bool was_open = session_ != nullptr;
+  expert_wanted_ = expert_coming_ = false;
+  expert_sign_->hide();
+  expert_.reset();
   session_.reset();
   show_buttons();
   if (was_open) emit closed();
 }
 
-void TrialPage::reset() {
+void TrialPage::reset() { begin_anew(false); }
+void TrialPage::begin_at_vallecula() { begin_anew(true); }
+
+void TrialPage::begin_anew(bool at_vallecula) {
   if (!session_ || ending_ || assessed()) return;
+  end_expert();
   try {
-    session_->reset([this] {  // the hands begin anew as well, once the old attempt is no longer recorded
+    const auto between = [this] {  // the hands begin anew as well, once the old attempt is no longer recorded
       const auto place = [](device::HapticDevice* device, const device::Keyframe& begin) {
         if (auto* mouse = dynamic_cast<device::MouseDevice*>(device))
           mouse->place(begin.position_m, begin.rotation_wxyz);
@@ -100,7 +109,8 @@ void TrialPage::reset() {
       place(&session_->device(), starting_pose(session_->package(), session_->scenario()));
       if (const auto& intubation = session_->scene().intubation)
         place(session_->second_device(), starting_tube_pose(session_->package(), *intubation));
-    });
+    };
+    at_vallecula ? session_->reset_at_vallecula(between) : session_->reset(between);
   } catch (const std::exception& error) {
     const QString message = QString::fromUtf8(error.what());
     close_trial();
@@ -121,6 +131,7 @@ void TrialPage::reset() {
 
 void TrialPage::end(const QString& how) {
   if (!session_ || !running_ || ending_) return;
+  end_expert();
   ending_ = true;
   running_ = false;
   timer_.stop();

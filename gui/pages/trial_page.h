@@ -21,6 +21,7 @@ class QToolButton;
 namespace vallecula::gui {
 
 class BladeControl;
+class ExpertLoop;
 class HandPanel;
 class HelpPanel;
 class MouseIntroduction;
@@ -41,6 +42,12 @@ class TrialPage : public QWidget {
   /// Stops and scores off the window's thread; finished() or failed() follows.
   void end(const QString& how);
   void reset();
+  /// Likewise, with the blade led to the vallecula first; only practice.
+  void begin_at_vallecula();
+  /// An expert's hands at this patient, over and over, while the trial waits; until ended, then the hand goes on.
+  void show_expert();
+  void end_expert();
+  bool expert_shown() const { return expert_wanted_; }
   /// Lets the session go without a result (its log stays as interrupted when it was running).
   void close_trial();
   /// What is known of the device's check, beside the help; empty: nothing.
@@ -112,11 +119,18 @@ class TrialPage : public QWidget {
   void eye_down();
   void extend_head();
   void list_keys();
+  void expert_pressed();
+  void vallecula_pressed();
   /// An alert hides the hint.
   void show_banner(const QString& alert, const QString& hint);
   QWidget* make_centre();
   QLayout* make_head();
   QWidget* make_foot();
+  void begin_anew(bool at_vallecula);
+  void offer_helps();
+  void take_look_settings();
+  void take_expert(std::shared_ptr<ExpertLoop> loop);
+  void draw_expert();
   void show_running(const engine::Snapshot& snapshot);
 
   std::shared_ptr<TrialSession> session_;
@@ -129,12 +143,15 @@ class TrialPage : public QWidget {
   QToolButton* panels_button_;
   BladeControl* control_;
   MouseIntroduction* introduction_;
-  QLabel *title_, *banner_, *help_, *steered_, *device_note_;
+  QLabel *title_, *banner_, *help_, *steered_, *expert_sign_, *device_note_;
   QPushButton *start_, *end_, *reset_, *leave_, *zoom_;
   QTimer timer_;
   QElapsedTimer since_frame_, since_start_, since_shown_;
   QPointer<QThread> scoring_;
   QMetaObject::Connection frame_hook_;
+  std::shared_ptr<ExpertLoop> expert_;  ///< of this trial's patient, once it was asked for
+  QElapsedTimer since_expert_;
+  bool expert_wanted_ = false, expert_coming_ = false, held_before_expert_ = false;
   Tool shown_in_hand_ = Tool::blade;
   bool running_ = false, ending_ = false;
   int frames_ = 0;

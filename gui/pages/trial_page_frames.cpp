@@ -87,6 +87,7 @@ void TrialPage::draw_frame() {
       panels_->draw_at_rest();
       return;
     }
+    if (expert_wanted_) return draw_expert();
     control_->advance(seconds);
     const engine::Snapshot& snapshot = session_->latest();
     show_running(snapshot);
@@ -104,14 +105,16 @@ void TrialPage::show_running(const engine::Snapshot& snapshot) {
   operator_view_->update_from(snapshot);
   operator_view_->draw();
   panels_->show_snapshot(snapshot, session_->scenario().sight_percent, session_->paused_s());
-  panels_->readings_panel().show_drawing(frames_per_second(), {});
+  panels_->readings_panel().show_drawing(frames_per_second(), GlView::governor().reduced());
   hands_->show_snapshot(snapshot);
   helps_->refresh();
-  const QString pause = QString::fromStdString(session_->pause());
+  const QString pause = session_->starting() ? tr("The trial begins as soon as its log is on the disk.")
+                                             : QString::fromStdString(session_->pause());
   sound_->hear(snapshot, !pause.isEmpty());
   if (session_->takes_turns() && session_->in_hand() != shown_in_hand_) show_steered();
   const bool hinted = curricula::rules_of(session_->scenario().attempt.mode).assistance;  // a help like the others
-  show_banner(banner_for(snapshot, QString::fromStdString(session_->fault()), pause),
+  show_banner(session_->led_in() ? tr("The blade is being led to the vallecula; then it is yours.")
+                                  : banner_for(snapshot, QString::fromStdString(session_->fault()), pause),
               snapshot.has_intubation && hinted
                   ? hint_for(snapshot, session_->scenario().sight_percent, operator_view_->blade_in(),
                              session_->takes_turns() ? QString("X") : QString())
@@ -140,7 +143,7 @@ void TrialPage::show_buttons() {
   zoom_->setText(operator_view_->zoom() == Zoom::automatic ? tr("View: auto")
                  : operator_view_->zoom() == Zoom::face    ? tr("View: face")
                                                            : tr("View: mouth"));
-  helps_->offer({}, {}, running_);
+  offer_helps();
 }
 
 }  // namespace vallecula::gui

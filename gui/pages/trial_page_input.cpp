@@ -28,6 +28,8 @@ const std::vector<TrialPage::PageKey>& TrialPage::page_keys() {
       {Qt::Key_Enter, &TrialPage::enter_pressed, nullptr},
       {Qt::Key_Escape, &TrialPage::escape_pressed, QT_TR_NOOP("ends the trial; before it, goes back")},
       {Qt::Key_R, &TrialPage::reset_pressed, QT_TR_NOOP("begins anew; what was done is kept")},
+      {Qt::Key_F, &TrialPage::vallecula_pressed, QT_TR_NOOP("begins anew with the blade's tip in the vallecula")},
+      {Qt::Key_G, &TrialPage::expert_pressed, QT_TR_NOOP("20 s of an expert while the trial waits, and back")},
       {Qt::CTRL + Qt::Key_Left, &TrialPage::eye_left, QT_TR_NOOP("your own head 2 cm to the left, and back")},
       {Qt::CTRL + Qt::Key_Right, &TrialPage::eye_right, QT_TR_NOOP("your own head 2 cm to the right, and back")},
       {Qt::CTRL + Qt::Key_Up, &TrialPage::eye_up, QT_TR_NOOP("your own head 2 cm up, and back")},
@@ -69,13 +71,26 @@ bool TrialPage::takes_key(QKeyEvent* event, bool pressed) {
 }
 
 void TrialPage::enter_pressed() {
+  if (expert_wanted_) return end_expert();
   if (running_)
     session_->confirm();
   else
     start_->click();
 }
 
-void TrialPage::escape_pressed() { (running_ ? end_ : leave_)->click(); }
+void TrialPage::escape_pressed() {
+  if (expert_wanted_) return end_expert();
+  (running_ ? end_ : leave_)->click();
+}
+
+void TrialPage::expert_pressed() {
+  if (expert_wanted_)
+    end_expert();
+  else if (helps_->expert()->isEnabled())
+    show_expert();
+}
+
+void TrialPage::vallecula_pressed() { helps_->vallecula()->click(); }
 void TrialPage::reset_pressed() { reset_->click(); }
 void TrialPage::change_sound() {
   if (sound_->isVisibleTo(this)) sound_->toggle();

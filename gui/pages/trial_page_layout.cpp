@@ -82,6 +82,12 @@ QWidget* TrialPage::make_centre() {
   steered_ = new QLabel(centre);
   steered_->setMargin(6);
   steered_->setAttribute(Qt::WA_TransparentForMouseEvents);
+  connect(helps_->vallecula(), &QPushButton::clicked, this, &TrialPage::begin_at_vallecula);
+  connect(helps_->expert(), &QPushButton::clicked, this, &TrialPage::expert_pressed);
+  expert_sign_ = new QLabel(centre);
+  expert_sign_->setAttribute(Qt::WA_TransparentForMouseEvents);
+  expert_sign_->setAlignment(Qt::AlignCenter);
+  expert_sign_->hide();
   banner_ = new QLabel(centre);
   banner_->setWordWrap(true);
   banner_->setMinimumHeight(2 * banner_->fontMetrics().lineSpacing() + 16);  // two lines and their padding
@@ -92,6 +98,7 @@ QWidget* TrialPage::make_centre() {
   auto* picture = new QGridLayout;  // the introduction and whose hand is steered lie over the view
   picture->addWidget(operator_view_, 0, 0);
   picture->addWidget(steered_, 0, 0, Qt::AlignTop | Qt::AlignLeft);
+  picture->addWidget(expert_sign_, 0, 0, Qt::AlignTop | Qt::AlignHCenter);
   picture->addWidget(introduction_, 0, 0, Qt::AlignCenter);
   column->addLayout(picture, 1);
   column->addWidget(hands_);

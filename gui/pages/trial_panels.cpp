@@ -17,18 +17,20 @@
 #include "gui/views/sagittal_view.h"
 #include "gui/views/theme.h"
 #include "gui/views/trial_readings.h"
+#include "gui/views/video_view.h"
 
 namespace vallecula::gui {
 namespace {
 
-constexpr int kSagittalMs = 140, kRestMs = 500;
+constexpr int kSagittalMs = 140, kVideoMs = 80, kRestMs = 500;
+constexpr int kTwoViews = 420;  // px in height from which two views stand one above the other
 constexpr int kArrangement = 1;  // of the kept state; another number is not taken back
 constexpr double kSideShare = 0.36;
 
 constexpr const char* kState = "trial_page/panels";
 constexpr const char* kHidden = "trial_page/hidden";
 
-const std::array<const char*, TrialPanels::kPanels> kNames{"monitor", "cut", "force", "readings", "team"};
+const std::array<const char*, TrialPanels::kPanels> kNames{"monitor", "cut", "video", "force", "readings", "team"};
 
 }  // namespace
 
@@ -43,6 +45,9 @@ TrialPanels::TrialPanels(QWidget* centre, QWidget* parent) : QMainWindow(parent,
   sagittal_view_ = new SagittalView(this);
   sagittal_view_->setMinimumSize(260, 150);
   sagittal_view_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+  video_view_ = new VideoView(this);
+  video_view_->setMinimumSize(260, 150);
+  video_view_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
   bars_ = new ForceBars(this);
   readings_ = new TrialReadings(this);
   distractions_ = new DistractionPanel(this);
@@ -57,6 +62,7 @@ TrialPanels::TrialPanels(QWidget* centre, QWidget* parent) : QMainWindow(parent,
   };
   add(monitor, tr("&Monitor"), monitor_);
   add(cut, tr("Mid-&sagittal cut"), sagittal_view_);
+  add(video, tr("&Video laryngoscope"), video_view_);
   add(force, tr("&Force"), framed(bars_, 8));
   add(readings, tr("&Readings"), framed(readings_, 0));
   add(team, tr("&Team"), distractions_);
@@ -66,7 +72,7 @@ TrialPanels::TrialPanels(QWidget* centre, QWidget* parent) : QMainWindow(parent,
   const auto kept = user_settings();
   const QStringList hidden = kept->value(kHidden).toStringList();
   for (int p = 0; p < kPanels; ++p) wanted_[p] = !hidden.contains(kNames[p]);
-  if (!kept->contains(kHidden)) wanted_[team] = false;  // comes when somebody speaks
+  if (!kept->contains(kHidden)) switch_as_at_first();
   // Another number of docks, or what is no state, is not taken: then it is as at first.
   if (kept->contains(kState) && restoreState(kept->value(kState).toByteArray(), kArrangement)) as_at_first_ = false;
   show_what_is_wanted();
@@ -101,7 +107,7 @@ QDockWidget* TrialPanels::add(Panel panel, const QString& title, QWidget* conten
 void TrialPanels::arrange() {
   arranging_ = true;
   addDockWidget(Qt::TopDockWidgetArea, docks_[monitor]);
-  for (const Panel panel : {team, cut, force, readings}) addDockWidget(Qt::RightDockWidgetArea, docks_[panel]);
+  for (const Panel panel : {team, cut, video, force, readings}) addDockWidget(Qt::RightDockWidgetArea, docks_[panel]);
   for (QDockWidget* dock : docks_) dock->setFloating(false);
   arranging_ = false;
   as_at_first_ = true;
@@ -110,9 +116,14 @@ void TrialPanels::arrange() {
 void TrialPanels::restore_first() {
   for (QDockWidget* dock : docks_) removeDockWidget(dock);
   arrange();
-  wanted_.fill(true);
-  wanted_[team] = said_;
+  switch_as_at_first();
   show_what_is_wanted();
+}
+
+void TrialPanels::switch_as_at_first() {
+  wanted_.fill(true);
+  wanted_[video] = false;  // many learn by the direct view first
+  wanted_[team] = said_;   // comes when somebody speaks
 }
 
 std::vector<KeyRow> TrialPanels::keys() const {
@@ -141,10 +152,23 @@ void TrialPanels::fit() {
       heights << docks_[panel]->sizeHint().height();
       left -= heights.back();
     }
-  if (docks_[cut]->isVisible()) {
-    side << docks_[cut];
-    heights << std::max(150, left);
+  // Two views one above the other where there is room, else one behind the other's tab.
+  if (docks_[cut]->isVisible() && docks_[video]->isVisible()) {
+    const bool tabbed = !tabifiedDockWidgets(docks_[cut]).isEmpty();
+    arranging_ = true;
+    if (left < kTwoViews && !tabbed) {
+      tabifyDockWidget(docks_[cut], docks_[video]);
+      docks_[video]->raise();
+    } else if (left >= kTwoViews && tabbed) {
+      splitDockWidget(docks_[cut], docks_[video], Qt::Vertical);
+    }
+    arranging_ = false;
   }
+  for (const Panel panel : {cut, video})
+    if (docks_[panel]->isVisible()) {
+      side << docks_[panel];
+      heights << std::max(150, left / 2);
+    }
   resizeDocks(side, heights, Qt::Vertical);
 }
 
@@ -167,6 +191,8 @@ QString TrialPanels::refusal(Panel panel) const {
       return has_infant_ ? QString() : tr("In this scenario there is no infant on a monitor.");
     case cut:
       return allowed_.cut_view ? QString() : not_here;
+    case video:
+      return allowed_.video_view ? QString() : not_here;
     case force:
       return allowed_.force_bar ? QString() : not_here;
     default:
@@ -199,6 +225,7 @@ void TrialPanels::open(TrialSession& session, const std::shared_ptr<PatientLook>
   asks_ = !scenario.distractions.empty();
   said_ = false;
   sagittal_view_->show_patient(look, scene.tool.surface, has_infant_ ? &*scene.intubation : nullptr);
+  video_view_->show_patient(look, scene.tool.surface, has_infant_ ? &*scene.intubation : nullptr);
   readings_->show_force(allowed_.force_bar);
   distractions_->serve(&session.dual_task(), session.by_person());
   bars_->set_marks({scenario.targets.tongue_force_n, scenario.targets.gum_force_n, scene.haptics.device_limit_n});
@@ -225,23 +252,32 @@ void TrialPanels::say(const QString& line) {
   fit_later();
 }
 
-bool TrialPanels::due(int every_ms) {
+bool TrialPanels::due(const QWidget& view, QElapsedTimer& since, int every_ms) {
   // A view behind another's tab is not drawn.
-  if (sagittal_view_->visibleRegion().isEmpty()) return false;
-  if (since_sagittal_.isValid() && since_sagittal_.elapsed() < every_ms) return false;
-  since_sagittal_.restart();
+  if (view.visibleRegion().isEmpty()) return false;
+  if (since.isValid() && since.elapsed() < every_ms) return false;
+  since.restart();
   return true;
 }
 
 void TrialPanels::draw_at_rest() {
-  if (due(kRestMs)) sagittal_view_->draw();
+  if (due(*sagittal_view_, since_sagittal_, kRestMs)) sagittal_view_->draw();
+  if (due(*video_view_, since_video_, kRestMs)) video_view_->draw();
 }
 
-void TrialPanels::show_snapshot(const engine::Snapshot& snapshot, double sight_percent, double paused_s) {
-  if (due(kSagittalMs)) {
+void TrialPanels::show_pictures(const engine::Snapshot& snapshot, double sight_percent) {
+  if (due(*sagittal_view_, since_sagittal_, kSagittalMs)) {
     sagittal_view_->update_from(snapshot, sight_percent);
     sagittal_view_->draw();
   }
+  if (due(*video_view_, since_video_, kVideoMs)) {
+    video_view_->update_from(snapshot);
+    video_view_->draw();
+  }
+}
+
+void TrialPanels::show_snapshot(const engine::Snapshot& snapshot, double sight_percent, double paused_s) {
+  show_pictures(snapshot, sight_percent);
   distractions_->refresh();
   monitor_->show_snapshot(snapshot);
   readings_->show_snapshot(snapshot, paused_s);

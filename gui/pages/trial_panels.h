@@ -22,12 +22,13 @@ class ForceBars;
 class MonitorPanel;
 class SagittalView;
 class TrialReadings;
+class VideoView;
 
 class TrialPanels : public QMainWindow {
   Q_OBJECT
  public:
   /// In the order of their keys, Ctrl+1 and on.
-  enum Panel { monitor, cut, force, readings, team, kPanels };
+  enum Panel { monitor, cut, video, force, readings, team, kPanels };
 
   TrialPanels(QWidget* centre, QWidget* parent);
   ~TrialPanels() override;
@@ -35,8 +36,10 @@ class TrialPanels : public QMainWindow {
   void open(TrialSession& session, const std::shared_ptr<PatientLook>& look);
   /// Before the start: draws the patient at rest now and then.
   void draw_at_rest();
-  /// To be called for every frame; the cut is drawn at a lower rate.
+  /// To be called for every frame; the cut is drawn at a lower rate, the video's picture at half.
   void show_snapshot(const engine::Snapshot& snapshot, double sight_percent, double paused_s);
+  /// The pictures alone: of somebody else's hands.
+  void show_pictures(const engine::Snapshot& snapshot, double sight_percent);
   void clear();
   /// An instructor's sentence: the team's panel opens for it, whatever else is there.
   void say(const QString& line);
@@ -48,6 +51,7 @@ class TrialPanels : public QMainWindow {
   void restore_first();
   std::vector<KeyRow> keys() const;
   QDockWidget* dock(Panel panel) { return docks_[panel]; }
+  VideoView& video_view() { return *video_view_; }
   SagittalView& sagittal_view() { return *sagittal_view_; }
   DistractionPanel& distractions() { return *distractions_; }
   MonitorPanel& monitor_panel() { return *monitor_; }
@@ -61,6 +65,7 @@ class TrialPanels : public QMainWindow {
  private:
   QDockWidget* add(Panel panel, const QString& title, QWidget* content);
   void arrange();
+  void switch_as_at_first();
   void fit();
   void fit_later();
   void keep() const;
@@ -68,10 +73,11 @@ class TrialPanels : public QMainWindow {
   QString refusal(Panel panel) const;
   bool held_open(Panel panel) const;
   void show_what_is_wanted();
-  bool due(int every_ms);
+  static bool due(const QWidget& view, QElapsedTimer& since, int every_ms);
 
   MonitorPanel* monitor_;
   SagittalView* sagittal_view_;
+  VideoView* video_view_;
   ForceBars* bars_;
   TrialReadings* readings_;
   DistractionPanel* distractions_;
@@ -80,7 +86,7 @@ class TrialPanels : public QMainWindow {
   QMenu* menu_;
   curricula::Assistance allowed_;
   bool has_infant_ = false, asks_ = false, said_ = false, arranging_ = false, as_at_first_ = true;
-  QElapsedTimer since_sagittal_;
+  QElapsedTimer since_sagittal_, since_video_;
 };
 
 }  // namespace vallecula::gui

@@ -6,6 +6,7 @@
 #include <QKeyEvent>
 #include <QLabel>
 #include <QMenu>
+#include <QPushButton>
 #include <QSettings>
 #include <QTextBrowser>
 #include <QToolButton>
@@ -18,6 +19,8 @@
 #include "gui/pages/sound_button.h"
 #include "gui/pages/trial_page.h"
 #include "gui/pages/trial_panels.h"
+#include "gui/session/builtin_patient.h"
+#include "gui/session/user_paths.h"
 #include "gui/session/user_settings.h"
 #include "gui/views/force_bars.h"
 #include "gui/views/operator_view.h"
@@ -34,8 +37,16 @@ namespace {
 class WindowPanels : public Screen {
  protected:
   WindowPanels() {
+    const char* home = std::getenv("VALLECULA_HOME");
+    before_ = home == nullptr ? "" : home;
     ::setenv("VALLECULA_HOME", box_.home().c_str(), 1);
     user_settings()->setValue("mouse/introduced", true);
+  }
+  ~WindowPanels() override {
+    if (before_.empty())
+      ::unsetenv("VALLECULA_HOME");
+    else
+      ::setenv("VALLECULA_HOME", before_.c_str(), 1);
   }
   void open(MainWindow& window, const std::string& scenario, curricula::Mode mode = curricula::Mode::practice) {
     TrialSetup setup;
@@ -63,6 +74,7 @@ class WindowPanels : public Screen {
     EXPECT_TRUE(wait_for([&] { return seen >= frames; }, 30000));
     QObject::disconnect(heard);
   }
+  std::string before_;
   test::Sandbox box_;
   const std::filesystem::path patient_ = test::write_block_patient(box_.folder());
   const std::filesystem::path course_ = test::write_busy_course(box_.folder());
@@ -205,6 +217,26 @@ TEST_F(WindowPanels, HelpsAreAKeyAndAButtonAndTheSameBit) {
   EXPECT_EQ(actions.bits(), 0u);
 }
 
+TEST_F(WindowPanels, WhatCannotBeHadSaysWhy) {
+  MainWindow window;
+  open(window, "helped", curricula::Mode::assessment);
+  TrialPage& page = window.trial_page();
+  auto* helps = page.findChild<HelpPanel*>();
+  page.start();
+  drawn(page, 3);
+  for (QPushButton* button : {helps->vallecula(), helps->expert()}) {
+    EXPECT_FALSE(button->isEnabled());
+    EXPECT_TRUE(button->toolTip().contains("assessment"));
+  }
+  key(page, Qt::Key_G);
+  EXPECT_FALSE(page.expert_shown());
+  EXPECT_FALSE(page.panels().dock(TrialPanels::video)->toggleViewAction()->isEnabled());
+  bool finished = false;
+  QObject::connect(&window, &MainWindow::trial_finished, [&] { finished = true; });
+  page.end("ended by trainee");
+  ASSERT_TRUE(wait_for([&] { return finished; }));
+}
+
 TEST_F(WindowPanels, TheListOfKeysIsTheTableTheyAreTakenBy) {
   MainWindow window;
   open(window, "helped");
@@ -226,7 +258,7 @@ TEST_F(WindowPanels, TheListOfKeysIsTheTableTheyAreTakenBy) {
     ASSERT_FALSE(sequence.isEmpty()) << row.keys.toStdString();
     const int code = sequence[0];
     const int plain = code & ~static_cast<int>(Qt::KeyboardModifierMask);
-    if (plain == Qt::Key_Escape) continue;  // ends the trial
+    if (plain == Qt::Key_Escape || plain == Qt::Key_G) continue;  // end the trial, and go elsewhere
     QKeyEvent event(QEvent::KeyPress, plain, Qt::KeyboardModifiers(code & static_cast<int>(Qt::KeyboardModifierMask)));
     event.ignore();
     event.accept();
@@ -259,6 +291,96 @@ TEST_F(WindowPanels, FitTheSmallestWindowAndTheUsual) {
     page.end("ended by trainee");
     ASSERT_TRUE(wait_for([&] { return window.page_name() == "result"; }));
     keep_picture(window, "result-" + std::to_string(size.width()) + ".png");
+  }
+}
+
+/// Of the shipped course with a tube, on its manikin.
+class WindowPanelsOfATube : public WindowPanels {
+ protected:
+  static void SetUpTestSuite() {
+    WindowPanels::SetUpTestSuite();
+    // From the cache that all tests share, before each has a home of its own.
+    manikin_ = builtin_patient(
+        curricula::load_curriculum(curricula_folder() / "first-intubation.yaml").scenarios.front().manikin, {});
+  }
+  static inline std::filesystem::path manikin_;
+  void open_tube(MainWindow& window) {
+    const auto file = curricula_folder() / "first-intubation.yaml";
+    const curricula::Curriculum course = curricula::load_curriculum(file);
+    TrialSetup setup;
+    setup.curriculum = file;
+    setup.scenario = course.scenarios.front().id;
+    setup.device = "mouse";
+    setup.patient = manikin_;
+    setup.out = box_ / "tube";
+    user_settings()->setValue("mouse/introduced-tube", true);
+    window.show();
+    bool ready = false;
+    QString failure;
+    QObject::connect(&window, &MainWindow::prepared, [&] { ready = true; });
+    QObject::connect(&window, &MainWindow::trial_failed, [&](const QString& message) { failure = message; });
+    window.prepare(setup, false);
+    ASSERT_TRUE(wait_for([&] { return ready || !failure.isEmpty(); }));
+    ASSERT_EQ(failure.toStdString(), "");
+  }
+};
+
+TEST_F(WindowPanelsOfATube, TheExpertIsSeenWhileTheTrialWaitsAndThenItGoesOn) {
+  MainWindow window;
+  window.resize(1280, 800);
+  open_tube(window);
+  TrialPage& page = window.trial_page();
+  page.start();
+  drawn(page, 5);
+  EXPECT_TRUE(page.findChild<SoundButton*>()->isVisible());
+  page.panels().dock(TrialPanels::video)->toggleViewAction()->trigger();
+  const auto says = [&](const QString& words) {
+    for (const auto* label : page.findChildren<QLabel*>())
+      if (label->isVisible() && label->text().contains(words)) return true;
+    return false;
+  };
+  const QImage before = page.operator_view().picture();
+  key(page, Qt::Key_G);
+  EXPECT_TRUE(page.expert_shown());
+  EXPECT_TRUE(page.session()->frozen());
+  ASSERT_TRUE(wait_for([&] { return says("Expert - your trial waits"); }, 60000));
+  // The expert's blade comes in: another picture than the one where the trial stands.
+  ASSERT_TRUE(wait_for([&] { return difference(before, page.operator_view().picture()).pixels > 4000; }, 60000));
+  keep_picture(window, "expert.png");
+  const double waited_from_s = page.session()->paused_s();
+  ASSERT_TRUE(wait_for([&] { return page.session()->paused_s() > waited_from_s + 0.3; }, 20000)) << "its clock stands";
+  key(page, Qt::Key_Escape);
+  EXPECT_FALSE(page.expert_shown());
+  EXPECT_TRUE(page.running()) << "Esc ended the loop alone";
+  EXPECT_FALSE(page.session()->frozen());
+  EXPECT_FALSE(says("your trial waits"));
+  ASSERT_TRUE(wait_for([&] { return page.session()->pause().empty(); }, 20000)) << "the hand has hold again";
+  key(page, Qt::Key_F);
+  EXPECT_TRUE(page.running());
+  drawn(page, 3);
+  ASSERT_TRUE(wait_for([&] { return !page.session()->led_in(); }, 60000));
+  drawn(page, 3);
+  EXPECT_TRUE(page.operator_view().blade_in());
+  keep_picture(window, "from-vallecula.png");
+}
+
+TEST_F(WindowPanelsOfATube, AllPanelsFitTheSmallestWindowAndTheUsual) {
+  MainWindow window;
+  for (const QSize size : {QSize(1280, 800), QSize(1024, 700)}) {
+    window.resize(size);
+    open_tube(window);
+    TrialPage& page = window.trial_page();
+    page.panels().restore_first();
+    page.start();
+    drawn(page, 20);
+    EXPECT_EQ(window.size(), size);
+    keep_picture(window, "tube-first-" + std::to_string(size.width()) + ".png");
+    for (const auto panel : {TrialPanels::video, TrialPanels::team}) page.panels().dock(panel)->toggleViewAction()->trigger();
+    page.say("Bag valve mask is ready on your right.");
+    drawn(page, 20);
+    EXPECT_EQ(window.size(), size) << "all panels at once as well";
+    keep_picture(window, "tube-all-" + std::to_string(size.width()) + ".png");
+    page.close_trial();
   }
 }
 
