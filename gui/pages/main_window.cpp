@@ -146,6 +146,7 @@ void MainWindow::connect_station() {
   station_ = new InstructorStation(*this, records_->desk(), *trial_);
   menu_->view().addSeparator();
   menu_->view().addActions({station_->open_action(), station_->next_trainee_action()});
+  who_->offer(station_->next_trainee_action());
   connect(station_, &InstructorStation::next_trainee_begins, this, [this] {
     cancelled_ = true;  // what is being prepared was for the one before
     if (trial_->session()) trial_->close_trial();

@@ -5,6 +5,7 @@
 #include <QPushButton>
 #include <QTabWidget>
 #include <QTimer>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 #include "gui/records_pages/account_tab.h"
@@ -148,6 +149,13 @@ WhoStrip::WhoStrip(RecordsDesk& desk, QWidget* parent) : QWidget(parent), desk_(
   connect(out_, &QPushButton::clicked, &desk_, &RecordsDesk::sign_out);
   connect(&desk_, &RecordsDesk::changed, this, &WhoStrip::show_who);
   show_who();
+}
+
+void WhoStrip::offer(QAction* action) {
+  auto* button = new QToolButton(this);
+  button->setDefaultAction(action);
+  button->setFocusPolicy(Qt::StrongFocus);
+  qobject_cast<QHBoxLayout*>(layout())->insertWidget(1, button);
 }
 
 void WhoStrip::show_who() {

@@ -7,6 +7,7 @@
 #include "gui/records_pages/known_courses.h"
 #include "gui/records_pages/records_desk.h"
 
+class QAction;
 class QLabel;
 class QPushButton;
 class QTabWidget;
@@ -58,6 +59,8 @@ class WhoStrip : public QWidget {
   Q_OBJECT
  public:
   WhoStrip(RecordsDesk& desk, QWidget* parent);
+  /// A button for it, before the way to the records.
+  void offer(QAction* action);
 
  signals:
   void records_wanted();
