@@ -108,7 +108,7 @@ void MainWindow::prepare(TrialSetup setup, std::function<std::filesystem::path()
         Prepared prepared;
         prepared.session = std::make_shared<TrialSession>(whole);
         report_progress("Light and colour", 0.96);
-        prepared.look = make_patient_look(prepared.session->package());
+        prepared.look = make_patient_look(prepared.session->package(), {}, Seen::from_the_eye, whole.patient);
         report_progress("Ready", 1.0);
         return prepared;
       },

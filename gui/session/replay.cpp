@@ -46,6 +46,7 @@ RecordedScene recorded_scene(const curricula::TrialLog& log, const fs::path& log
   const curricula::Scenario scenario = curricula::parse_scenario(header.scenario_yaml, name);
   RecordedScene scene;
   scene.package = pipeline::read_package(package_path);
+  scene.package_folder = package_path;
   scene.description = scene_from_package(scene.package, scenario);
   if (const auto tool = tool_of_trial(header, log_file)) use_own_tool(*tool, scene.description);
   scene.description.haptics.device_limit_n = header.device_limit_n;  // the device's, not the scenario's

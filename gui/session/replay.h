@@ -19,6 +19,7 @@ namespace vallecula::gui {
 /// The scene of a recorded trial, after its package and scenario have been proven to be the recorded ones.
 struct RecordedScene {
   pipeline::PatientPackage package;
+  std::filesystem::path package_folder;  ///< where it was found
   engine::SceneDescription description;
   std::vector<std::string> notices;  ///< what may keep the replay from being identical: another build, other kernels
 };

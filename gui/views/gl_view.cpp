@@ -8,6 +8,38 @@
 #include <stdexcept>
 
 namespace vallecula::gui {
+namespace {
+
+/// One frame of the window: from the first view that is drawn until it is on the screen, which a software driver's own
+/// thread needs time for after VTK is done.
+class FrameWatch {
+ public:
+  void begins() {
+    if (!since_.isValid() || since_.elapsed() > 1000) since_.start();  // one that never came to the screen counts not
+  }
+  bool ends() {
+    if (!since_.isValid()) return false;
+    const double busy_s = 1e-9 * static_cast<double>(since_.nsecsElapsed());
+    since_.invalidate();
+    return GlView::governor().frame(1e-9 * static_cast<double>(clock_.nsecsElapsed()), busy_s);
+  }
+  FrameWatch() { clock_.start(); }
+
+ private:
+  QElapsedTimer since_, clock_;
+};
+
+FrameWatch& frame_watch() {
+  static FrameWatch watch;
+  return watch;
+}
+
+}  // namespace
+
+QualityGovernor& GlView::governor() {
+  static QualityGovernor governor;
+  return governor;
+}
 
 void prepare_opengl() {
   // llvmpipe starts a drawing thread per core, which takes the 1 kHz loop's turn away (PLATFORM: 14 % late against 0.06
@@ -28,6 +60,7 @@ GlView::GlView(QWidget* parent)
   interactor()->SetInteractorStyle(vtkSmartPointer<vtkInteractorStyleTrackballCamera>::New());
   setFocusPolicy(Qt::NoFocus);
   setEnableHiDPI(true);
+  connect(this, &QOpenGLWidget::frameSwapped, this, [] { frame_watch().ends(); });
 }
 
 void GlView::draw() {
@@ -37,17 +70,30 @@ void GlView::draw() {
         "OpenGL did not start, so nothing can be drawn: this needs an X display with OpenGL 3.2 (install "
         "libgl1-mesa-dri; "
         "without a screen run `vallecula demo`, which starts its own)");
+  if (!(used_ == governor().quality())) {
+    used_ = governor().quality();
+    use(used_);
+    emit quality_changed(governor().reduced());
+  }
+  frame_watch().begins();
   QElapsedTimer timer;
   timer.start();
   window_->Render();
   last_draw_ms_ = static_cast<double>(timer.nsecsElapsed()) * 1e-6;
 }
 
+void GlView::use(const Quality& quality) {
+  setCustomDevicePixelRatio(quality.resolution < 1.0 ? quality.resolution * devicePixelRatioF() : 0.0);
+}
+
 QImage GlView::picture() {
+  const Quality in_motion = used_;
+  use({});
   renderer_->UseFXAAOn();  // smooth edges: worth a pass for a still, not for every frame
-  draw();
+  if (isVisible()) window_->Render();
   const QImage image = grabFramebuffer();
   renderer_->UseFXAAOff();
+  use(in_motion);
   return image;
 }
 

@@ -89,6 +89,7 @@ CordsLook::CordsLook(const engine::IntubationDescription& intubation)
   rgb->SetNumberOfComponents(3);
   vtkNew<vtkFloatArray> wet, normals;
   wet->SetName(kWetness);
+  wet->SetNumberOfComponents(2);
   normals->SetName("Normals");
   normals->SetNumberOfComponents(3);
   normals->SetNumberOfTuples(static_cast<vtkIdType>(points.size()));
@@ -99,12 +100,11 @@ CordsLook::CordsLook(const engine::IntubationDescription& intubation)
       for (int column = 0; column < kColumns; ++column) {
         // White at the ligament, pinker towards the wall and where the arytenoids' mucosa goes on behind it.
         const double behind = std::clamp((row / (kRows - 1.0) - 0.55) / 0.3, 0.0, 1.0);
-        const double pale = std::max(0.0, 1.0 - 1.1 * kSection[column][0]) * (1.0 - 0.6 * behind),
-                     light = 0.92;  // deep in the throat
+        const double pale = std::max(0.0, 1.0 - 1.1 * kSection[column][0]) * (1.0 - 0.6 * behind);
         for (int c = 0; c < 3; ++c)
           rgb->InsertNextValue(
-              static_cast<unsigned char>(255.0 * light * (mucosa[c] + pale * (kCordColour[c] - mucosa[c]))));
-        wet->InsertNextValue(0.8f);
+              static_cast<unsigned char>(255.0 * (mucosa[c] + pale * (kCordColour[c] - mucosa[c]))));
+        wet->InsertNextTuple2(0.8, 0.85);  // deep in the throat
         if (row == 0 || column == 0) continue;
         const int a = point_of(side, row - 1, column - 1), b = point_of(side, row - 1, column),
                   c = point_of(side, row, column - 1), d = point_of(side, row, column);

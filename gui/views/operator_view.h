@@ -9,10 +9,7 @@
 #include "engine/snapshot.h"
 #include "gui/views/gl_view.h"
 #include "gui/views/help_look.h"
-#include "gui/views/larynx_look.h"
-#include "gui/views/patient_look.h"
-#include "gui/views/tool_look.h"
-#include "gui/views/tube_look.h"
+#include "gui/views/mouth_stage.h"
 
 namespace vallecula::gui {
 
@@ -43,6 +40,8 @@ class OperatorView : public GlView {
   void turn_camera(double right_deg, double up_deg);
   /// Takes the patient's left half of the skin away, for a look from the side.
   void set_half(bool on);
+  /// The paper's blue below the cords or its natural look, for this view alone; stays for the patients that follow.
+  void set_blue_trachea(bool blue);
   bool ghost_shown() const { return ghost_shown_; }
   /// The blade's tip is past the gums.
   bool blade_in() const { return blade_in_; }
@@ -54,21 +53,22 @@ class OperatorView : public GlView {
   /// Size of a pixel at the mouth, mm.
   double mm_per_pixel() const;
 
+ protected:
+  void use(const Quality& quality) override;
+
  private:
   void aim();
-  void move_lamp();
+  void light();
   std::shared_ptr<PatientLook> look_;
-  std::unique_ptr<ToolLook> tool_;
+  std::unique_ptr<MouthStage> stage_;
   std::unique_ptr<GhostLook> ghost_;
-  std::unique_ptr<TubeLook> tube_;
-  std::unique_ptr<CordsLook> cords_;
-  std::unique_ptr<SecretionsLook> secretions_;
   std::unique_ptr<GhostPathLook> path_;
   std::unique_ptr<GlottisMark> mark_;
-  std::vector<vtkSmartPointer<vtkActor>> tissues_;
   Zoom zoom_ = Zoom::automatic;
   double closeness_ = 0.0, across_mm_ = 100.0;
+  engine::Vec3 eye_offset_mm_ = engine::Vec3::Zero();  ///< of an operator who moved his own head
   bool ghost_shown_ = false, blade_in_ = false, free_camera_ = false, half_ = false;
+  std::optional<bool> blue_trachea_;
   QElapsedTimer since_aimed_;
 };
 

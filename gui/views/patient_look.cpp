@@ -21,9 +21,11 @@
 #include <stdexcept>
 
 #include "gui/session/poly_data.h"
+#include "gui/views/fine_tongue.h"
 #include "gui/views/openness.h"
 #include "gui/views/tissue_colours.h"
 #include "gui/views/tissue_shading.h"
+#include "pipeline/package/label_map.h"
 
 namespace vallecula::gui {
 namespace {
@@ -32,6 +34,7 @@ using pipeline::Point;
 using pipeline::Surface;
 using pipeline::Tissue;
 
+constexpr double kEyeMovesMm = 40.0;  // of an operator who leans to a side
 constexpr double kWidestView = 3.0;  // half as wide again as the widest window needs, as a share of the framed face
 
 Point minus(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
@@ -110,10 +113,12 @@ void blend(std::vector<std::array<double, N>>& values, const std::vector<std::ve
   }
 }
 
-vtkSmartPointer<vtkFloatArray> wetness_array(const std::vector<std::array<double, 1>>& wet) {
+/// An empty array of kWetness for that many points.
+vtkSmartPointer<vtkFloatArray> wetness_array(vtkIdType points) {
   auto array = vtkSmartPointer<vtkFloatArray>::New();
   array->SetName(kWetness);
-  for (const auto& w : wet) array->InsertNextValue(static_cast<float>(w[0]));
+  array->SetNumberOfComponents(2);
+  array->SetNumberOfTuples(points);
   return array;
 }
 
@@ -142,7 +147,8 @@ Framing framing_of(const pipeline::PatientPackage& package) {
   return framing;
 }
 
-// The operator's eye does not move: triangles that face away from it or lie far outside its view are never drawn.
+// The operator's eye moves by a head's sway at most: triangles that face away from all of its places or lie far outside
+// its view are never drawn.
 void keep_what_the_eye_can_see(vtkPolyData* face, const Framing& framing) {
   const Point axis = minus(framing.mouth, framing.eye);
   const double widest = std::cos(std::atan(kWidestView * 0.5 * framing.face_mm / length(axis)));
@@ -156,9 +162,29 @@ void keep_what_the_eye_can_see(vtkPolyData* face, const Framing& framing) {
     face->GetPoint(ids->GetId(2), c.data());
     const Point ab = minus(b, a), ac = minus(c, a), look = minus(a, framing.eye);
     const Point normal{ab[1] * ac[2] - ab[2] * ac[1], ab[2] * ac[0] - ab[0] * ac[2], ab[0] * ac[1] - ab[1] * ac[0]};
-    if (dot(normal, look) < 0.0 && dot(look, axis) > widest * length(look) * length(axis)) kept->InsertNextCell(ids);
+    if (dot(normal, look) < kEyeMovesMm * length(normal) && dot(look, axis) > widest * length(look) * length(axis))
+      kept->InsertNextCell(ids);
   }
   face->SetPolys(kept);
+}
+
+// Of the same points, so that it moves with the face: what lies about the way from the lips to the glottis.
+vtkSmartPointer<vtkPolyData> near_the_mouth(vtkPolyData* face, const Framing& framing) {
+  const Point way = minus(framing.glottis, framing.mouth);
+  auto kept = vtkSmartPointer<vtkCellArray>::New();
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType i = 0; i < face->GetNumberOfCells(); ++i) {
+    face->GetCellPoints(i, ids);
+    Point p;
+    face->GetPoint(ids->GetId(0), p.data());
+    const Point from = minus(p, framing.mouth);
+    const double t = std::clamp(dot(from, way) / dot(way, way), -0.3, 1.3);
+    if (length(minus(from, {t * way[0], t * way[1], t * way[2]})) < 0.6 * framing.face_mm) kept->InsertNextCell(ids);
+  }
+  auto part = vtkSmartPointer<vtkPolyData>::New();
+  part->ShallowCopy(face);
+  part->SetPolys(kept);
+  return part;
 }
 
 // A bump map of one value a point: the normal leans away from where the grain rises.
@@ -172,8 +198,7 @@ void tilt_normal(float* normal, const std::array<double, 3>& slope, double amoun
   for (int c = 0; c < 3; ++c) normal[c] /= static_cast<float>(std::sqrt(std::max(size, 1e-12)));
 }
 
-vtkSmartPointer<vtkPolyData> make_face(const pipeline::PatientPackage& package, const Framing& framing,
-                                       const Openness& openness, Seen seen) {
+vtkSmartPointer<vtkPolyData> make_face(const pipeline::PatientPackage& package, const Openness& openness) {
   const Surface& face = *surface(package, "face");
   const auto neighbours = neighbours_of(face);
   auto colours = to_points<3>(face, tissue_colour);
@@ -202,6 +227,7 @@ vtkSmartPointer<vtkPolyData> make_face(const pipeline::PatientPackage& package, 
     open[i] = {openness.at(face.points[i], {n[0], n[1], n[2]})};
   }
   blend(open, neighbours, 4);  // the grid's own steps
+  const auto wetness = wetness_array(static_cast<vtkIdType>(face.points.size()));
   for (std::size_t i = 0; i < face.points.size(); ++i) {
     const auto id = static_cast<vtkIdType>(i);
     const Point& p = face.points[i];
@@ -211,15 +237,51 @@ vtkSmartPointer<vtkPolyData> make_face(const pipeline::PatientPackage& package, 
       const double cord = 1.0 - smooth_step(0.7, 2.2, distance_to_outline(p, opening->points));
       for (int c = 0; c < 3; ++c) colour[c] += cord * (kCordColour[c] - colour[c]);
     }
-    const double light = 0.30 + 0.70 * std::min(1.0, 1.25 * open[i][0]);
-    for (int c = 0; c < 3; ++c)  // light that has gone through blood comes out of a crease red, not grey
-      rgb->SetComponent(id, c, 255.0 * colour[c] * (c == 0 ? std::pow(light, 0.7) : light));
+    for (int c = 0; c < 3; ++c) rgb->SetComponent(id, c, 255.0 * colour[c]);
+    wetness->SetTuple2(id, wet[i][0], 0.30 + 0.70 * std::min(1.0, 1.25 * open[i][0]));
     tilt_normal(normals->GetPointer(3 * id), grain_slope(p, 1.3 + 0.9 * wet[i][0]), 0.015 + 0.07 * wet[i][0]);
   }
   result->GetPointData()->SetScalars(rgb);
-  result->GetPointData()->AddArray(wetness_array(wet));
-  if (seen == Seen::from_the_eye) keep_what_the_eye_can_see(result, framing);
+  result->GetPointData()->AddArray(wetness);
   return result;
+}
+
+// Pale mucosa over whitish cartilage: open rings, about as many as a trachea has, that stand out a little at the front
+// and the sides; none on the soft back wall, none in the first millimetres, where the cricoid is.
+void colour_trachea(vtkPolyData* trachea, const Point& glottis, const Point& cranial, double to_carina_mm) {
+  constexpr double kRings = 16.0, kSubglottis = 0.10, kRingStandsOut = 0.35;
+  const vtkIdType count = trachea->GetNumberOfPoints();
+  const auto colours = [&](const char* name) {
+    auto rgb = vtkSmartPointer<vtkUnsignedCharArray>::New();
+    rgb->SetName(name);
+    rgb->SetNumberOfComponents(3);
+    rgb->SetNumberOfTuples(count);
+    trachea->GetPointData()->AddArray(rgb);
+    return rgb;
+  };
+  const auto natural = colours(kTracheaNatural), blue = colours(kTracheaBlue);
+  const auto wetness = wetness_array(count);
+  auto* direction = vtkFloatArray::SafeDownCast(trachea->GetPointData()->GetNormals());
+  for (vtkIdType i = 0; i < count; ++i) {
+    double p[3];
+    trachea->GetPoint(i, p);
+    float* n = direction->GetPointer(3 * i);
+    // A hair inside the wall it coincides with.
+    trachea->GetPoints()->SetPoint(i, p[0] + 0.15 * n[0], p[1] + 0.15 * n[1], p[2] + 0.15 * n[2]);
+    const double depth = -dot(minus({p[0], p[1], p[2]}, glottis), cranial) / to_carina_mm;
+    const double phase = 2.0 * 3.14159265 * kRings * (depth - kSubglottis);
+    const double front = smooth_step(-0.75, -0.35, n[1]);  // the wall's inner side faces the front where it is the back
+    const double ringed = (1.0 - front) * smooth_step(kSubglottis, kSubglottis + 0.03, depth);
+    const double ring = smooth_step(-0.3, 0.5, -std::cos(phase)) * ringed;
+    const Colour wall = mottled(kTracheaColour, {p[0], p[1], p[2]}, 0.10);
+    for (int c = 0; c < 3; ++c) {
+      natural->SetComponent(i, c, 255.0 * std::clamp(wall[c] + 0.75 * ring * (kCartilageColour[c] - wall[c]), 0.0, 1.0));
+      blue->SetComponent(i, c, 255.0 * std::clamp(kAirwayBlue[c] + 0.06 * std::sin(phase), 0.0, 1.0));
+    }
+    wetness->SetTuple2(i, 0.8, 1.0 - 0.55 * std::clamp(depth, 0.0, 1.0));
+    tilt_normal(n, {cranial[0], cranial[1], cranial[2]}, kRingStandsOut * ringed * std::sin(phase));
+  }
+  trachea->GetPointData()->AddArray(wetness);
 }
 
 vtkSmartPointer<vtkPolyData> make_trachea(const pipeline::PatientPackage& package) {
@@ -261,28 +323,17 @@ vtkSmartPointer<vtkPolyData> make_trachea(const pipeline::PatientPackage& packag
   result->DeepCopy(normals->GetOutput());
   if (result->GetNumberOfPoints() == 0) return result;
 
-  auto rgb = vtkSmartPointer<vtkUnsignedCharArray>::New();
-  rgb->SetName("Colours");
-  rgb->SetNumberOfComponents(3);
-  rgb->SetNumberOfTuples(result->GetNumberOfPoints());
-  auto* direction = result->GetPointData()->GetNormals();
-  const double depth_of_carina = std::max(1.0, -dot(minus(carina, glottis), cranial));
-  for (vtkIdType i = 0; i < result->GetNumberOfPoints(); ++i) {
-    double p[3], n[3];
-    result->GetPoint(i, p);
-    direction->GetTuple(i, n);
-    // A hair inside the wall it coincides with.
-    result->GetPoints()->SetPoint(i, p[0] + 0.15 * n[0], p[1] + 0.15 * n[1], p[2] + 0.15 * n[2]);
-    const double depth = -dot(minus({p[0], p[1], p[2]}, glottis), cranial) / depth_of_carina;
-    const double ring = 0.06 * std::sin(2.0 * 3.14159265 * depth * 14.0);  // about as many rings as a trachea has
-    for (int c = 0; c < 3; ++c)
-      rgb->SetComponent(
-          i, c, 255.0 * std::clamp(kAirwayBlue[c] * (1.0 - 0.55 * std::clamp(depth, 0.0, 1.0) + ring), 0.0, 1.0));
-  }
-  result->GetPointData()->SetScalars(rgb);
-  result->GetPointData()->AddArray(
-      wetness_array(std::vector<std::array<double, 1>>(result->GetNumberOfPoints(), {0.5})));
+  colour_trachea(result, glottis, cranial, std::max(1.0, -dot(minus(carina, glottis), cranial)));
   return result;
+}
+
+std::optional<Surface> fine_tongue(const pipeline::PatientPackage& package, const std::filesystem::path& folder) {
+  if (folder.empty()) return std::nullopt;
+  try {
+    return segmented_tongue(package, pipeline::read_label_map(folder / "labels.nrrd"));
+  } catch (const pipeline::LabelMapError&) {  // a trial needs the tetrahedra alone
+    return std::nullopt;
+  }
 }
 
 }  // namespace
@@ -292,13 +343,19 @@ vtkSmartPointer<vtkPolyData> to_poly_data(const Surface& surface) {
 }
 
 void PatientLook::update(const engine::Snapshot& snapshot) {
+  if (snapshot.soft_points == shown_soft_ && snapshot.body_displacement == shown_bodies_ &&
+      snapshot.lip_displacement == shown_lips_)
+    return;
+  shown_soft_ = snapshot.soft_points;
+  shown_bodies_ = snapshot.body_displacement;
+  shown_lips_ = snapshot.lip_displacement;
   soft->update(snapshot.soft_points);
   for (MovingSurface& surface : moving) surface.update(snapshot);
 }
 
 std::shared_ptr<PatientLook> make_patient_look(pipeline::PatientPackage package,
                                                const std::function<void(const std::string&, double)>& progress,
-                                               Seen seen) {
+                                               Seen seen, const std::filesystem::path& folder) {
   const auto report = [&](const std::string& stage, double fraction) {
     if (progress) progress(stage, fraction);
   };
@@ -309,12 +366,17 @@ std::shared_ptr<PatientLook> make_patient_look(pipeline::PatientPackage package,
   report("surfaces", 0.0);
   auto look = std::make_shared<PatientLook>();
   look->framing = framing_of(package);
-  look->soft = std::make_unique<SoftSurface>(package.tongue, package.tongue.tets.size() > 12000 ? 1 : 2);
+  if (const auto fine = fine_tongue(package, folder))
+    look->soft = std::make_unique<SoftSurface>(package.tongue, *fine);
+  else
+    look->soft = std::make_unique<SoftSurface>(package.tongue, package.tongue.tets.size() > 12000 ? 1 : 2);
   report("light and shade", 0.3);
   const auto face = to_poly_data(*surface(package, "face"));
   const auto soft = look->soft->boundary();
   const Openness openness({face, soft}, 0.33 * look->framing.face_mm);
-  look->face = make_face(package, look->framing, openness, seen);
+  look->face = make_face(package, openness);
+  look->around_mouth = near_the_mouth(look->face, look->framing);
+  if (seen == Seen::from_the_eye) keep_what_the_eye_can_see(look->face, look->framing);
   look->soft->shade(openness);
   report("airway", 0.9);
   look->trachea = make_trachea(package);

@@ -34,7 +34,12 @@ constexpr double kPapillaTilt = 0.16;
 
 }  // namespace
 
-SoftSurface::SoftSurface(const pipeline::TetMesh& mesh, int levels) : nodes_(mesh.points.size()) {
+SoftSurface::SoftSurface(const pipeline::TetMesh& mesh, int levels) : SoftSurface(mesh, levels, nullptr) {}
+
+SoftSurface::SoftSurface(const pipeline::TetMesh& mesh, const pipeline::Surface& fine) : SoftSurface(mesh, 0, &fine) {}
+
+SoftSurface::SoftSurface(const pipeline::TetMesh& mesh, int levels, const pipeline::Surface* fine)
+    : nodes_(mesh.points.size()) {
   // A face that belongs to one tetrahedron only is boundary; the order of its corners faces outward.
   std::map<std::array<int, 3>, std::array<int, 3>> open;
   for (const auto& t : mesh.tets) {
@@ -95,7 +100,28 @@ SoftSurface::SoftSurface(const pipeline::TetMesh& mesh, int levels) : nodes_(mes
     levels_.push_back(std::move(fine));
     coarse = &levels_.back().triangles;
   }
+  shown_levels_ = levels_.size();
   points_.resize(count);
+  if (fine != nullptr) {
+    ties_ = tie_to_tets(mesh, fine->points);
+    for (const auto& t : fine->triangles) {
+      const int first = static_cast<int>(count);
+      fine_.push_back({first + t[0], first + t[1], first + t[2]});
+    }
+    for (std::size_t i = 0; i < ties_.size(); ++i) {
+      const auto& p = fine->points[i];
+      points_.push_back({static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(p[2])});
+      double of_epiglottis = 0.0;
+      for (std::size_t k = 0; k < 4; ++k) {
+        const auto node = static_cast<std::size_t>(ties_[i].nodes[k]);
+        of_epiglottis += ties_[i].shares[k] * (tets_at[node] > 0 ? epiglottis[node] / tets_at[node] : 0.0);
+      }
+      pale.push_back(std::clamp(of_epiglottis, 0.0, 1.0));
+    }
+    count += ties_.size();
+    fine_shown_ = true;
+    coarse = &fine_;
+  }
   normals_.resize(count);
   bumps_.assign(count, {0, 0, 0});
 
@@ -128,6 +154,7 @@ SoftSurface::SoftSurface(const pipeline::TetMesh& mesh, int levels) : nodes_(mes
   surface_->GetPointData()->SetScalars(colours);
   auto wet = vtkSmartPointer<vtkFloatArray>::New();
   wet->SetName(kWetness);
+  wet->SetNumberOfComponents(2);
   wet->SetNumberOfTuples(static_cast<vtkIdType>(count));
   wet->Fill(1.0);
   surface_->GetPointData()->AddArray(wet);
@@ -135,24 +162,44 @@ SoftSurface::SoftSurface(const pipeline::TetMesh& mesh, int levels) : nodes_(mes
 }
 
 void SoftSurface::shade(const Openness& openness) {
-  auto* colours = vtkUnsignedCharArray::SafeDownCast(surface_->GetPointData()->GetScalars());
+  auto* wet = vtkFloatArray::SafeDownCast(surface_->GetPointData()->GetArray(kWetness));
   for (std::size_t i = 0; i < points_.size(); ++i) {
     const auto& n = normals_[i];
     const double light = 0.35 + 0.65 * std::min(1.0, 1.4 * openness.at({points_[i][0], points_[i][1], points_[i][2]},
                                                                        {n[0], n[1], n[2]}));
-    for (int c = 0; c < 3; ++c) {
-      const auto id = static_cast<vtkIdType>(i);
-      colours->SetComponent(id, c,
-                            colours->GetComponent(id, c) * (c == 0 ? std::sqrt(light) : light));  // blood glows red
-    }
+    wet->SetComponent(static_cast<vtkIdType>(i), 1, light);
   }
-  colours->Modified();
+  wet->Modified();
+}
+
+void SoftSurface::set_coarser(int levels) {
+  if (!fine_.empty()) {
+    if (fine_shown_ == (levels <= 0)) return;
+    fine_shown_ = levels <= 0;
+    surface_->SetPolys(cells_of(fine_shown_ ? fine_ : triangles_));
+    refine_and_publish();
+    return;
+  }
+  const auto left = levels_.size() - std::min(levels_.size(), static_cast<std::size_t>(std::max(0, levels)));
+  if (left == shown_levels_) return;
+  shown_levels_ = left;
+  surface_->SetPolys(cells_of(left == 0 ? triangles_ : levels_[left - 1].triangles));
+  refine_and_publish();
 }
 
 void SoftSurface::update(const std::vector<float>& soft_points_m) {
   if (soft_points_m.size() != 3 * nodes_) return;
   for (std::size_t i = 0; i < node_of_.size(); ++i)
     for (int axis = 0; axis < 3; ++axis) points_[i][axis] = 1000.0f * soft_points_m[3 * node_of_[i] + axis];
+  const std::size_t first = points_.size() - ties_.size();
+  for (std::size_t i = 0; i < ties_.size(); ++i) {
+    Float3 at{0, 0, 0};
+    for (std::size_t k = 0; k < 4; ++k) {
+      const float* node = &soft_points_m[3 * static_cast<std::size_t>(ties_[i].nodes[k])];
+      for (int axis = 0; axis < 3; ++axis) at[axis] += 1000.0f * ties_[i].shares[k] * node[axis];
+    }
+    points_[first + i] = at;
+  }
   refine_and_publish();
 }
 
@@ -168,8 +215,14 @@ void SoftSurface::compute_normals(const std::vector<std::array<int, 3>>& triangl
 
 void SoftSurface::refine_and_publish() {
   std::size_t count = node_of_.size();
-  compute_normals(triangles_, count);
-  for (const auto& level : levels_) {
+  if (fine_shown_) {
+    count = points_.size();
+    compute_normals(fine_, count);
+  } else {
+    compute_normals(triangles_, count);
+  }
+  for (std::size_t l = 0; l < shown_levels_; ++l) {
+    const Level& level = levels_[l];
     for (std::size_t e = 0; e < level.edges.size(); ++e) {
       const auto [a, b] = level.edges[e];
       const Float3 &pa = points_[a], &pb = points_[b], &na = normals_[a], &nb = normals_[b];

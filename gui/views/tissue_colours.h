@@ -11,7 +11,9 @@ using Colour = std::array<double, 3>;  ///< linear-looking sRGB, 0..1
 
 constexpr Colour kTongueColour{0.80, 0.34, 0.35};
 constexpr Colour kEpiglottisColour{0.93, 0.62, 0.56};
-constexpr Colour kCordColour{0.97, 0.90, 0.86};
+constexpr Colour kCordColour{0.98, 0.94, 0.90};
+constexpr Colour kTracheaColour{0.91, 0.60, 0.56};
+constexpr Colour kCartilageColour{0.95, 0.86, 0.80};
 constexpr Colour kAirwayBlue{0.16, 0.42, 0.93};  ///< the paper draws the trachea in blue
 constexpr Colour kBoneColour{0.90, 0.86, 0.74};
 

@@ -21,6 +21,11 @@ vtkSmartPointer<vtkPolyData> blade_surface(const engine::TriangleMesh& tool);
 /// A handle on the blade's heel along the tool's +z; empty for a tool that has one of its own.
 vtkSmartPointer<vtkPolyData> handle_surface(const engine::TriangleMesh& tool);
 
+/// The blade without its handle: from the tip to the heel, and half across. Millimetres.
+struct BladeExtent {
+  double length_mm = 0.0, half_width_mm = 0.0;
+};
+
 /// Blade, handle and bulb.
 class ToolLook {
  public:
@@ -30,10 +35,15 @@ class ToolLook {
   /// Where the bulb is (patient mm) and where its light goes (unit vector).
   const engine::Vec3& bulb_mm() const { return bulb_at_; }
   const engine::Vec3& beam() const { return beam_; }
+  const BladeExtent& extent() const { return extent_; }
+  /// A camera in the blade, as video laryngoscopes have it: just behind the lamp, in the blade's middle, on the
+  /// operator's side. Tool frame, mm.
+  const engine::Vec3& camera_mm() const { return camera_; }
 
  private:
   std::vector<vtkSmartPointer<vtkActor>> actors_;
-  engine::Vec3 bulb_ = engine::Vec3::Zero();  ///< tool frame, mm
+  engine::Vec3 bulb_ = engine::Vec3::Zero(), camera_ = engine::Vec3::Zero();  ///< tool frame, mm
+  BladeExtent extent_;
   engine::Vec3 bulb_at_ = engine::Vec3(0, 0, 1e4), beam_ = engine::Vec3(0, 0, -1);
 };
 

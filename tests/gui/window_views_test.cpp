@@ -115,6 +115,7 @@ TEST_F(Views, OperatorSeesThePatientsRightOnTheRightAndTheFrontAtTheTop) {
 
 TEST_F(Views, TheBlueAirwayComesIntoSightWhenTheTongueGoes) {
   OperatorView view;
+  view.set_blue_trachea(true);
   show(view, 500, 420);
   view.set_zoom(OperatorView::Zoom::mouth);
   auto snapshot = at_rest(patient(), {0, 0, 5});

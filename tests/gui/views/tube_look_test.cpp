@@ -236,6 +236,7 @@ TEST_F(TubeViews, TheCutReachesTheCarinaAndHasTheTubeInTheTrachea) {
 
 TEST_F(TubeViews, SecretionsCoverAndSuctionClears) {
   OperatorView view;
+  view.set_blue_trachea(true);
   view.resize(500, 420);
   view.show_patient(make_patient_look(patient()), plain_blade(), &intubation_);
   view.show();

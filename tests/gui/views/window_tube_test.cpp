@@ -10,6 +10,7 @@
 #include "gui/session/user_paths.h"
 #include "gui/views/operator_view.h"
 #include "gui/views/sagittal_view.h"
+#include "gui/views/video_view.h"
 #include "tests/gui/placed_tube.h"
 #include "tests/gui/program.h"
 #include "tests/gui/window_screen.h"
@@ -25,6 +26,7 @@ class WindowTube : public Screen {
     setup.curriculum = curricula_folder() / "first-intubation.yaml";
     const curricula::Curriculum course = curricula::load_curriculum(setup.curriculum);
     setup.patient = builtin_patient(course.scenarios.front().manikin, {});
+    folder_ = setup.patient;
     setup.scenario = course.scenarios.front().id;
     setup.device = "scripted:expert";
     setup.out = box() / "expert";
@@ -56,13 +58,18 @@ class WindowTube : public Screen {
     auto* row = new QHBoxLayout(&window_);
     operator_ = new OperatorView(&window_);
     sagittal_ = new SagittalView(&window_);
+    video_ = new VideoView(&window_);
     row->addWidget(operator_, 17);
     row->addWidget(sagittal_, 10);
+    row->addWidget(video_, 10);
     window_.resize(1280, 640);
     operator_->set_zoom(OperatorView::Zoom::mouth);
-    const std::shared_ptr<PatientLook> look = make_patient_look(*package_);
+    operator_->set_blue_trachea(true);  // told from everything else
+    const std::shared_ptr<PatientLook> look = make_patient_look(*package_, {}, Seen::from_the_eye, folder_);
     operator_->show_patient(look, scene_->tool.surface, &*scene_->intubation);
     sagittal_->show_patient(look, scene_->tool.surface, &*scene_->intubation);
+    video_->show_patient(look, scene_->tool.surface, &*scene_->intubation);
+    video_->set_blue_trachea(true);
     window_.show();
   }
   QImage show(const engine::Snapshot& snapshot, const std::string& name) {
@@ -74,6 +81,9 @@ class WindowTube : public Screen {
         5000));
     sagittal_->update_from(snapshot, 25.0);
     sagittal_->draw();
+    video_->update_from(snapshot);
+    video_picture_ = video_->picture();
+    keep_picture(*video_, "video-" + name + ".png");
     const QImage picture = operator_->picture();
     keep_picture(*operator_, "operator-" + name + ".png");
     keep_picture(*sagittal_, "sagittal-" + name + ".png");
@@ -84,12 +94,15 @@ class WindowTube : public Screen {
   }
 
   static inline std::unique_ptr<pipeline::PatientPackage> package_;
+  static inline std::filesystem::path folder_;
   static inline std::unique_ptr<engine::SceneDescription> scene_;
   static inline std::map<std::string, engine::Snapshot> moments_;
   static inline curricula::Score score_;
   QWidget window_;
   OperatorView* operator_ = nullptr;
   SagittalView* sagittal_ = nullptr;
+  VideoView* video_ = nullptr;
+  QImage video_picture_;
 };
 
 TEST_F(WindowTube, GoesBetweenTheCordsInSightOfTheOperator) {
@@ -108,6 +121,24 @@ TEST_F(WindowTube, GoesBetweenTheCordsInSightOfTheOperator) {
   EXPECT_GT(tube.pixels, 2000);
   const auto ink = [&](QRgb c, int x, int y) { return qGray(c) < 60 && qGray(no_tube.pixel(x, y)) > 75; };
   EXPECT_GT(find_pixels(with, ink).pixels, 60) << "marks are to be read";
+}
+
+TEST_F(WindowTube, TheCameraInTheBladeSeesTheGlottisAndTheTubeComeFromTheRight) {
+  engine::Snapshot snapshot = moments_.at("5-best-sight");
+  for (auto& node : snapshot.tube_axis) node += engine::Vec3(0.5, 0.5, 0.0);
+  show(snapshot, "blue-without-the-tube");
+  const Spot glottis = find_pixels(video_picture_, [](QRgb c, int, int) { return is_airway_blue(c); });
+  EXPECT_GT(glottis.pixels, 300);
+  EXPECT_NEAR(glottis.x, 0.5 * video_picture_.width(), 0.25 * video_picture_.width());
+  video_->set_blue_trachea(false);
+  operator_->set_blue_trachea(false);
+  show(snapshot, "natural-without-the-tube");
+  EXPECT_EQ(find_pixels(video_picture_, [](QRgb c, int, int) { return is_airway_blue(c); }).pixels, 0);
+  const QImage without = video_picture_;
+  show(moments_.at("7-between-cords"), "natural-between-cords");
+  show(moments_.at("3-vallecula"), "natural-vallecula");
+  show(moments_.at("1-lips"), "natural-lips");
+  EXPECT_GT(difference(without, video_picture_).pixels, 2000);
 }
 
 TEST_F(WindowTube, CordsOpenAndCloseAndSecretionsHideThem) {

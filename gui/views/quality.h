@@ -1,0 +1,60 @@
+// How finely the views are drawn, so that a slow machine keeps its frame rate: effects go first, then the resolution
+// inside the view, then the frame rate.
+#pragma once
+
+#include <QString>
+#include <array>
+
+namespace vallecula::gui {
+
+struct Quality {
+  bool rim = true;          ///< the bright edge of what is wet
+  bool shadows = true;      ///< of blade and tube on the tissue
+  int coarser = 0;          ///< how many of the tongue's levels of refinement are left out
+  double resolution = 1.0;  ///< pixels that are drawn along a side, as a share of the view's own
+  bool operator==(const Quality& other) const {
+    return rim == other.rim && shadows == other.shadows && coarser == other.coarser && resolution == other.resolution;
+  }
+};
+
+/// In the order in which they are taken; the first is everything.
+constexpr std::array<Quality, 7> kQualities{{{true, true, 0, 1.0},
+                                             {false, true, 0, 1.0},
+                                             {false, false, 0, 1.0},
+                                             {false, false, 1, 1.0},
+                                             {false, false, 1, 0.75},
+                                             {false, false, 1, 0.6},
+                                             {false, false, 1, 0.5}}};
+
+class QualityGovernor {
+ public:
+  enum class Mode { automatic, high, low, held };
+  /// Of the setting [look] quality: "high", "low"; anything else is automatic.
+  static Mode mode_of(const QString& setting);
+
+  /// high: always everything; low: always the least.
+  void set_mode(Mode mode);
+  Mode mode() const { return mode_; }
+  /// Stays at this step whatever frames cost: for measuring one.
+  void hold(int step);
+  /// A frame of all views together, which ended at `now_s` and kept the window for `busy_s`. True when quality() is
+  /// another from here on. The rule, in automatic: over the last second, above kBusyMost of the time a frame may take
+  /// at 30 a second a step is given up; three seconds below kBusyLeast of it a step is taken back. A step changes the
+  /// cost less than kBusyMost over kBusyLeast, so the two do not chase each other.
+  bool frame(double now_s, double busy_s);
+  int step() const { return step_; }
+  const Quality& quality() const { return kQualities[static_cast<std::size_t>(step_)]; }
+  /// What is left out, in words for the status line; empty where nothing is.
+  QString reduced() const;
+
+  static constexpr double kFrameS = 1.0 / 30.0, kBusyMost = 0.90, kBusyLeast = 0.38;
+  static constexpr double kWindowS = 1.0, kCalmS = 3.0;
+
+ private:
+  bool take(int step);
+  Mode mode_ = Mode::automatic;
+  int step_ = 0, frames_ = 0;
+  double window_begins_s_ = -1.0, busy_s_ = 0.0, calm_s_ = 0.0;
+};
+
+}  // namespace vallecula::gui

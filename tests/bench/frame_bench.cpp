@@ -1,0 +1,211 @@
+// vallecula_frame_bench NAME.patient [SECONDS]: what the trial's views cost. First every view and all together, by step
+// of the quality governor, over snapshots of the scripted expert; then the share of late ticks of a trial in real time
+// with and without drawing, in turns of three seconds, so that both meet the same trial and the same machine.
+#include <QApplication>
+#include <QElapsedTimer>
+#include <QGridLayout>
+#include <QTemporaryDir>
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <functional>
+#include <memory>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "gui/pages/window_application.h"
+#include "gui/session/trial_session.h"
+#include "gui/session/user_paths.h"
+#include "gui/session/virtual_display.h"
+#include "gui/views/operator_view.h"
+#include "gui/views/sagittal_view.h"
+#include "gui/views/video_view.h"
+
+namespace {
+
+using namespace vallecula;
+using namespace vallecula::gui;
+
+constexpr int kSnapshots = 60, kTurnMs = 3000;
+
+void print(const char* what, std::vector<double> ms) {
+  std::sort(ms.begin(), ms.end());
+  const auto at = [&](double share) {
+    return ms[static_cast<std::size_t>(share * static_cast<double>(ms.size() - 1))];
+  };
+  std::printf("  %-32s p50 %6.1f  p95 %6.1f  p99 %6.1f ms\n", what, at(0.5), at(0.95), at(0.99));
+}
+
+/// The trial page's views in its window of 1280 x 800, with the video picture below the cut.
+struct Window {
+  QWidget widget;
+  OperatorView* eye = new OperatorView(&widget);
+  SagittalView* cut = new SagittalView(&widget);
+  VideoView* video = new VideoView(&widget);
+  int swaps = 0;
+
+  Window(const TrialSession& session, const std::string& patient) {
+    auto* grid = new QGridLayout(&widget);
+    grid->addWidget(eye, 0, 0, 2, 1);
+    grid->addWidget(cut, 0, 1);
+    grid->addWidget(video, 1, 1);
+    grid->setColumnStretch(0, 17);
+    grid->setColumnStretch(1, 10);
+    widget.resize(1280, 800);
+    const std::shared_ptr<PatientLook> look = make_patient_look(session.package(), {}, Seen::from_the_eye, patient);
+    const auto& scene = session.scene();
+    const auto* intubation = scene.intubation ? &*scene.intubation : nullptr;
+    eye->show_patient(look, scene.tool.surface, intubation);
+    cut->show_patient(look, scene.tool.surface, intubation);
+    video->show_patient(look, scene.tool.surface, intubation);
+    widget.show();
+    for (auto* view : {static_cast<GlView*>(eye), static_cast<GlView*>(cut), static_cast<GlView*>(video)})
+      QObject::connect(view, &QOpenGLWidget::frameSwapped, &widget, [this] { ++swaps; });
+    QApplication::processEvents();
+  }
+  void draw_eye(const engine::Snapshot& s) { eye->update_from(s), eye->draw(); }
+  void draw_cut(const engine::Snapshot& s) { cut->update_from(s, 25.0), cut->draw(); }
+  void draw_video(const engine::Snapshot& s) { video->update_from(s), video->draw(); }
+  /// Until what was drawn is on the screen, ms.
+  double frame(const std::function<void()>& draw) {
+    QElapsedTimer timer;
+    timer.start();
+    const int before = swaps;
+    draw();
+    while (swaps == before && timer.elapsed() < 2000) QApplication::processEvents(QEventLoop::AllEvents, 5);
+    return 1e-6 * static_cast<double>(timer.nsecsElapsed());
+  }
+};
+
+TrialSetup setup_of(const std::string& patient, const std::filesystem::path& out, bool realtime) {
+  TrialSetup setup;
+  setup.patient = patient;
+  setup.curriculum = curricula_folder() / "first-intubation.yaml";
+  setup.scenario = curricula::load_curriculum(setup.curriculum).scenarios.front().id;
+  setup.device = "scripted:expert";
+  setup.realtime = realtime;
+  setup.out = out;
+  return setup;
+}
+
+std::vector<engine::Snapshot> snapshots_of(TrialSession& session) {
+  std::vector<engine::Snapshot> all;
+  double next_s = 0.0;
+  session.start();
+  while (!session.finished()) {
+    const engine::Snapshot& now = session.latest();
+    if (now.step >= 0 && now.time_s >= next_s) {
+      all.push_back(now);
+      next_s = now.time_s + 0.25;
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  if (all.size() > kSnapshots) {  // evenly over the trial
+    std::vector<engine::Snapshot> some;
+    for (int i = 0; i < kSnapshots; ++i) some.push_back(all[all.size() * static_cast<std::size_t>(i) / kSnapshots]);
+    return some;
+  }
+  return all;
+}
+
+void frame_times(Window& window, const std::vector<engine::Snapshot>& snapshots) {
+  auto& governor = GlView::governor();
+  for (int step = 0; step < static_cast<int>(kQualities.size()); ++step) {
+    governor.hold(step);
+    std::printf("step %d: %s\n", step,
+                governor.reduced().isEmpty() ? "everything" : governor.reduced().toUtf8().constData());
+    std::vector<double> eye, cut, video, two, all;
+    for (const auto& s : snapshots) {
+      eye.push_back(window.frame([&] { window.draw_eye(s); }));
+      cut.push_back(window.frame([&] { window.draw_cut(s); }));
+      video.push_back(window.frame([&] { window.draw_video(s); }));
+      two.push_back(window.frame([&] { window.draw_eye(s), window.draw_cut(s); }));
+      all.push_back(window.frame([&] { window.draw_eye(s), window.draw_cut(s), window.draw_video(s); }));
+    }
+    print("operator's view", eye);
+    print("mid-sagittal cut", cut);
+    print("video laryngoscope", video);
+    print("operator's view and cut", two);
+    print("all three", all);
+  }
+}
+
+struct Lateness {
+  const char* what;
+  int every_ms;  ///< 0: nothing is drawn
+  std::int64_t ticks = 0, misses = 0, overruns = 0;
+  int frames = 0;
+  double seconds = 0.0;
+};
+
+void lateness(Window& window, const std::string& patient, const QTemporaryDir& home, double seconds) {
+  GlView::governor().set_mode(QualityGovernor::Mode::automatic);
+  std::vector<Lateness> kinds{{"nothing drawn", 0}, {"all views every 45 ms", 45}, {"all views every 33 ms", 33}};
+  std::size_t turn = 0;
+  int number = 0;
+  while (kinds.back().seconds < seconds) {
+    TrialSession session(setup_of(patient, home.filePath(QString("live%1").arg(++number)).toStdString(), true));
+    session.start();
+    while (!session.finished() && session.latest().ticks < 200) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    while (!session.finished() && kinds.back().seconds < seconds) {
+      Lateness& kind = kinds[turn++ % kinds.size()];
+      const engine::Snapshot before = session.latest();
+      QElapsedTimer turn_timer;
+      turn_timer.start();
+      while (turn_timer.elapsed() < kTurnMs && !session.finished()) {
+        QElapsedTimer frame;
+        frame.start();
+        const engine::Snapshot& now = session.latest();
+        if (kind.every_ms > 0) {
+          window.frame([&] { window.draw_eye(now), window.draw_cut(now), window.draw_video(now); });
+          ++kind.frames;
+        }
+        const qint64 left = (kind.every_ms > 0 ? kind.every_ms : 33) - frame.elapsed();
+        if (left > 0) std::this_thread::sleep_for(std::chrono::milliseconds(left));
+      }
+      const engine::Snapshot& after = session.latest();
+      kind.ticks += after.ticks - before.ticks;
+      kind.misses += after.deadline_misses - before.deadline_misses;
+      kind.overruns += after.overruns - before.overruns;
+      kind.seconds += 1e-3 * static_cast<double>(turn_timer.elapsed());
+    }
+  }
+  std::printf("a trial in real time (%s)\n", GlView::governor().reduced().isEmpty()
+                                                 ? "nothing reduced at its end"
+                                                 : GlView::governor().reduced().toUtf8().constData());
+  for (const Lateness& kind : kinds)
+    std::printf("  %-24s %8lld ticks  %.3f %% late by 1 ms  %.2f %% steps late  %.1f frames/s\n", kind.what,
+                static_cast<long long>(kind.ticks),
+                100.0 * static_cast<double>(kind.misses) / static_cast<double>(std::max<std::int64_t>(1, kind.ticks)),
+                100.0 * static_cast<double>(kind.overruns) / static_cast<double>(std::max<std::int64_t>(1, kind.ticks)),
+                kind.frames / std::max(1e-9, kind.seconds));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const double seconds = argc > 2 ? std::atof(argv[2]) : 30.0;
+  if (argc < 2 || !(seconds >= 3.0 && seconds <= 3600.0)) {
+    std::fprintf(stderr, "vallecula_frame_bench NAME.patient [SECONDS]: a patient package, and 3 to 3600 seconds of each "
+                         "kind of drawing\n");
+    return 2;
+  }
+  try {
+    QTemporaryDir home;  // the bench is nobody's trial
+    qputenv("VALLECULA_HOME", home.path().toUtf8());
+    VirtualDisplay display(1400, 900);
+    WindowApplication application;
+    std::vector<engine::Snapshot> snapshots;
+    TrialSession session(setup_of(argv[1], home.filePath("still").toStdString(), false));
+    Window window(session, argv[1]);
+    snapshots = snapshots_of(session);
+    frame_times(window, snapshots);
+    lateness(window, argv[1], home, seconds);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "vallecula_frame_bench: %s\n", error.what());
+    return 1;
+  }
+  return 0;
+}
