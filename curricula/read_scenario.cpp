@@ -225,6 +225,8 @@ Scenario read_scenario(const YAML::Node& node, const Validator& rules, const std
     read(helps["glottis_highlight"], s.assistance.glottis_highlight);
     read(helps["cut_view"], s.assistance.cut_view);
     read(helps["force_bar"], s.assistance.force_bar);
+    read(helps["video_view"], s.assistance.video_view);
+    read(helps["expert_loop"], s.assistance.expert_loop);
   }
   s.distractions = read_distractions(node["distractions"], s.max_attempt_s, rules, path);
   if (const YAML::Node variation = node["variation"])

@@ -75,6 +75,8 @@ struct Assistance {
   bool glottis_highlight = false;
   bool cut_view = true;
   bool force_bar = true;
+  bool video_view = true;   ///< the camera at the blade's tip
+  bool expert_loop = true;  ///< an expert's hands at this patient, while the trial waits
 };
 
 /// The dual task: what happens beside the hands.

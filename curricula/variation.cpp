@@ -76,7 +76,7 @@ Scenario attempt_of(const Scenario& scenario, Mode mode, std::uint32_t seed, con
   if (!taken.blade.empty()) node["attempt"]["blade"] = taken.blade;
   if (!taken.tube.empty()) node["attempt"]["tube"] = taken.tube;
   if (!rules_of(mode).assistance)
-    for (const char* help : {"ghost_path", "glottis_highlight", "cut_view", "force_bar"})
+    for (const char* help : {"ghost_path", "glottis_highlight", "cut_view", "force_bar", "video_view", "expert_loop"})
       node["assistance"][help] = "false";
   if (seed != 0) {
     const Variation& v = *scenario.variation;

@@ -2,26 +2,16 @@
 
 #include <algorithm>
 
+#include "curricula/score/handle_loads.h"
 #include "curricula/score/vectors.h"
 
 namespace vallecula::curricula {
 namespace {
 
-struct Loads {
-  double borne_n = 0.0;    ///< L: by the blade, of tongue and epiglottis
-  double levered_n = 0.0;  ///< what of it the upper jaw bears
-};
-
-Loads along_the_handle(const LogTick& tick) {
-  const Point up = z_axis(tick.proxy_pose.rotation_wxyz);
-  const auto pushes = [&](LoadedStructure structure) {
-    return dot(tick.loads[static_cast<std::size_t>(structure)].force_n, up);
-  };
-  Loads loads;
-  loads.borne_n = std::max(0.0, -pushes(kTongue) - pushes(kEpiglottis));
-  const double jaw_n = std::max(0.0, pushes(kGum)) + std::max(0.0, pushes(kPalate)) + std::max(0.0, pushes(kTeeth));
-  loads.levered_n = std::min(jaw_n, loads.borne_n);
-  return loads;
+HandleLoads along_the_handle(const LogTick& tick) {
+  std::array<std::array<double, 3>, kStructures> forces_n;
+  std::transform(tick.loads.begin(), tick.loads.end(), forces_n.begin(), [](const LogLoad& load) { return load.force_n; });
+  return handle_loads(forces_n, tick.proxy_pose.rotation_wxyz);
 }
 
 bool all_finite(const LogTick& tick) {
@@ -46,7 +36,7 @@ ForceFigures measure_forces_beyond_peaks(const TrialLog& log, const Scenario& sc
       if (!figures.tongue_pressure_pa) figures.tongue_pressure_pa.emplace();
       figures.tongue_pressure_pa->take(force_n / area_m2, tick.time_s);
     }
-    const Loads loads = along_the_handle(tick);
+    const HandleLoads loads = along_the_handle(tick);
     borne_n += loads.borne_n;
     levered_n += loads.levered_n;
     figures.levered_n.take(loads.levered_n, tick.time_s);

@@ -29,12 +29,8 @@ struct ForceFigures {
 constexpr double kLeastLiftedNs = 0.1;   ///< assumed
 constexpr double kLeastPressingN = 0.5;  ///< assumed: below it a contact is a grain or two
 
-/// Lifting and levering, by statics along the handle's axis u (the blade's own z axis, along which a lift goes): tongue
-/// and epiglottis load the blade with L = -(F_tongue + F_epiglottis) . u. A hand that lifts bears all of L. A blade
-/// that turns about the upper jaw is held up by it: gum, palate and teeth push it with J = sum of max(0, F . u), and
-/// min(J, L) of the load is borne by that fulcrum, by a turning moment of the hand and not by its lift. lift_share is
-/// 1 - (integral of min(J, L)) / (integral of L). That the two are shown apart follows the Imperial trainer (ICRA
-/// 2023); the definition is this program's own.
+/// Lifting and levering by handle_loads (curricula/score/handle_loads.h): lift_share is 1 - (integral of the levered
+/// part) / (integral of what is borne).
 ForceFigures measure_forces_beyond_peaks(const TrialLog& log, const Scenario& scenario);
 
 }  // namespace vallecula::curricula

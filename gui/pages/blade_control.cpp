@@ -18,6 +18,25 @@ constexpr double kFineShare = 0.25;          // with Shift
 constexpr double kKeyTurn = 0.6;             // rad/s
 constexpr double kGainStep = 1.25;
 
+/// The keys of a movement, and back.
+struct Keys {
+  int there, back;
+  bool of_blade_alone;
+  const char* what;
+};
+constexpr Keys kKeys[] = {
+    {Qt::Key_Right, Qt::Key_Left, false, QT_TRANSLATE_NOOP("vallecula::gui::BladeControl", "move it to the right and left")},
+    {Qt::Key_Up, Qt::Key_Down, false, QT_TRANSLATE_NOOP("vallecula::gui::BladeControl", "move it up and down in the picture")},
+    {Qt::Key_PageUp, Qt::Key_PageDown, false, QT_TRANSLATE_NOOP("vallecula::gui::BladeControl", "deeper, back")},
+    {Qt::Key_W, Qt::Key_S, false, QT_TRANSLATE_NOOP("vallecula::gui::BladeControl", "raise and lower its outer end")},
+    {Qt::Key_A, Qt::Key_D, false, QT_TRANSLATE_NOOP("vallecula::gui::BladeControl", "turn it to the left and right")},
+    {Qt::Key_Q, Qt::Key_E, false, QT_TRANSLATE_NOOP("vallecula::gui::BladeControl", "roll it about its length")},
+    {Qt::Key_Space, Qt::Key_Backspace, true,
+     QT_TRANSLATE_NOOP("vallecula::gui::BladeControl", "held: lift along the handle, lower")},
+    {Qt::Key_Plus, Qt::Key_Minus, false,
+     QT_TRANSLATE_NOOP("vallecula::gui::BladeControl", "farther, and less far, for the same way of the hand")},
+    {Qt::Key_Shift, 0, false, QT_TRANSLATE_NOOP("vallecula::gui::BladeControl", "held: all of it finer")}};
+
 std::array<double, 3> plain(const engine::Vec3& v) { return {v.x(), v.y(), v.z()}; }
 
 }  // namespace
@@ -51,28 +70,10 @@ bool BladeControl::key(QKeyEvent* event, bool pressed) {
     }
     return true;
   }
-  switch (event->key()) {
-    case Qt::Key_Space:
-    case Qt::Key_Backspace:
-      if (tool_ == Tool::tube) return false;
-      break;
-    case Qt::Key_Left:
-    case Qt::Key_Right:
-    case Qt::Key_Up:
-    case Qt::Key_Down:
-    case Qt::Key_PageUp:
-    case Qt::Key_PageDown:
-    case Qt::Key_W:
-    case Qt::Key_S:
-    case Qt::Key_A:
-    case Qt::Key_D:
-    case Qt::Key_Q:
-    case Qt::Key_E:
-    case Qt::Key_Shift:
-      break;
-    default:
-      return false;
-  }
+  const auto* mine = std::find_if(std::begin(kKeys), std::end(kKeys), [&](const Keys& keys) {
+    return event->key() == keys.there || event->key() == keys.back;
+  });
+  if (mine == std::end(kKeys) || (mine->of_blade_alone && tool_ == Tool::tube)) return false;
   if (event->isAutoRepeat()) return true;
   if (pressed)
     held_.insert(event->key());
@@ -96,6 +97,16 @@ void BladeControl::advance(double seconds) {
   const double pitch = turn * axis(Qt::Key_S, Qt::Key_W), yaw = turn * axis(Qt::Key_D, Qt::Key_A),
                roll = turn * axis(Qt::Key_E, Qt::Key_Q);
   if (pitch != 0.0 || yaw != 0.0 || roll != 0.0) device_->turn(pitch, yaw, roll);
+}
+
+std::vector<KeyRow> BladeControl::keys() const {
+  if (device_ == nullptr) return {};
+  std::vector<KeyRow> rows;
+  for (const Keys& keys : kKeys)
+    if (!keys.of_blade_alone || tool_ == Tool::blade)
+      rows.push_back({keys.back == 0 ? key_name(keys.there) : tr("%1, %2").arg(key_name(keys.there), key_name(keys.back)),
+                      tr(keys.what)});
+  return rows;
 }
 
 QString BladeControl::help() const {

@@ -4,8 +4,10 @@
 #include <QObject>
 #include <QPoint>
 #include <set>
+#include <vector>
 
 #include "device/drivers/mouse_device.h"
+#include "gui/pages/key_list.h"
 #include "gui/session/held_tools.h"
 
 class QKeyEvent;
@@ -32,6 +34,8 @@ class BladeControl : public QObject {
   void release_all();
   /// Way of the blade over way of the mouse; also of keys and wheel.
   void set_gain(double gain) { gain_ = gain; }
+  /// With this tool in the hand; nobody's: none.
+  std::vector<KeyRow> keys() const;
   /// One line for the screen.
   QString help() const;
 

@@ -20,32 +20,53 @@ using Kind = curricula::Distraction::Kind;
 constexpr int kBeepMs = 1500;
 constexpr int kBarSteps = 1000;
 constexpr int kHeight = 150;  // of a question and one more; what is seen beside it must not jump
+constexpr int kFirstAnswer = Qt::Key_1, kLastAnswer = Qt::Key_9, kSilence = Qt::Key_M;
 
 QColor colour_of(Kind kind) {
   return kind == Kind::alarm ? theme::bad() : kind == Kind::question ? theme::device() : theme::faint();
 }
 
-const char* name_of(Kind kind) {
-  return kind == Kind::alarm ? "Alarm" : kind == Kind::question ? "Question" : "The team talks";
+QString name_of(Kind kind) {
+  return kind == Kind::alarm      ? DistractionPanel::tr("Alarm")
+         : kind == Kind::question ? DistractionPanel::tr("Question")
+                                  : DistractionPanel::tr("The team talks");
+}
+
+QString headed(const QString& who, const QColor& colour, const QString& text) {
+  return QString("<b style='color:%1'>%2</b> &nbsp;").arg(colour.name(), who) +
+         text.toHtmlEscaped().replace('\n', "<br>");
+}
+
+QFont larger(QFont font) {
+  font.setPointSizeF(theme::points(11.0));
+  return font;
 }
 
 }  // namespace
 
 DistractionPanel::DistractionPanel(QWidget* parent) : QFrame(parent) {
   setObjectName("panel");
-  setMinimumHeight(kHeight);
+  setAccessibleName(tr("Messages of the team"));
   column_ = new QVBoxLayout(this);
   column_->setContentsMargins(10, 8, 10, 8);
   column_->setSpacing(6);
-  idle_ = new QLabel(
-      "You will be asked things meanwhile, here. Keys 1 to 6 answer, M silences an alarm; talk asks for "
-      "nothing.",
-      this);
+  idle_ = new QLabel(this);
   idle_->setObjectName("faint");
   idle_->setWordWrap(true);
   column_->addWidget(idle_);
+  said_ = new QLabel(this);
+  said_->setObjectName("said");
+  said_->setTextFormat(Qt::RichText);
+  said_->setWordWrap(true);
+  said_->hide();
+  column_->addWidget(said_);
+  said_for_.setSingleShot(true);
+  connect(&said_for_, &QTimer::timeout, this, [this] {
+    said_->hide();
+    idle_->setVisible(rows_.empty());
+  });
+  serve(nullptr, false);
   column_->addStretch(1);
-  hide();
 }
 
 void DistractionPanel::serve(DualTask* task, bool by_person) {
@@ -53,8 +74,14 @@ void DistractionPanel::serve(DualTask* task, bool by_person) {
   rows_.clear();
   task_ = task;
   by_person_ = by_person;
+  said_for_.stop();
+  said_->hide();
+  const bool asks = task_ != nullptr && !task_->distractions().empty();
+  setMinimumHeight(asks ? kHeight : 0);
+  idle_->setText(asks ? tr("You will be asked things meanwhile, here. Keys 1 to 6 answer, M silences an alarm; talk asks "
+                           "for nothing.")
+                      : tr("Nobody has said anything. An instructor's words come up here."));
   idle_->show();
-  setVisible(task_ != nullptr && !task_->distractions().empty());
 }
 
 int DistractionPanel::first_of(Kind kind) const {
@@ -65,15 +92,30 @@ int DistractionPanel::first_of(Kind kind) const {
 
 bool DistractionPanel::key(QKeyEvent* event, bool pressed) {
   if (task_ == nullptr || task_->distractions().empty()) return false;
-  const int answer = event->key() - Qt::Key_0;
-  const bool number = answer >= 1 && answer <= 9;
-  if (!number && event->key() != Qt::Key_M) return false;
+  const int answer = event->key() - kFirstAnswer + 1;
+  const bool number = event->key() >= kFirstAnswer && event->key() <= kLastAnswer;
+  if ((!number && event->key() != kSilence) || event->modifiers().testFlag(Qt::ControlModifier)) return false;
   if (!pressed || event->isAutoRepeat() || !by_person_) return true;
   if (number)
     task_->answer(first_of(Kind::question), answer);
   else
     task_->silence(first_of(Kind::alarm));
   return true;
+}
+
+void DistractionPanel::say(const QString& line) {
+  said_->setFont(larger(said_->font()));
+  said_->setText(headed(tr("Instructor"), theme::target(), line));
+  said_->show();
+  idle_->hide();
+  said_for_.start(kSaidMs);
+}
+
+std::vector<KeyRow> DistractionPanel::keys() const {
+  if (task_ == nullptr || task_->distractions().empty()) return {};
+  return {{tr("%1 to %2").arg(key_name(kFirstAnswer), key_name(kLastAnswer)),
+           tr("answers the question that has been open longest")},
+          {key_name(kSilence), tr("silences the alarm that has been open longest")}};
 }
 
 DistractionPanel::Row DistractionPanel::make_row(const DualTask::Open& open, bool has_keys) {
@@ -86,12 +128,10 @@ DistractionPanel::Row DistractionPanel::make_row(const DualTask::Open& open, boo
   auto* inside = new QVBoxLayout(row.widget);
   inside->setContentsMargins(0, 0, 0, 0);
   inside->setSpacing(4);
-  auto* text = new QLabel(QString("<b style='color:%1'>%2</b> &nbsp;").arg(colour.name(), name_of(it.kind)) +
-                              plain_of(it.text).toHtmlEscaped().replace('\n', "<br>"),
-                          row.widget);
+  auto* text = new QLabel(headed(name_of(it.kind), colour, plain_of(it.text)), row.widget);
   text->setTextFormat(Qt::RichText);
   text->setWordWrap(true);
-  text->setStyleSheet("font-size: 11pt;");
+  text->setFont(larger(text->font()));
   inside->addWidget(text);
   if (it.kind == Kind::talk) return row;
   auto* buttons = new QHBoxLayout;
@@ -105,7 +145,7 @@ DistractionPanel::Row DistractionPanel::make_row(const DualTask::Open& open, boo
     return made;
   };
   if (it.kind == Kind::alarm) {
-    connect(button(has_keys ? "Silence (M)" : "Silence"), &QPushButton::clicked, this,
+    connect(button(has_keys ? tr("Silence (M)") : tr("Silence")), &QPushButton::clicked, this,
             [this, number] { task_->silence(number); });
   } else {
     for (std::size_t a = 0; a < it.answers.size(); ++a) {
@@ -121,7 +161,7 @@ DistractionPanel::Row DistractionPanel::make_row(const DualTask::Open& open, boo
   row.left->setRange(0, kBarSteps);
   row.left->setTextVisible(false);
   row.left->setFixedHeight(7);
-  row.left->setAccessibleName("Time left");
+  row.left->setAccessibleName(tr("Time left"));
   row.left->setStyleSheet(
       QString("QProgressBar::chunk { background: %1; border-radius: 3px; } QProgressBar { border-radius: 3px; }")
           .arg(colour.name()));
@@ -146,7 +186,7 @@ void DistractionPanel::refresh() {
       if (kind != Kind::talk) taken = true;
       column_->insertWidget(static_cast<int>(rows_.size()) - 1, rows_.back().widget);
     }
-    idle_->setVisible(rows_.empty());
+    idle_->setVisible(rows_.empty() && said_->isHidden());
   }
   for (std::size_t i = 0; i < open.size(); ++i)
     if (rows_[i].left != nullptr)

@@ -1,10 +1,13 @@
-// What is asked, what sounds and what is said beside the hands: questions with their answers, alarms to silence, talk.
+// What is asked, what sounds and what is said beside the hands: questions with their answers, alarms to silence, talk,
+// and what an instructor has the team say.
 #pragma once
 
 #include <QElapsedTimer>
 #include <QFrame>
+#include <QTimer>
 #include <vector>
 
+#include "gui/pages/key_list.h"
 #include "gui/session/dual_task.h"
 
 class QKeyEvent;
@@ -18,13 +21,17 @@ class DistractionPanel : public QFrame {
   Q_OBJECT
  public:
   explicit DistractionPanel(QWidget* parent = nullptr);
-  /// Whose distractions are shown from now on; null: nobody's, and the panel is hidden where there are none.
+  /// Whose distractions are shown from now on; null: nobody's.
   /// `by_person`: false where a script answers, or nobody does.
   void serve(DualTask* task, bool by_person);
   /// True when the key is one of these: 1 to 6 answer the question that is open longest, M silences the alarm that is.
   bool key(QKeyEvent* event, bool pressed);
   /// To be called for every frame.
   void refresh();
+  /// An instructor's sentence, for kSaidMs, below whatever waits for an answer; the next one takes its place.
+  void say(const QString& line);
+  static constexpr int kSaidMs = 8000;
+  std::vector<KeyRow> keys() const;
 
  private:
   struct Row {
@@ -39,7 +46,8 @@ class DistractionPanel : public QFrame {
   DualTask* task_ = nullptr;
   bool by_person_ = false;
   std::vector<Row> rows_;
-  QLabel* idle_;
+  QLabel *idle_, *said_;
+  QTimer said_for_;
   QVBoxLayout* column_;
   QElapsedTimer since_beep_;
 };

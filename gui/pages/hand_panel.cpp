@@ -3,6 +3,7 @@
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QPushButton>
+#include <algorithm>
 
 namespace vallecula::gui {
 
@@ -14,7 +15,7 @@ HandPanel::HandPanel(QWidget* parent) : QWidget(parent) {
     auto* made = new QPushButton(text, this);
     made->setFocusPolicy(Qt::NoFocus);  // keys are the hands'
     made->setToolTip(tip);
-    made->setStyleSheet("padding: 5px 4px; font-size: 9pt;");
+    made->setStyleSheet("padding: 5px 4px;");
     made->setMinimumWidth(80);
     row->addWidget(made);
     return made;
@@ -22,21 +23,22 @@ HandPanel::HandPanel(QWidget* parent) : QWidget(parent) {
   using engine::Action;
   held_ = {
       {{Action::kActionBreath,
-        button("Breath (B)", "Held: 40 a minute, by mask, or by the tube once it is in"),
+        button(tr("Breath (B)"), tr("Held: 40 a minute, by mask, or by the tube once it is in")),
         {Qt::Key_B, Qt::Key_Space}},
        {Action::kActionSuction,
-        button("Suction (V)", "Held, with the catheter's tip in the secretions"),
+        button(tr("Suction (V)"), tr("Held, with the catheter's tip in the secretions")),
         {Qt::Key_V, 0}},
-       {Action::kActionPress, button("Press larynx (L)", "Held: the assistant presses on the larynx"), {Qt::Key_L, 0}},
+       {Action::kActionPress, button(tr("Press larynx (L)"), tr("Held: the assistant presses on the larynx")), {Qt::Key_L, 0}},
        {Action::kActionStyletOut,
-        button("Stylet out (T)", "Draws the stylet out of the tube, for good"),
+        button(tr("Stylet out (T)"), tr("Draws the stylet out of the tube, for good")),
         {Qt::Key_T, 0}}}};
   for (const Held& held : held_) {
     connect(held.button, &QPushButton::pressed, this, [this, held] { hold(held, true); });
     connect(held.button, &QPushButton::released, this, [this, held] { hold(held, false); });
   }
-  catheter_ = button("Catheter (C)", "Takes the suction catheter in place of the tube, and back: outside the mouth");
-  other_hand_ = button("Other hand (X)", "Steers the other hand; what this one holds stays where it is (X or Tab)");
+  catheter_ = button(tr("Catheter (C)"), tr("Takes the suction catheter in place of the tube, and back: outside the mouth"));
+  other_hand_ = button(tr("Other hand (X)"), tr("Steers the other hand; what this one holds stays where it is (X or Tab)"));
+  once_ = {{{catheter_, {Qt::Key_C, 0, 0}}, {other_hand_, {Qt::Key_X, Qt::Key_Tab, Qt::Key_Backtab}}}};
   connect(catheter_, &QPushButton::clicked, this, &HandPanel::change_catheter);
   connect(other_hand_, &QPushButton::clicked, this, [this] {
     if (actions_ != nullptr) actions_->change_hand();
@@ -67,10 +69,28 @@ bool HandPanel::key(QKeyEvent* event, bool pressed) {
       hold(held, pressed);
       return true;
     }
-  const bool other = event->key() == Qt::Key_X || event->key() == Qt::Key_Tab || event->key() == Qt::Key_Backtab;
-  if (event->key() != Qt::Key_C && !(other && other_hand_->isVisibleTo(this))) return false;
-  if (pressed && !event->isAutoRepeat()) (other ? other_hand_ : catheter_)->click();
-  return true;
+  for (const Once& once : once_) {
+    if (!once.button->isVisibleTo(this)) continue;  // there is one hand to a device
+    if (std::find(once.keys.begin(), once.keys.end(), event->key()) == once.keys.end()) continue;
+    if (pressed && !event->isAutoRepeat()) once.button->click();
+    return true;
+  }
+  return false;
+}
+
+std::vector<KeyRow> HandPanel::keys() const {
+  if (actions_ == nullptr) return {};
+  std::vector<KeyRow> rows;
+  const auto add = [&](const auto& keys, const QPushButton* button) {
+    QStringList names;
+    for (const int key : keys)
+      if (key != 0) names << key_name(key);
+    rows.push_back({names.join(", "), button->toolTip()});
+  };
+  for (const Held& held : held_) add(held.keys, held.button);
+  for (const Once& once : once_)
+    if (once.button->isVisibleTo(this)) add(once.keys, once.button);
+  return rows;
 }
 
 void HandPanel::release_all() {

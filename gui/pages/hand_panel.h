@@ -4,8 +4,10 @@
 
 #include <QWidget>
 #include <array>
+#include <vector>
 
 #include "engine/snapshot.h"
+#include "gui/pages/key_list.h"
 #include "gui/session/hand_actions.h"
 
 class QKeyEvent;
@@ -23,6 +25,8 @@ class HandPanel : public QWidget {
   bool serving() const { return actions_ != nullptr; }
   /// True when the key is one of these. Space gives a breath like B where nothing else takes it.
   bool key(QKeyEvent* event, bool pressed);
+  /// Of those in use.
+  std::vector<KeyRow> keys() const;
   /// Lets go of all that is held; catheter or tube in hand stays.
   void release_all();
   /// What may be asked for, as hands and tools stand.
@@ -38,7 +42,13 @@ class HandPanel : public QWidget {
   void change_catheter();
 
   HandActions* actions_ = nullptr;
+  /// What is done once, as its key goes down.
+  struct Once {
+    QPushButton* button;
+    std::array<int, 3> keys;
+  };
   std::array<Held, 4> held_;
+  std::array<Once, 2> once_;
   QPushButton *catheter_, *other_hand_;
 };
 

@@ -12,8 +12,10 @@
 #include "gui/pages/notes_panel.h"
 #include "gui/pages/timed_list.h"
 #include "gui/pages/timeline.h"
+#include "gui/report/advice.h"
 #include "gui/report/force_chart.h"
 #include "gui/report/monitor_chart.h"
+#include "gui/session/log_conversion.h"
 #include "gui/views/force_bars.h"
 #include "gui/views/monitor_panel.h"
 #include "gui/views/operator_view.h"
@@ -53,6 +55,7 @@ void ReplayPage::open(std::shared_ptr<ReplayTrial> trial, double at_s, bool mark
   const engine::SceneDescription& scene = trial_->scene;
   const auto* intubation = scene.intubation ? &*scene.intubation : nullptr;
   title_->setText("Replay: " + QString::fromStdString(trial_->scenario.title));
+  change_->setText(QString::fromStdString(what_to_change(trial_->score, trial_->scenario)));
   operator_view_->show_patient(trial_->look, scene.tool.surface, intubation);
   sagittal_view_->show_patient(trial_->look, scene.tool.surface, intubation);
   operator_view_->add_marks(marks_->props());
@@ -268,8 +271,9 @@ void ReplayPage::show_figures() {
   const std::size_t index =
       std::min(static_cast<std::size_t>(&tick - trial_->log->ticks.data()) / kPeaksEvery, trial_->peaks.size() - 1);
   bars_->clear();
-  bars_->show_forces(trial_->peaks[index].tongue_n, trial_->peaks[index].gum_n);
-  bars_->show_forces(ReplayTrial::load_n(tick, curricula::kTongue), ReplayTrial::load_n(tick, curricula::kGum));
+  bars_->show_forces({trial_->peaks[index].tongue_n, trial_->peaks[index].gum_n});
+  const engine::TickRecord record = from_log(tick);
+  bars_->show_forces(blade_forces(record.loads, record.proxy_pose));
   clock_->setText(clock_text(at_s_) + " / " + clock_text(trial_->end_s()));
   QStringList figures;
   for (const auto& [from_s, to_s] : attempt_spans(trial_->score))

@@ -107,7 +107,7 @@ class ReplayPage : public QWidget {
   QTabWidget *charts_, *lists_;
   TimedList *reasons_, *events_;
   NotesPanel* notes_;
-  QLabel *title_, *clock_, *figures_, *told_, *legend_;
+  QLabel *title_, *change_, *clock_, *figures_, *told_, *legend_;
   QProgressBar* progress_;
   QPushButton *stop_, *play_;
   QComboBox* rate_;

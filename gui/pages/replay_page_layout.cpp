@@ -37,6 +37,10 @@ ReplayPage::ReplayPage(QWidget* parent)
   all->setContentsMargins(10, 8, 10, 8);
   all->setSpacing(6);
   all->addWidget(make_head());
+  change_ = new QLabel(this);
+  change_->setObjectName("heading");
+  change_->setWordWrap(true);
+  all->addWidget(change_);
   all->addWidget(across, 1);
   timeline_ = new Timeline(this);
   all->addLayout(make_now());

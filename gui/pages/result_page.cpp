@@ -11,7 +11,7 @@
 #include <QVBoxLayout>
 
 #include "curricula/trial_log.h"
-#include "gui/pages/advice.h"
+#include "gui/report/advice.h"
 #include "gui/pages/background.h"
 #include "gui/pages/result_figures.h"
 #include "gui/report/monitor_chart.h"

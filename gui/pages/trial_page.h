@@ -8,22 +8,27 @@
 #include <QWidget>
 #include <functional>
 #include <memory>
+#include <vector>
 
+#include "gui/pages/key_list.h"
 #include "gui/session/trial_session.h"
 #include "gui/views/patient_look.h"
 
 class QLabel;
 class QPushButton;
+class QToolButton;
 
 namespace vallecula::gui {
 
 class BladeControl;
+class ExpertLoop;
 class HandPanel;
-class MonitorPanel;
+class HelpPanel;
 class MouseIntroduction;
 class OperatorView;
 class SagittalView;
-class TrialSide;
+class SoundButton;
+class TrialPanels;
 
 class TrialPage : public QWidget {
   Q_OBJECT
@@ -37,9 +42,17 @@ class TrialPage : public QWidget {
   /// Stops and scores off the window's thread; finished() or failed() follows.
   void end(const QString& how);
   void reset();
+  /// Likewise, with the blade led to the vallecula first; only practice.
+  void begin_at_vallecula();
+  /// An expert's hands at this patient, over and over, while the trial waits; until ended, then the hand goes on.
+  void show_expert();
+  void end_expert();
+  bool expert_shown() const { return expert_wanted_; }
   /// Lets the session go without a result (its log stays as interrupted when it was running).
   void close_trial();
   bool running() const { return running_; }
+  /// The open trial, for whoever looks at it from another window; null: none is open.
+  std::shared_ptr<TrialSession> session() const { return session_; }
   /// An assessment is under way or being scored: it cannot be left without its result.
   bool assessing() const { return assessed() && (running_ || ending_); }
 
@@ -48,12 +61,22 @@ class TrialPage : public QWidget {
   const pipeline::PatientPackage& patient() const;
   OperatorView& operator_view() { return *operator_view_; }
   SagittalView& sagittal_view();
+  TrialPanels& panels() { return *panels_; }
+  /// What an instructor has the team say: shown for a while among the team's messages, with the sign of its sender.
+  void say(const QString& line);
+  /// All keys of the page as it is now, from the tables by which they are taken.
+  std::vector<KeyGroup> keys() const;
   /// Called after each frame of a running trial with the snapshot that was drawn.
-  void set_frame_hook(std::function<void(const engine::Snapshot&)> hook) { frame_hook_ = std::move(hook); }
+  void set_frame_hook(const std::function<void(const engine::Snapshot&)>& hook);
   /// Frames drawn since start(), a second.
   double frames_per_second() const;
 
  signals:
+  /// A session is open and not started; it runs; a frame of it was drawn (the snapshot that was); it is let go.
+  void opened();
+  void started();
+  void frame(const vallecula::engine::Snapshot& snapshot);
+  void closed();
   void finished(const vallecula::gui::TrialOutcome& outcome);
   void failed(const QString& message);
   void left();
@@ -67,7 +90,8 @@ class TrialPage : public QWidget {
 
  private:
   bool assessed() const;
-  void frame();
+  void let_go();
+  void draw_frame();
   void show_buttons();
   void show_help();
   /// The scenario's helps in the operator's view; all are off in an assessment.
@@ -77,24 +101,53 @@ class TrialPage : public QWidget {
   /// Whose hand the one device drives: on the view, in the help, and where keys and mouse go.
   void show_steered();
   bool takes_key(QKeyEvent* event, bool pressed);
+  struct PageKey;
+  static const std::vector<PageKey>& page_keys();
+  const PageKey* page_key(const QKeyEvent& event) const;
+  void enter_pressed();
+  void escape_pressed();
+  void reset_pressed();
+  void change_zoom();
+  void change_sound();
+  void eye_left();
+  void eye_right();
+  void eye_up();
+  void eye_down();
+  void extend_head();
+  void list_keys();
+  void expert_pressed();
+  void vallecula_pressed();
   /// An alert hides the hint.
   void show_banner(const QString& alert, const QString& hint);
+  QWidget* make_centre();
+  QLayout* make_head();
   QWidget* make_foot();
+  void begin_anew(bool at_vallecula);
+  void offer_helps();
+  void take_look_settings();
+  void take_expert(std::shared_ptr<ExpertLoop> loop);
+  void draw_expert();
+  void show_running(const engine::Snapshot& snapshot);
 
   std::shared_ptr<TrialSession> session_;
   std::shared_ptr<PatientLook> look_;
   OperatorView* operator_view_;
-  TrialSide* side_;
-  MonitorPanel* monitor_;
+  TrialPanels* panels_;
   HandPanel* hands_;
+  HelpPanel* helps_;
+  SoundButton* sound_;
+  QToolButton* panels_button_;
   BladeControl* control_;
   MouseIntroduction* introduction_;
-  QLabel *title_, *banner_, *help_, *steered_;
+  QLabel *title_, *banner_, *help_, *steered_, *expert_sign_;
   QPushButton *start_, *end_, *reset_, *leave_, *zoom_;
   QTimer timer_;
   QElapsedTimer since_frame_, since_start_, since_shown_;
   QPointer<QThread> scoring_;
-  std::function<void(const engine::Snapshot&)> frame_hook_;
+  QMetaObject::Connection frame_hook_;
+  std::shared_ptr<ExpertLoop> expert_;  ///< of this trial's patient, once it was asked for
+  QElapsedTimer since_expert_;
+  bool expert_wanted_ = false, expert_coming_ = false, held_before_expert_ = false;
   Tool shown_in_hand_ = Tool::blade;
   bool running_ = false, ending_ = false;
   int frames_ = 0;

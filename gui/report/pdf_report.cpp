@@ -7,6 +7,7 @@
 #include "curricula/score/points.h"
 #include "gui/records_pages/curve_reading.h"
 #include "gui/records_pages/known_courses.h"
+#include "gui/report/advice.h"
 #include "gui/report/curve_chart.h"
 #include "gui/report/force_chart.h"
 #include "gui/report/intubation_report.h"
@@ -85,7 +86,8 @@ void write_trial_pdf(const std::filesystem::path& file, const curricula::TrialLo
   std::string html = "<h1>" + escaped(scenario.title) + "</h1><p style=\"color:#555\">Scenario " + escaped(scenario.id) +
                      ", " + name_of(scenario.attempt.mode) + ", seed " + std::to_string(scenario.attempt.seed) +
                      ", device " + escaped(log.header.device_kind) + ", patient " + escaped(log.header.package_name) +
-                     "</p>" + box(score.passed, escaped(summary_sentence(score, scenario)));
+                     "</p>" + box(score.passed, escaped(summary_sentence(score, scenario))) +
+                     "<p><b>" + escaped(what_to_change(score, scenario)) + "</b></p>";
   if (!log.footer.complete)
     html += "<p><b>This trial was cut off: what stands here is what was recorded until then.</b></p>";
   html += heading("Why") + "<ul>";

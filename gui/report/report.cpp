@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "curricula/records/trial_files.h"
+#include "gui/report/advice.h"
 #include "gui/report/figure_row.h"
 #include "gui/report/intubation_report.h"
 #include "gui/report/markdown.h"
@@ -94,6 +95,7 @@ body { font: 16px/1.5 "DejaVu Sans", "Segoe UI", sans-serif; color: #222; max-wi
 h1 { font-size: 1.6rem; margin-bottom: 0; } h2 { font-size: 1.15rem; margin-top: 2rem; }
 .sub { color: #555; margin-top: .2rem; }
 .summary { border-left: .5rem solid; padding: .6rem 1rem; font-size: 1.1rem; background: #f6f4ec; }
+.change { font-size: 1.1rem; font-weight: bold; }
 .passed { border-color: #009E73; } .failed { border-color: #D55E00; }
 table { border-collapse: collapse; width: 100%; } th, td { text-align: left; padding: .35rem .6rem; border-bottom: 1px solid #ddd; }
 td.figure { font-weight: bold; } td.met { color: #00795a; } td.missed { color: #b34f00; font-weight: bold; }
@@ -136,7 +138,8 @@ void write_report(const fs::path& folder, const curricula::TrialLog& log, const 
       "</style></head><body>\n<h1>" + escaped(scenario.title) + "</h1>\n<p class=\"sub\">Patient " +
       escaped(log.header.package_name) + ", scenario " + escaped(scenario.id) + "</p>\n";
   html += std::string("<p class=\"summary ") + (!score.set_aside.empty() ? "" : score.passed ? "passed" : "failed") + "\">" +
-          escaped(summary_sentence(score, scenario)) + "</p>\n";
+          escaped(summary_sentence(score, scenario)) + "</p>\n<p class=\"change\">" +
+          escaped(what_to_change(score, scenario)) + "</p>\n";
   if (!score.reasons.empty()) {
     html += !score.set_aside.empty() ? "<h2>Why it counts neither way, and what was measured</h2>\n<ul>\n"
             : score.passed           ? "<h2>Why it was passed</h2>\n<ul>\n"

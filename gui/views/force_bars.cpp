@@ -1,18 +1,63 @@
 #include "gui/views/force_bars.h"
 
 #include <QPainter>
-#include <QPainterPath>
 #include <algorithm>
 #include <cmath>
 
+#include "curricula/score/handle_loads.h"
 #include "gui/views/theme.h"
 
 namespace vallecula::gui {
+namespace {
+
+constexpr double kSmall = 8.0;  // points
+
+QString newtons(double force_n) { return QString::number(force_n, 'f', 1); }
+
+QFont with_points(QFont font, double points, bool bold = false) {
+  font.setPointSizeF(theme::points(points));
+  font.setBold(bold);
+  return font;
+}
+
+/// Two patterns as well as two colours, so that the parts are told apart without colour.
+void fill_lifted(QPainter& painter, const QRectF& place) { painter.fillRect(place, theme::within()); }
+void fill_levered(QPainter& painter, const QRectF& place) {
+  painter.fillRect(place, theme::over());
+  painter.fillRect(place, QBrush(theme::ground(), Qt::BDiagPattern));
+}
+
+}  // namespace
+
+BladeForces blade_forces(const std::array<engine::StructureLoad, engine::kLoadedStructures>& loads,
+                         const engine::Pose& blade) {
+  std::array<std::array<double, 3>, curricula::kStructures> forces_n;
+  std::transform(loads.begin(), loads.end(), forces_n.begin(), [](const engine::StructureLoad& load) {
+    return std::array<double, 3>{load.force_n.x(), load.force_n.y(), load.force_n.z()};
+  });
+  const engine::Quat& q = blade.rotation;
+  const curricula::HandleLoads handle = curricula::handle_loads(forces_n, {q.w(), q.x(), q.y(), q.z()});
+  const auto magnitude = [&](engine::Structure structure) {
+    return loads[static_cast<std::size_t>(structure)].force_n.norm();
+  };
+  return {magnitude(engine::Structure::tongue), magnitude(engine::Structure::gum), handle.lifted_n(),
+          handle.levered_n};
+}
 
 ForceBars::ForceBars(QWidget* parent) : QWidget(parent) {
-  setAccessibleName("Force on the tongue and on the gum");
+  setAccessibleName(tr("Force on the tongue and on the gum"));
+  setToolTip(
+      tr("Model force of the tissue on the blade, in newton. Yellow line: training target; white line: the highest so "
+         "far; dashed: what the device can show. Below the tongue's bar: what your hand lifts of the load along the "
+         "handle, and what is levered on the upper jaw (hatched)."));
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
 }
+
+double ForceBars::line() const { return QFontMetricsF(with_points(font(), kSmall)).height(); }
+
+// Two bars with their labels above, the tongue's with its parts and their words below.
+QSize ForceBars::sizeHint() const { return {420, static_cast<int>(4.2 * line() + 86.0)}; }
+QSize ForceBars::minimumSizeHint() const { return {280, static_cast<int>(4.2 * line() + 58.0)}; }
 
 void ForceBars::set_marks(const ForceMarks& marks) {
   tongue_.target = marks.tongue_target_n;
@@ -22,85 +67,116 @@ void ForceBars::set_marks(const ForceMarks& marks) {
   clear();
 }
 
-void ForceBars::show_forces(double tongue_n, double gum_n) {
-  tongue_.now = tongue_n;
-  tongue_.peak = std::max(tongue_.peak, tongue_n);
-  gum_.now = gum_n;
-  gum_.peak = std::max(gum_.peak, gum_n);
-  setAccessibleDescription(QString("tongue %1 N, gum %2 N").arg(tongue_n, 0, 'f', 1).arg(gum_n, 0, 'f', 1));
+void ForceBars::show_forces(const BladeForces& now) {
+  tongue_.now = now.tongue_n;
+  tongue_.peak = std::max(tongue_.peak, now.tongue_n);
+  gum_.now = now.gum_n;
+  gum_.peak = std::max(gum_.peak, now.gum_n);
+  lifted_ = now.lifted_n;
+  levered_ = now.levered_n;
+  setAccessibleDescription(tr("tongue %1 N, gum %2 N, lift %3 N, lever %4 N")
+                               .arg(newtons(now.tongue_n), newtons(now.gum_n), newtons(lifted_), newtons(levered_)));
   update();
 }
 
 void ForceBars::clear() {
-  tongue_.now = tongue_.peak = gum_.now = gum_.peak = 0.0;
+  tongue_.now = tongue_.peak = gum_.now = gum_.peak = lifted_ = levered_ = 0.0;
   update();
+}
+
+double ForceBars::share_of_track(double newton) const { return std::clamp(newton / scale_, 0.0, 1.0); }
+
+QRectF ForceBars::track_of(const QRectF& place) const {
+  const double label = theme::points(64.0), figures = theme::points(72.0);
+  return place.adjusted(label, line() + 3.0, -figures, -4.0);
 }
 
 void ForceBars::paint_bar(QPainter& painter, const QRectF& place, const QString& name, const Bar& bar,
                           bool with_limit) const {
-  const double label = 64.0, figures = 72.0;
-  const QRectF track(place.left() + label, place.top() + 16.0, place.width() - label - figures, place.height() - 22.0);
-  const auto at = [&](double newton) { return track.left() + track.width() * std::clamp(newton / scale_, 0.0, 1.0); };
-  QFont font = painter.font();
-  font.setPointSizeF(10.5);
-  painter.setFont(font);
+  const QRectF track = track_of(place);
+  const auto at = [&](double newton) { return track.left() + track.width() * share_of_track(newton); };
+  painter.setFont(with_points(font(), 10.5));
   painter.setPen(theme::text());
-  painter.drawText(QRectF(place.left(), track.top(), label - 8.0, track.height()), Qt::AlignVCenter | Qt::AlignLeft,
-                   name);
+  painter.drawText(QRectF(place.left(), track.top(), track.left() - place.left() - 8.0, track.height()),
+                   Qt::AlignVCenter | Qt::AlignLeft, name);
 
   painter.setPen(Qt::NoPen);
   painter.setBrush(theme::track());
   painter.drawRoundedRect(track, 4, 4);
   if (with_limit && device_limit_ > 0.0) {
     const QRectF beyond(at(device_limit_), track.top(), track.right() - at(device_limit_), track.height());
-    painter.setBrush(QBrush(QColor(190, 190, 200, 90), Qt::BDiagPattern));
+    painter.setBrush(QBrush(theme::faint(), Qt::FDiagPattern));
     painter.drawRect(beyond);
   }
   const bool over = bar.target > 0.0 && bar.now > bar.target;
   painter.setBrush(over ? theme::over() : theme::within());
   const QRectF filled(track.left(), track.top(), at(bar.now) - track.left(), track.height());
   if (filled.width() > 0.5) painter.drawRoundedRect(filled, 3, 3);
+  if (over) {
+    painter.setBrush(QBrush(theme::ground(), Qt::VerPattern));
+    painter.drawRect(QRectF(at(bar.target), track.top(), at(bar.now) - at(bar.target), track.height()));
+  }
 
-  font.setPointSizeF(8.0);
-  painter.setFont(font);
+  painter.setFont(with_points(font(), kSmall));
   // In a narrow window the two labels stand away from each other.
   const bool crowded = with_limit && device_limit_ > 0.0 && std::abs(at(device_limit_) - at(bar.target)) < 84.0;
   const auto mark = [&](double newton, const QColor& colour, const QString& text, Qt::PenStyle style, double aside) {
     painter.setPen(QPen(colour, 2.0, style));
     painter.drawLine(QPointF(at(newton), track.top() - 3.0), QPointF(at(newton), track.bottom() + 3.0));
     painter.setPen(colour);
-    painter.drawText(QRectF(at(newton) - 70.0 + (crowded ? aside : 0.0), place.top() - 1.0, 140.0, 13.0),
+    painter.drawText(QRectF(at(newton) - 90.0 + (crowded ? aside : 0.0), place.top() - 1.0, 180.0, line()),
                      Qt::AlignCenter, text);
   };
   if (bar.target > 0.0)
-    mark(bar.target, theme::target(), QString("target %1").arg(bar.target, 0, 'f', 1), Qt::SolidLine, -24.0);
+    mark(bar.target, theme::target(), tr("target %1").arg(newtons(bar.target)), Qt::SolidLine, -24.0);
   if (with_limit && device_limit_ > 0.0)
-    mark(device_limit_, theme::device(), QString("device limit %1").arg(device_limit_, 0, 'f', 1), Qt::DashLine, 30.0);
+    mark(device_limit_, theme::device(), tr("device limit %1").arg(newtons(device_limit_)), Qt::DashLine, 30.0);
   if (bar.peak > 0.05) {
     painter.setPen(QPen(theme::text(), 1.5));
     painter.drawLine(QPointF(at(bar.peak), track.top()), QPointF(at(bar.peak), track.bottom()));
   }
-  font.setPointSizeF(13.0);
-  font.setBold(true);
-  painter.setFont(font);
+  const QRectF figures(track.right() + 8.0, track.top() - 3.0, place.right() - track.right() - 8.0,
+                       track.height() + 6.0);
+  painter.setFont(with_points(font(), 13.0, true));
   painter.setPen(over ? theme::over() : theme::text());
-  painter.drawText(QRectF(track.right() + 8.0, track.top() - 3.0, figures - 8.0, track.height() * 0.62),
-                   Qt::AlignVCenter | Qt::AlignLeft, QString("%1 N").arg(bar.now, 0, 'f', 1));
-  font.setPointSizeF(8.0);
-  font.setBold(false);
-  painter.setFont(font);
+  painter.drawText(figures, Qt::AlignTop | Qt::AlignLeft, tr("%1 N").arg(newtons(bar.now)));
+  painter.setFont(with_points(font(), kSmall));
   painter.setPen(theme::faint());
-  painter.drawText(
-      QRectF(track.right() + 8.0, track.top() + track.height() * 0.55, figures - 8.0, track.height() * 0.5),
-      Qt::AlignVCenter | Qt::AlignLeft, QString("peak %1").arg(bar.peak, 0, 'f', 1));
+  painter.drawText(figures, Qt::AlignBottom | Qt::AlignLeft, tr("peak %1").arg(newtons(bar.peak)));
+}
+
+/// A strip on the same scale, lift first, then lever; their words with figures below it.
+void ForceBars::paint_parts(QPainter& painter, const QRectF& place) const {
+  const double strip = 9.0;
+  const QRectF track(place.left(), place.top(), place.width(), strip);
+  painter.fillRect(track, theme::track());
+  const double lifted = track.width() * share_of_track(lifted_),
+               both = track.width() * share_of_track(lifted_ + levered_);
+  if (lifted > 0.5) fill_lifted(painter, QRectF(track.left(), track.top(), lifted, strip));
+  if (both - lifted > 0.5) fill_levered(painter, QRectF(track.left() + lifted, track.top(), both - lifted, strip));
+  painter.setFont(with_points(font(), kSmall + 0.5));
+  const QFontMetricsF type(painter.font());
+  double x = track.left();
+  const auto word = [&](const QString& text, void (*fill)(QPainter&, const QRectF&)) {
+    const double box = 0.7 * type.ascent(), y = track.bottom() + 3.0;
+    fill(painter, QRectF(x, y + type.ascent() - box, box, box));
+    painter.setPen(theme::text());
+    painter.drawText(QPointF(x + box + 5.0, y + type.ascent()), text);
+    x += box + 5.0 + type.horizontalAdvance(text) + 16.0;
+  };
+  word(tr("lift %1 N").arg(newtons(lifted_)), fill_lifted);
+  word(tr("lever %1 N").arg(newtons(levered_)), fill_levered);
 }
 
 void ForceBars::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
-  const double half = 0.5 * height();
-  paint_bar(painter, QRectF(0, 2, width(), half - 4), "Tongue", tongue_, true);
-  paint_bar(painter, QRectF(0, half + 2, width(), half - 4), "Gum", gum_, false);
+  const double parts = 9.0 + 4.0 + 1.2 * line(), half = 0.5 * (height() - parts);
+  const QRectF tongue(0, 1, width(), half);
+  paint_bar(painter, tongue, tr("Tongue"), tongue_, true);
+  const QRectF track = track_of(tongue);
+  paint_parts(painter, QRectF(track.left(), track.bottom() + 5.0, track.width(), parts));
+  paint_bar(painter, QRectF(0, half + parts, width(), half), tr("Gum"), gum_, false);
 }
 
 }  // namespace vallecula::gui

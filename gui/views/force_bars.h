@@ -1,8 +1,12 @@
 // Force as bars, the display that trainees read best (CLINICAL.md): on the tongue and on the gum, apart, each with its
-// training target; the device's own limit is marked as what it is.
+// training target; of the tongue's load what the hand lifts and what is levered on the upper jaw; the device's own limit
+// is marked as what it is.
 #pragma once
 
 #include <QWidget>
+#include <array>
+
+#include "engine/tick_record.h"
 
 namespace vallecula::gui {
 
@@ -12,18 +16,28 @@ struct ForceMarks {
   double device_limit_n = 0.0;  ///< what the device can give
 };
 
+/// Model forces at a moment, N.
+struct BladeForces {
+  double tongue_n = 0.0, gum_n = 0.0;     ///< magnitudes
+  double lifted_n = 0.0, levered_n = 0.0;  ///< of what the blade bears, as the score has it (handle_loads)
+};
+BladeForces blade_forces(const std::array<engine::StructureLoad, engine::kLoadedStructures>& loads,
+                         const engine::Pose& blade);
+
 class ForceBars : public QWidget {
   Q_OBJECT
  public:
   explicit ForceBars(QWidget* parent = nullptr);
   void set_marks(const ForceMarks& marks);
-  /// Model forces (what the tissue does), N. Peaks are kept until clear().
-  void show_forces(double tongue_n, double gum_n);
+  /// Peaks are kept until clear().
+  void show_forces(const BladeForces& now);
   void clear();
   double tongue_peak_n() const { return tongue_.peak; }
   double gum_peak_n() const { return gum_.peak; }
-  QSize sizeHint() const override { return {420, 132}; }
-  QSize minimumSizeHint() const override { return {280, 116}; }
+  /// Share of the track's width that a force takes, 0..1.
+  double share_of_track(double newton) const;
+  QSize sizeHint() const override;
+  QSize minimumSizeHint() const override;
 
  protected:
   void paintEvent(QPaintEvent* event) override;
@@ -34,7 +48,12 @@ class ForceBars : public QWidget {
   };
   void paint_bar(class QPainter& painter, const QRectF& place, const QString& name, const Bar& bar,
                  bool with_limit) const;
+  void paint_parts(class QPainter& painter, const QRectF& place) const;
+  QRectF track_of(const QRectF& place) const;
+  /// Of a line of small type, px.
+  double line() const;
   Bar tongue_, gum_;
+  double lifted_ = 0.0, levered_ = 0.0;
   double device_limit_ = 0.0, scale_ = 10.0;
 };
 

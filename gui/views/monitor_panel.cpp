@@ -47,6 +47,11 @@ QStringList alarms_of(const engine::IntubationRecord& record) {
   return alarms;
 }
 
+AlarmSound alarm_sound_of(const engine::IntubationRecord& record) {
+  if (record.heart_per_min < kCompressions || record.spo2 < kLowSpo2) return AlarmSound::high;
+  return record.heart_per_min < kSlowHeart ? AlarmSound::medium : AlarmSound::none;
+}
+
 MonitorPanel::MonitorPanel(QWidget* parent) : QWidget(parent) {
   setAccessibleName("Monitor: saturation, heart rate, breaths, CO2");
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);

@@ -6,6 +6,7 @@
 #include <deque>
 
 #include "engine/snapshot.h"
+#include "gui/session/monitor_sound.h"
 
 namespace vallecula::gui {
 
@@ -14,6 +15,8 @@ constexpr double kLowSpo2 = 0.80, kSlowHeart = 100.0, kCompressions = 60.0;
 
 /// Alarms of a moment, the gravest first, in words; empty: none.
 QStringList alarms_of(const engine::IntubationRecord& record);
+/// How the gravest of them sounds: high where compressions are due or the saturation is severe, else medium.
+AlarmSound alarm_sound_of(const engine::IntubationRecord& record);
 
 class MonitorPanel : public QWidget {
   Q_OBJECT

@@ -90,6 +90,9 @@ const char* const kSheet = R"(
     QLabel[role="warning"] { color: @over@; }
     QLabel[role="good"] { color: @within@; }
     QFrame#panel { background: @panel@; border-radius: 7px; }
+    QDockWidget { font-weight: bold; }
+    QDockWidget::title { background: transparent; padding: 3px 2px; text-align: left; }
+    QMainWindow::separator { background: transparent; width: 6px; height: 4px; }
     QProgressBar { background: @track@; border: none; border-radius: 5px; height: 14px; text-align: center; }
     QProgressBar::chunk { background: @accent@; border-radius: 5px; }
   )";

@@ -94,8 +94,8 @@ TrialReadings::TrialReadings(QWidget* parent) : QWidget(parent) {
     grid->addWidget(label, row, column);
     return label;
   };
-  caption("Attempt", 0, 0);
-  caption("Glottis visible", 0, 1);
+  caption(tr("Attempt"), 0, 0);
+  caption(tr("Glottis visible"), 0, 1);
   clock_ = figure(22.0, 1, 0);
   seen_ = figure(22.0, 1, 1);
   limit_ = new QLabel(this);
@@ -103,25 +103,28 @@ TrialReadings::TrialReadings(QWidget* parent) : QWidget(parent) {
   grid->addWidget(limit_, 2, 0);
   sight_ = new SightBar(this);
   grid->addWidget(sight_, 2, 1);
-  tube_caption_ = caption("Tube", 3, 0);
+  tube_caption_ = caption(tr("Tube"), 3, 0);
   tube_ = new QLabel(this);
-  tube_->setToolTip("The mark at the lips, how hard the tube pushes back on the hand.");
+  tube_->setToolTip(tr("The mark at the lips (cm), how hard the tube pushes back on the hand (N)"));
   grid->addWidget(tube_, 3, 1);
-  caption("Device", 4, 0);
+  caption(tr("Device"), 4, 0);
   state_ = new QLabel(this);
   grid->addWidget(state_, 4, 1);
-  caption("Loop", 5, 0);
+  caption(tr("Loop"), 5, 0);
   loop_ = new QLabel(this);
   loop_->setToolTip(
-      "Late: forces written more than 1 ms after they were due. The result page says what real-time priority was "
-      "granted.");
+      tr("Late: share of the forces written more than 1 ms after they were due. Dropped: share of the ticks whose "
+         "simulation step was not finished in time. The result page says what real-time priority was granted."));
   grid->addWidget(loop_, 5, 1);
-  caption("Simulation", 6, 0);
-  steps_ = new QLabel(this);
-  steps_->setToolTip("Dropped: ticks whose simulation step was not finished in time.");
-  grid->addWidget(steps_, 6, 1);
+  caption(tr("Picture"), 6, 0);
+  drawing_ = new QLabel(this);
+  drawing_->setToolTip(
+      tr("Frames drawn a second, and what was left out of the picture so that hand and picture keep their time."));
+  grid->addWidget(drawing_, 6, 1);
+  for (QLabel* figure : {state_, loop_, drawing_, tube_})  // a narrow panel cuts them, and is not widened by them
+    figure->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   grid->setColumnStretch(1, 1);
-  grid->setColumnMinimumWidth(0, 130);
+  grid->setColumnMinimumWidth(0, 100);
   show_tube(false);
   clear();
 }
@@ -135,7 +138,7 @@ void TrialReadings::set_scenario(const curricula::Scenario& scenario, const std:
   mouth_ = mouth;
   sight_percent_ = scenario.sight_percent;
   attempt_limit_s_ = scenario.pass.attempt_time_s;
-  limit_->setText(QString("at most %1 s").arg(attempt_limit_s_, 0, 'f', 0));
+  limit_->setText(tr("at most %1 s").arg(attempt_limit_s_, 0, 'f', 0));
   clear();
 }
 
@@ -147,10 +150,10 @@ void TrialReadings::clear() {
   clock_->setStyleSheet(QString());
   seen_->setText("0 %");
   sight_->show_percent(0.0, 0.0, sight_percent_);
-  state_->setText("ready");
-  tube_->setText("not in the mouth");
-  loop_->setText("not running");
-  steps_->setText("not running");
+  state_->setText(tr("ready"));
+  tube_->setText(tr("not in the mouth"));
+  loop_->setText(tr("not running"));
+  show_drawing(0.0, {});
 }
 
 void TrialReadings::show_snapshot(const engine::Snapshot& snapshot, double paused_s) {
@@ -179,12 +182,18 @@ void TrialReadings::show_snapshot(const engine::Snapshot& snapshot, double pause
   state_->setText(words_for(snapshot.state, invalid).name);
   state_->setStyleSheet(
       snapshot.state == engine::HapticState::tracking ? QString() : QString("color: %1").arg(theme::device().name()));
-  loop_->setText(QString("%1, %2 late of %3")
-                     .arg(snapshot.loop_rate_hz > 0.0 ? QString("%1 Hz").arg(snapshot.loop_rate_hz, 0, 'f', 0)
-                                                      : QString("measuring"))
-                     .arg(snapshot.deadline_misses)
-                     .arg(snapshot.ticks));
-  steps_->setText(QString("%1 of %2 steps dropped").arg(snapshot.overruns).arg(snapshot.ticks));
+  const double percent_of_ticks = 100.0 / static_cast<double>(std::max<std::int64_t>(1, snapshot.ticks));
+  const QString rate =
+      snapshot.loop_rate_hz > 0.0 ? tr("%1 Hz").arg(snapshot.loop_rate_hz, 0, 'f', 0) : tr("measuring");
+  loop_->setText(tr("%1, %2 % late, %3 % dropped")
+                     .arg(rate)
+                     .arg(percent_of_ticks * static_cast<double>(snapshot.deadline_misses), 0, 'f', 1)
+                     .arg(percent_of_ticks * static_cast<double>(snapshot.overruns), 0, 'f', 1));
+}
+
+void TrialReadings::show_drawing(double frames_per_second, const QString& reduced) {
+  const QString rate = frames_per_second > 0.0 ? tr("%1 frames/s").arg(frames_per_second, 0, 'f', 0) : tr("standing");
+  drawing_->setText(reduced.isEmpty() ? rate : tr("%1; %2").arg(rate, reduced));
 }
 
 }  // namespace vallecula::gui

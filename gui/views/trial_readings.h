@@ -37,12 +37,14 @@ class TrialReadings : public QWidget {
   void show_tube(bool shown);
   /// How hard the tube pushes back; not told where forces are not to be seen.
   void show_force(bool shown) { force_shown_ = shown; }
+  /// How the picture is drawn: frames a second, and what was left out to keep them (empty: nothing).
+  void show_drawing(double frames_per_second, const QString& reduced);
   void clear();
 
  private:
   std::optional<curricula::Mouth> mouth_;
   double attempt_start_s_ = -1.0, attempt_s_ = 0.0;
-  QLabel *clock_, *limit_, *seen_, *state_, *loop_, *steps_, *tube_, *tube_caption_;
+  QLabel *clock_, *limit_, *seen_, *state_, *loop_, *drawing_, *tube_, *tube_caption_;
   class SightBar* sight_;
   double sight_percent_ = 25.0, best_percent_ = 0.0, attempt_limit_s_ = 30.0;
   bool force_shown_ = true;

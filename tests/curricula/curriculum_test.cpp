@@ -82,6 +82,7 @@ TEST_F(Course, ReadsEveryFieldOfSchemaTwo) {
     EXPECT_TRUE(s.variation->infant_seed);
     EXPECT_TRUE(s.assistance.ghost_path && s.assistance.glottis_highlight);
     EXPECT_FALSE(s.assistance.cut_view || s.assistance.force_bar);
+    EXPECT_FALSE(s.assistance.video_view || s.assistance.expert_loop);
     ASSERT_EQ(s.distractions.size(), 3u);
     EXPECT_EQ(s.distractions[0].kind, Distraction::Kind::question);
     EXPECT_EQ(s.distractions[0].at_s, 10.0);
@@ -102,6 +103,7 @@ TEST_F(Course, ReadsEveryFieldOfSchemaTwo) {
   EXPECT_EQ(one.rubric.count("attempts"), 0u) << "no mark of a laryngoscopy";
   EXPECT_FALSE(one.variation);
   EXPECT_TRUE(one.assistance.cut_view && one.assistance.force_bar);
+  EXPECT_TRUE(one.assistance.video_view && one.assistance.expert_loop);
   EXPECT_FALSE(one.assistance.ghost_path || one.assistance.glottis_highlight);
   EXPECT_FALSE(one.manikin.gestation_weeks || one.manikin.larynx_height_mm);
 }

@@ -137,6 +137,8 @@ scenarios:
       glottis_highlight: true
       cut_view: false
       force_bar: false
+      video_view: false
+      expert_loop: false
     distractions:
       - at_s: 10
         kind: question

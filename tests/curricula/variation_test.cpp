@@ -104,6 +104,8 @@ TEST_F(Attempts, AssessmentLocksTheSeedAndTakesTheHelpsAway) {
     EXPECT_FALSE(each.assistance.glottis_highlight);
     EXPECT_FALSE(each.assistance.cut_view);
     EXPECT_FALSE(each.assistance.force_bar);
+    EXPECT_FALSE(each.assistance.video_view);
+    EXPECT_FALSE(each.assistance.expert_loop);
   }
   EXPECT_TRUE(drawn(1).assistance.ghost_path) << "practice leaves what the scenario has";
   const ModeRules practice = rules_of(Mode::practice), assessment = rules_of(Mode::assessment);

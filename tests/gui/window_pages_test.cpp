@@ -13,7 +13,7 @@
 #include <set>
 
 #include "device/drivers/mouse_device.h"
-#include "gui/pages/advice.h"
+#include "gui/report/advice.h"
 #include "gui/pages/blade_control.h"
 #include "gui/pages/key_moments.h"
 #include "gui/pages/main_window.h"

@@ -1,4 +1,4 @@
-#include "gui/pages/advice.h"
+#include "gui/report/advice.h"
 
 namespace vallecula::gui {
 namespace {

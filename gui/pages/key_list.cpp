@@ -1,0 +1,44 @@
+#include "gui/pages/key_list.h"
+
+#include <QCoreApplication>
+#include <QDialog>
+#include <QDialogButtonBox>
+#include <QKeySequence>
+#include <QTextBrowser>
+#include <QVBoxLayout>
+
+namespace vallecula::gui {
+
+QString key_name(int key) { return QKeySequence(key).toString(QKeySequence::NativeText); }
+
+void show_key_list(QWidget* page, const std::vector<KeyGroup>& groups) {
+  if (auto* open = page->findChild<QDialog*>("key_list")) {
+    open->raise();
+    return open->activateWindow();
+  }
+  auto* dialog = new QDialog(page);
+  dialog->setObjectName("key_list");
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setWindowTitle(QCoreApplication::translate("KeyList", "Keys of this page"));
+  QString text;
+  for (const KeyGroup& group : groups) {
+    if (group.rows.empty()) continue;
+    text += "<h3>" + group.title.toHtmlEscaped() + "</h3><table cellspacing='3'>";
+    for (const KeyRow& row : group.rows)
+      text += "<tr><td><b>" + row.keys.toHtmlEscaped() + "</b>&nbsp;&nbsp;</td><td>" + row.what.toHtmlEscaped() +
+              "</td></tr>";
+    text += "</table>";
+  }
+  auto* list = new QTextBrowser(dialog);
+  list->setHtml(text);
+  list->setAccessibleName(dialog->windowTitle());
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, dialog);
+  QObject::connect(buttons, &QDialogButtonBox::rejected, dialog, &QDialog::close);
+  auto* column = new QVBoxLayout(dialog);
+  column->addWidget(list, 1);
+  column->addWidget(buttons);
+  dialog->resize(620, 600);
+  dialog->show();
+}
+
+}  // namespace vallecula::gui

@@ -1,0 +1,149 @@
+// What the trial page shows and says while a trial is open, frame by frame.
+#include <QLabel>
+#include <QPushButton>
+
+#include "device/drivers/mouse_device.h"
+#include "gui/pages/blade_control.h"
+#include "gui/pages/hand_panel.h"
+#include "gui/pages/help_panel.h"
+#include "gui/pages/hints.h"
+#include "gui/pages/sound_button.h"
+#include "gui/pages/trial_page.h"
+#include "gui/pages/trial_panels.h"
+#include "gui/session/device_choice.h"
+#include "gui/session/scripted_hands.h"
+#include "gui/session/user_settings.h"
+#include "gui/views/operator_view.h"
+#include "gui/views/theme.h"
+#include "gui/views/trial_readings.h"
+
+namespace vallecula::gui {
+namespace {
+
+/// For a device in the hand that is no mouse.
+QString device_help(const device::DeviceInfo& info) {
+  const QString help = TrialPage::tr("Enter starts the trial and takes hold again after a pause, Esc ends it.");
+  const int clutch = clutch_button_in_hand(info);
+  return clutch == 0 ? help
+                     : help + " " + TrialPage::tr("Button %1 of the device, held, frees your hand: the blade stays.").arg(clutch);
+}
+
+}  // namespace
+
+void TrialPage::show_helps() {
+  const auto& assistance = session_->scenario().assistance;
+  if (assistance.ghost_path)
+    operator_view_->show_ghost_path(session_->scene().tool.surface,
+                                    scripted_hand("expert", session_->package(), session_->scenario()));
+  if (assistance.glottis_highlight) operator_view_->highlight_glottis();
+  since_shown_.start();
+}
+
+void TrialPage::show_help() {
+  if (!session_) return;
+  const device::DeviceInfo info = session_->device().info();
+  const QString help = control_->steering()      ? control_->help()
+                       : info.kind == "scripted" ? tr("Scripted hands are at work. Esc ends the trial.")
+                       : info.kind == "recorded" ? tr("The hands of a recorded trial are at work. Esc ends the trial.")
+                                                 : device_help(info);
+  help_->setText(tr("%1   |   F1: all keys").arg(help));
+}
+
+void TrialPage::steer() {
+  auto* mouse = dynamic_cast<device::MouseDevice*>(&session_->device());
+  if (mouse == nullptr) mouse = dynamic_cast<device::MouseDevice*>(session_->second_device());
+  control_->steer(mouse);
+}
+
+void TrialPage::show_steered() {
+  shown_in_hand_ = session_->takes_turns() ? session_->in_hand() : Tool::blade;
+  const bool tube = shown_in_hand_ == Tool::tube;
+  // Beside a device for the blade the mouse has the tube.
+  const bool mouse_has_tube = dynamic_cast<device::MouseDevice*>(session_->second_device()) != nullptr;
+  control_->set_tool(mouse_has_tube ? Tool::tube : shown_in_hand_);
+  steered_->setText(tube ? tr("You hold: right hand, TUBE. The blade stays.")
+                         : tr("You hold: left hand, BLADE. The tube stays."));
+  steered_->setStyleSheet(
+      QString("background: rgba(16, 20, 25, 200); color: %1; border: 2px solid %1; border-radius: 5px; "
+              "font-weight: bold; margin: 6px;")
+          .arg(theme::device().name()));
+  show_help();
+}
+
+double TrialPage::frames_per_second() const {
+  return since_start_.isValid() && since_start_.elapsed() > 0
+             ? 1e3 * frames_ / static_cast<double>(since_start_.elapsed())
+             : 0.0;
+}
+
+void TrialPage::draw_frame() {
+  if (!session_) return;
+  const double seconds = since_frame_.isValid() ? 1e-3 * static_cast<double>(since_frame_.restart()) : 0.0;
+  if (!since_frame_.isValid()) since_frame_.start();
+  operator_view_->set_ghost_time(1e-3 * static_cast<double>(since_shown_.elapsed()));
+  try {
+    if (!running_) {  // before the start: the patient at rest
+      operator_view_->draw();
+      panels_->draw_at_rest();
+      return;
+    }
+    if (expert_wanted_) return draw_expert();
+    control_->advance(seconds);
+    const engine::Snapshot& snapshot = session_->latest();
+    show_running(snapshot);
+    ++frames_;
+    emit frame(snapshot);
+    if (session_->finished()) end("finished");
+  } catch (const std::exception& error) {
+    const QString message = QString::fromUtf8(error.what());
+    close_trial();
+    emit failed(message);
+  }
+}
+
+void TrialPage::show_running(const engine::Snapshot& snapshot) {
+  operator_view_->update_from(snapshot);
+  operator_view_->draw();
+  panels_->show_snapshot(snapshot, session_->scenario().sight_percent, session_->paused_s());
+  panels_->readings_panel().show_drawing(frames_per_second(), GlView::governor().reduced());
+  hands_->show_snapshot(snapshot);
+  helps_->refresh();
+  const QString pause = session_->starting() ? tr("The trial begins as soon as its log is on the disk.")
+                                             : QString::fromStdString(session_->pause());
+  sound_->hear(snapshot, !pause.isEmpty());
+  if (session_->takes_turns() && session_->in_hand() != shown_in_hand_) show_steered();
+  const bool hinted = curricula::rules_of(session_->scenario().attempt.mode).assistance;  // a help like the others
+  show_banner(session_->led_in() ? tr("The blade is being led to the vallecula; then it is yours.")
+                                  : banner_for(snapshot, QString::fromStdString(session_->fault()), pause),
+              snapshot.has_intubation && hinted
+                  ? hint_for(snapshot, session_->scenario().sight_percent, operator_view_->blade_in(),
+                             session_->takes_turns() ? QString("X") : QString())
+                  : QString());
+}
+
+void TrialPage::show_banner(const QString& alert, const QString& hint) {
+  const QString& text = alert.isEmpty() ? hint : alert;
+  if (banner_->text() == text && !banner_->styleSheet().isEmpty()) return;
+  banner_->setText(text);
+  banner_->setStyleSheet(
+      alert.isEmpty()
+          ? QString("padding: 6px 10px; font-size: %1pt;").arg(theme::points(11.0))
+          : QString("background: %1; color: %2; padding: 6px 10px; border-radius: 5px; font-weight: bold;")
+                .arg(theme::device().name(), theme::ground().name()));
+}
+
+void TrialPage::show_buttons() {
+  start_->setEnabled(session_ != nullptr && !running_ && !ending_);
+  end_->setEnabled(running_);
+  reset_->setEnabled(running_);
+  // What was begun as an assessment counts: it is neither begun anew nor thrown away.
+  reset_->setVisible(!assessed());
+  leave_->setEnabled(!ending_ && !(running_ && assessed()));
+  using Zoom = OperatorView::Zoom;
+  zoom_->setText(operator_view_->zoom() == Zoom::automatic ? tr("View: auto")
+                 : operator_view_->zoom() == Zoom::face    ? tr("View: face")
+                                                           : tr("View: mouth"));
+  offer_helps();
+}
+
+}  // namespace vallecula::gui

@@ -1,0 +1,113 @@
+// An expert's loop through the trainee's own views, while the trial waits.
+#include <QLabel>
+#include <QPushButton>
+#include <QSettings>
+
+#include "gui/pages/background.h"
+#include "gui/pages/blade_control.h"
+#include "gui/pages/hand_panel.h"
+#include "gui/pages/help_panel.h"
+#include "gui/pages/sound_button.h"
+#include "gui/pages/trial_page.h"
+#include "gui/pages/trial_panels.h"
+#include "gui/session/expert_loop.h"
+#include "gui/session/user_settings.h"
+#include "gui/views/operator_view.h"
+#include "gui/views/theme.h"
+#include "gui/views/video_view.h"
+
+namespace vallecula::gui {
+
+void TrialPage::offer_helps() {
+  const QString waits = session_ && running_ ? QString() : tr("Once the trial runs");
+  const QString counts = assessed() ? tr("Not in an assessment") : QString();
+  const QString shown = session_ && session_->scenario().assistance.expert_loop
+                            ? QString()
+                            : tr("This scenario does not show it.");
+  const auto first = [](std::initializer_list<QString> reasons) {
+    for (const QString& reason : reasons)
+      if (!reason.isEmpty()) return reason;
+    return QString();
+  };
+  helps_->offer(first({counts, waits}), first({counts, shown, waits}), running_);
+}
+
+void TrialPage::take_look_settings() {
+  const auto kept = user_settings();
+  const bool blue = kept->value("look/trachea").toString() == "blue";
+  operator_view_->set_blue_trachea(blue);
+  panels_->video_view().set_blue_trachea(blue);
+  GlView::governor().set_mode(QualityGovernor::mode_of(kept->value("look/quality").toString()));
+}
+
+void TrialPage::show_expert() {
+  if (!session_ || !running_ || ending_ || expert_wanted_) return;
+  try {
+    held_before_expert_ = session_->frozen();  // by an instructor, who lets it go as well
+    session_->freeze(true);
+  } catch (const std::exception& error) {
+    return show_banner(QString::fromUtf8(error.what()), "");
+  }
+  expert_wanted_ = true;
+  control_->steer(nullptr);  // whatever the mouse does now is no steering
+  hands_->release_all();
+  expert_sign_->setStyleSheet(QString("background: %1; color: %2; padding: 8px 18px; border-radius: 5px; margin: 8px; "
+                                      "font-weight: bold; font-size: %3pt;")
+                                  .arg(theme::device().name(), theme::ground().name())
+                                  .arg(theme::points(13.0)));
+  expert_sign_->setText(tr("Expert - your trial waits"));
+  expert_sign_->show();
+  helps_->expert()->setText(tr("Back to my trial (G)"));
+  show_banner(tr("An expert's hands at this patient, computed for it. Esc or G: back to your trial."), "");
+  since_expert_.invalidate();
+  if (expert_ || expert_coming_) return;
+  expert_coming_ = true;
+  run_in_background<std::shared_ptr<ExpertLoop>>(
+      this, [session = session_] { return std::make_shared<ExpertLoop>(*session); },
+      [this, of = session_.get()](std::shared_ptr<ExpertLoop> loop) {
+        if (session_.get() == of) take_expert(std::move(loop));
+      },
+      [this, of = session_.get()](const QString& message) {
+        if (session_.get() != of) return;
+        expert_coming_ = false;
+        end_expert();
+        show_banner(tr("The expert cannot be shown: %1").arg(message), "");
+      });
+}
+
+void TrialPage::take_expert(std::shared_ptr<ExpertLoop> loop) {
+  expert_coming_ = false;
+  if (expert_wanted_) expert_ = std::move(loop);  // else its computing would take time from the trial
+}
+
+void TrialPage::draw_expert() {
+  sound_->hear({}, true);
+  const double now_s = since_expert_.isValid() ? 1e-3 * static_cast<double>(since_expert_.elapsed()) : 0.0;
+  const engine::Snapshot* snapshot = expert_ ? expert_->frame(now_s) : nullptr;
+  if (snapshot == nullptr) {
+    const QString remark = expert_ && expert_->finished() ? QString::fromStdString(expert_->remark()) : QString();
+    expert_sign_->setText(remark.isEmpty() ? tr("Expert - being computed; your trial waits") : remark);
+    operator_view_->draw();
+    return;
+  }
+  if (!since_expert_.isValid()) since_expert_.start();
+  expert_sign_->setText(tr("Expert - your trial waits"));
+  operator_view_->update_from(*snapshot);
+  operator_view_->draw();
+  panels_->show_pictures(*snapshot, session_->scenario().sight_percent);
+}
+
+void TrialPage::end_expert() {
+  if (!expert_wanted_) return;
+  expert_wanted_ = false;
+  expert_sign_->hide();
+  helps_->expert()->setText(tr("Expert (G)"));
+  if (expert_ && !expert_->finished()) expert_.reset();  // its computing would take time from the trial
+  if (!held_before_expert_) session_->freeze(false);  // the hand takes hold as after any pause
+  steer();
+  show_steered();
+  operator_view_->update_from(session_->latest());
+  operator_view_->settle();
+}
+
+}  // namespace vallecula::gui

@@ -1,0 +1,316 @@
+#include "gui/pages/trial_panels.h"
+
+#include <QCoreApplication>
+#include <QDockWidget>
+#include <QKeyEvent>
+#include <QMenu>
+#include <QSettings>
+#include <QTimer>
+#include <QVBoxLayout>
+#include <map>
+#include <string>
+
+#include "gui/pages/distraction_panel.h"
+#include "gui/session/user_settings.h"
+#include "gui/views/force_bars.h"
+#include "gui/views/monitor_panel.h"
+#include "gui/views/sagittal_view.h"
+#include "gui/views/theme.h"
+#include "gui/views/trial_readings.h"
+#include "gui/views/video_view.h"
+
+namespace vallecula::gui {
+namespace {
+
+constexpr int kSagittalMs = 140, kVideoMs = 80, kRestMs = 500;
+constexpr int kTwoViews = 420;  // px in height from which two views stand one above the other
+constexpr int kArrangement = 1;  // of the kept state; another number is not taken back
+constexpr double kSideShare = 0.36;
+
+constexpr const char* kState = "trial_page/panels";
+constexpr const char* kHidden = "trial_page/hidden";
+
+const std::array<const char*, TrialPanels::kPanels> kNames{"monitor", "cut", "video", "force", "readings", "team"};
+
+}  // namespace
+
+TrialPanels::TrialPanels(QWidget* centre, QWidget* parent) : QMainWindow(parent, Qt::Widget) {
+  setContextMenuPolicy(Qt::PreventContextMenu);  // the right button turns the blade
+  setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
+  setCorner(Qt::TopRightCorner, Qt::RightDockWidgetArea);
+  setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+  setCentralWidget(centre);
+  menu_ = new QMenu(tr("&Panels"), this);
+  monitor_ = new MonitorPanel(this);
+  sagittal_view_ = new SagittalView(this);
+  sagittal_view_->setMinimumSize(260, 150);
+  sagittal_view_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+  video_view_ = new VideoView(this);
+  video_view_->setMinimumSize(260, 150);
+  video_view_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+  bars_ = new ForceBars(this);
+  readings_ = new TrialReadings(this);
+  distractions_ = new DistractionPanel(this);
+  const auto framed = [this](QWidget* content, int around) {
+    auto* frame = new QFrame(this);
+    frame->setObjectName("panel");
+    auto* inside = new QVBoxLayout(frame);
+    inside->setContentsMargins(around, around, around, around);
+    inside->addWidget(content);
+    frame->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Maximum);
+    return frame;
+  };
+  add(monitor, tr("&Monitor"), monitor_);
+  add(cut, tr("Mid-&sagittal cut"), sagittal_view_);
+  add(video, tr("&Video laryngoscope"), video_view_);
+  add(force, tr("&Force"), framed(bars_, 8));
+  add(readings, tr("&Readings"), framed(readings_, 0));
+  add(team, tr("&Team"), distractions_);
+  menu_->addSeparator();
+  menu_->addAction(tr("Panels as at &first"), this, &TrialPanels::restore_first);
+  arrange();
+  const auto kept = user_settings();
+  const QStringList hidden = kept->value(kHidden).toStringList();
+  for (int p = 0; p < kPanels; ++p) wanted_[p] = !hidden.contains(kNames[p]);
+  if (!kept->contains(kHidden)) switch_as_at_first();
+  // Another number of docks, or what is no state, is not taken: then it is as at first.
+  if (kept->contains(kState) && restoreState(kept->value(kState).toByteArray(), kArrangement)) as_at_first_ = false;
+  show_what_is_wanted();
+}
+
+TrialPanels::~TrialPanels() { keep(); }
+
+QDockWidget* TrialPanels::add(Panel panel, const QString& title, QWidget* content) {
+  auto* dock = new QDockWidget(QString(title).remove('&'), this);
+  dock->setObjectName(QString("panel_") + kNames[panel]);
+  dock->setAccessibleName(dock->windowTitle());
+  dock->setWidget(content);
+  dock->installEventFilter(this);
+  docks_[panel] = dock;
+  // The dock's own action, which its close button and whatever else hides it keep up to date.
+  QAction* action = dock->toggleViewAction();
+  action->setText(title);
+  action->setShortcut(Qt::CTRL + Qt::Key_1 + panel);
+  action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+  menu_->addAction(action);
+  parentWidget()->addAction(action);
+  connect(action, &QAction::triggered, this, [this, panel](bool on) {
+    wanted_[panel] = on;
+    if (on) docks_[panel]->raise();
+    fit_later();
+  });
+  connect(dock, &QDockWidget::topLevelChanged, this, [this] { as_at_first_ = as_at_first_ && arranging_; });
+  connect(dock, &QDockWidget::dockLocationChanged, this, [this] { as_at_first_ = as_at_first_ && arranging_; });
+  return dock;
+}
+
+void TrialPanels::arrange() {
+  arranging_ = true;
+  addDockWidget(Qt::TopDockWidgetArea, docks_[monitor]);
+  for (const Panel panel : {team, cut, video, force, readings}) addDockWidget(Qt::RightDockWidgetArea, docks_[panel]);
+  for (QDockWidget* dock : docks_) dock->setFloating(false);
+  arranging_ = false;
+  as_at_first_ = true;
+}
+
+void TrialPanels::restore_first() {
+  for (QDockWidget* dock : docks_) removeDockWidget(dock);
+  arrange();
+  switch_as_at_first();
+  show_what_is_wanted();
+}
+
+void TrialPanels::switch_as_at_first() {
+  wanted_.fill(true);
+  wanted_[video] = false;  // many learn by the direct view first
+  wanted_[team] = said_;   // comes when somebody speaks
+}
+
+std::vector<KeyRow> TrialPanels::keys() const {
+  std::vector<KeyRow> rows;
+  for (const QDockWidget* dock : docks_)
+    rows.push_back({dock->toggleViewAction()->shortcut().toString(QKeySequence::NativeText), dock->windowTitle()});
+  return rows;
+}
+
+void TrialPanels::fit_later() {
+  // Once the docks that came or went have their places.
+  if (as_at_first_) QTimer::singleShot(0, this, &TrialPanels::fit);
+}
+
+/// The side as wide as it is at first, and as high as its texts ask for; the cut has the rest.
+void TrialPanels::fit() {
+  if (!isVisible() || !as_at_first_) return;
+  resizeDocks({docks_[force]}, {static_cast<int>(kSideShare * width())}, Qt::Horizontal);
+  resizeDocks({docks_[monitor]}, {docks_[monitor]->sizeHint().height()}, Qt::Vertical);
+  QList<QDockWidget*> side;
+  QList<int> heights;
+  int left = height();
+  for (const Panel panel : {team, force, readings})
+    if (docks_[panel]->isVisible()) {
+      side << docks_[panel];
+      heights << docks_[panel]->sizeHint().height();
+      left -= heights.back();
+    }
+  // Two views one above the other where there is room, else one behind the other's tab.
+  if (docks_[cut]->isVisible() && docks_[video]->isVisible()) {
+    const bool tabbed = !tabifiedDockWidgets(docks_[cut]).isEmpty();
+    arranging_ = true;
+    if (left < kTwoViews && !tabbed) {
+      tabifyDockWidget(docks_[cut], docks_[video]);
+      docks_[video]->raise();
+    } else if (left >= kTwoViews && tabbed) {
+      splitDockWidget(docks_[cut], docks_[video], Qt::Vertical);
+    }
+    arranging_ = false;
+  }
+  for (const Panel panel : {cut, video})
+    if (docks_[panel]->isVisible()) {
+      side << docks_[panel];
+      heights << std::max(150, left / 2);
+    }
+  resizeDocks(side, heights, Qt::Vertical);
+}
+
+void TrialPanels::keep() const {
+  const auto kept = user_settings();
+  QStringList hidden;
+  for (int p = 0; p < kPanels; ++p)
+    if (!wanted_[p]) hidden << kNames[p];
+  kept->setValue(kHidden, hidden);
+  if (as_at_first_)
+    kept->remove(kState);
+  else
+    kept->setValue(kState, saveState(kArrangement));
+}
+
+QString TrialPanels::refusal(Panel panel) const {
+  const QString not_here = tr("This scenario does not show it.");
+  switch (panel) {
+    case monitor:
+      return has_infant_ ? QString() : tr("In this scenario there is no infant on a monitor.");
+    case cut:
+      return allowed_.cut_view ? QString() : not_here;
+    case video:
+      return allowed_.video_view ? QString() : not_here;
+    case force:
+      return allowed_.force_bar ? QString() : not_here;
+    default:
+      return held_open(panel) ? tr("This scenario asks you things: its place stays.") : QString();
+  }
+}
+
+bool TrialPanels::held_open(Panel panel) const { return panel == team && asks_; }
+
+void TrialPanels::show_what_is_wanted() {
+  for (int p = 0; p < kPanels; ++p) {
+    const auto panel = static_cast<Panel>(p);
+    const QString refused = refusal(panel);
+    QAction* action = docks_[p]->toggleViewAction();
+    action->setEnabled(refused.isEmpty());
+    action->setToolTip(refused.isEmpty() ? tr("Switches this panel on and off") : refused);
+    const bool open = held_open(panel);
+    docks_[p]->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetFloatable |
+                           (open ? QDockWidget::NoDockWidgetFeatures : QDockWidget::DockWidgetClosable));
+    docks_[p]->setVisible(open || (refused.isEmpty() && wanted_[p]));
+  }
+  fit_later();
+}
+
+void TrialPanels::open(TrialSession& session, const std::shared_ptr<PatientLook>& look) {
+  const auto& scenario = session.scenario();
+  const auto& scene = session.scene();
+  allowed_ = scenario.assistance;
+  has_infant_ = scene.intubation.has_value();
+  asks_ = !scenario.distractions.empty();
+  said_ = false;
+  sagittal_view_->show_patient(look, scene.tool.surface, has_infant_ ? &*scene.intubation : nullptr);
+  video_view_->show_patient(look, scene.tool.surface, has_infant_ ? &*scene.intubation : nullptr);
+  readings_->show_force(allowed_.force_bar);
+  distractions_->serve(&session.dual_task(), session.by_person());
+  bars_->set_marks({scenario.targets.tongue_force_n, scenario.targets.gum_force_n, scene.haptics.device_limit_n});
+  std::map<std::string, std::array<double, 3>> landmarks_m;
+  for (const auto& [name, point] : look->package.landmarks)
+    landmarks_m[name] = {1e-3 * point[0], 1e-3 * point[1], 1e-3 * point[2]};
+  readings_->set_scenario(scenario, curricula::mouth_from_landmarks(landmarks_m));
+  readings_->show_tube(has_infant_);
+  monitor_->clear();
+  show_what_is_wanted();
+}
+
+void TrialPanels::close_trial() {
+  keep();
+  distractions_->serve(nullptr, false);
+}
+
+void TrialPanels::say(const QString& line) {
+  distractions_->say(line);
+  if (said_) return;
+  said_ = true;
+  docks_[team]->setVisible(true);
+  docks_[team]->raise();
+  fit_later();
+}
+
+bool TrialPanels::due(const QWidget& view, QElapsedTimer& since, int every_ms) {
+  // A view behind another's tab is not drawn.
+  if (view.visibleRegion().isEmpty()) return false;
+  if (since.isValid() && since.elapsed() < every_ms) return false;
+  since.restart();
+  return true;
+}
+
+void TrialPanels::draw_at_rest() {
+  if (due(*sagittal_view_, since_sagittal_, kRestMs)) sagittal_view_->draw();
+  if (due(*video_view_, since_video_, kRestMs)) video_view_->draw();
+}
+
+void TrialPanels::show_pictures(const engine::Snapshot& snapshot, double sight_percent) {
+  if (due(*sagittal_view_, since_sagittal_, kSagittalMs)) {
+    sagittal_view_->update_from(snapshot, sight_percent);
+    sagittal_view_->draw();
+  }
+  if (due(*video_view_, since_video_, kVideoMs)) {
+    video_view_->update_from(snapshot);
+    video_view_->draw();
+  }
+}
+
+void TrialPanels::show_snapshot(const engine::Snapshot& snapshot, double sight_percent, double paused_s) {
+  show_pictures(snapshot, sight_percent);
+  distractions_->refresh();
+  monitor_->show_snapshot(snapshot);
+  readings_->show_snapshot(snapshot, paused_s);
+  bars_->show_forces(blade_forces(snapshot.loads, snapshot.proxy_pose));
+}
+
+void TrialPanels::clear() {
+  bars_->clear();
+  readings_->clear();
+  monitor_->clear();
+}
+
+void TrialPanels::resizeEvent(QResizeEvent* event) {
+  QMainWindow::resizeEvent(event);
+  fit_later();
+}
+
+bool TrialPanels::event(QEvent* event) {
+  if (event->type() == QEvent::Show) fit_later();
+  // The mouse is let go on the window itself only between two docks: a border was moved.
+  if (event->type() == QEvent::MouseButtonRelease) as_at_first_ = false;
+  return QMainWindow::event(event);
+}
+
+bool TrialPanels::eventFilter(QObject* watched, QEvent* event) {
+  auto* dock = qobject_cast<QDockWidget*>(watched);
+  if (dock == nullptr) return QMainWindow::eventFilter(watched, event);
+  for (int p = 0; p < kPanels; ++p)
+    if (docks_[p] == dock && event->type() == QEvent::Close) wanted_[p] = false;
+  // A panel out of the window keeps no keys for itself: they are the hands'.
+  if (dock->isFloating() && (event->type() == QEvent::KeyPress || event->type() == QEvent::KeyRelease))
+    return QCoreApplication::sendEvent(parentWidget(), event);
+  return QMainWindow::eventFilter(watched, event);
+}
+
+}  // namespace vallecula::gui

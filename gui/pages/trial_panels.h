@@ -1,0 +1,92 @@
+// The operator's view in the middle and around it what can be switched on and off, moved and taken out of the window:
+// Qt's docks. What a scenario does not allow cannot be switched on in its trial; what a person arranged is remembered.
+#pragma once
+
+#include <QElapsedTimer>
+#include <QMainWindow>
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "gui/pages/key_list.h"
+#include "gui/session/trial_session.h"
+#include "gui/views/patient_look.h"
+
+class QDockWidget;
+class QMenu;
+
+namespace vallecula::gui {
+
+class DistractionPanel;
+class ForceBars;
+class MonitorPanel;
+class SagittalView;
+class TrialReadings;
+class VideoView;
+
+class TrialPanels : public QMainWindow {
+  Q_OBJECT
+ public:
+  /// In the order of their keys, Ctrl+1 and on.
+  enum Panel { monitor, cut, video, force, readings, team, kPanels };
+
+  TrialPanels(QWidget* centre, QWidget* parent);
+  ~TrialPanels() override;
+  /// Shows what the scenario's assistance allows, of what is switched on.
+  void open(TrialSession& session, const std::shared_ptr<PatientLook>& look);
+  /// Before the start: draws the patient at rest now and then.
+  void draw_at_rest();
+  /// To be called for every frame; the cut is drawn at a lower rate, the video's picture at half.
+  void show_snapshot(const engine::Snapshot& snapshot, double sight_percent, double paused_s);
+  /// The pictures alone: of somebody else's hands.
+  void show_pictures(const engine::Snapshot& snapshot, double sight_percent);
+  void clear();
+  /// An instructor's sentence: the team's panel opens for it, whatever else is there.
+  void say(const QString& line);
+  /// The trial is over: the arrangement is kept, and nobody is asked anything.
+  void close_trial();
+
+  /// The panels' switches, and "Panels as at first".
+  QMenu* menu() { return menu_; }
+  void restore_first();
+  std::vector<KeyRow> keys() const;
+  QDockWidget* dock(Panel panel) { return docks_[panel]; }
+  VideoView& video_view() { return *video_view_; }
+  SagittalView& sagittal_view() { return *sagittal_view_; }
+  DistractionPanel& distractions() { return *distractions_; }
+  MonitorPanel& monitor_panel() { return *monitor_; }
+  TrialReadings& readings_panel() { return *readings_; }
+
+ protected:
+  bool event(QEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  QDockWidget* add(Panel panel, const QString& title, QWidget* content);
+  void arrange();
+  void switch_as_at_first();
+  void fit();
+  void fit_later();
+  void keep() const;
+  /// Why this panel cannot be switched now, for a person; empty: it can.
+  QString refusal(Panel panel) const;
+  bool held_open(Panel panel) const;
+  void show_what_is_wanted();
+  static bool due(const QWidget& view, QElapsedTimer& since, int every_ms);
+
+  MonitorPanel* monitor_;
+  SagittalView* sagittal_view_;
+  VideoView* video_view_;
+  ForceBars* bars_;
+  TrialReadings* readings_;
+  DistractionPanel* distractions_;
+  std::array<QDockWidget*, kPanels> docks_{};
+  std::array<bool, kPanels> wanted_{};
+  QMenu* menu_;
+  curricula::Assistance allowed_;
+  bool has_infant_ = false, asks_ = false, said_ = false, arranging_ = false, as_at_first_ = true;
+  QElapsedTimer since_sagittal_, since_video_;
+};
+
+}  // namespace vallecula::gui
