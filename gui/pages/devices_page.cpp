@@ -1,5 +1,6 @@
 #include "gui/pages/devices_page.h"
 
+#include <QApplication>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
@@ -57,10 +58,14 @@ DevicesPage::DevicesPage(QWidget* parent, Finder find) : QWidget(parent), find_(
   use_ = new QPushButton("Use this one", this);
   use_->setObjectName("primary");
   use_->setEnabled(false);
+  check_ = new QPushButton(tr("&Check this one ..."), this);
+  check_->setToolTip(tr("Rate, calibration, directions, reach, force and buttons, step by step"));
+  check_->setEnabled(false);
 
   auto* buttons = new QHBoxLayout;
   buttons->addWidget(back);
   buttons->addStretch(1);
+  buttons->addWidget(check_);
   buttons->addWidget(use_);
   auto* all = new QVBoxLayout(this);
   all->setContentsMargins(26, 20, 26, 18);
@@ -74,6 +79,9 @@ DevicesPage::DevicesPage(QWidget* parent, Finder find) : QWidget(parent), find_(
   connect(back, &QPushButton::clicked, this, &DevicesPage::left);
   connect(use_, &QPushButton::clicked, this, [this] {
     if (const auto* device = selected()) emit chosen(device::FoundDevice(*device));
+  });
+  connect(check_, &QPushButton::clicked, this, [this] {
+    if (const auto* device = selected()) emit check_wanted(device::FoundDevice(*device));
   });
   connect(table_, &QTableWidget::itemSelectionChanged, this, &DevicesPage::show_selected);
   clock_.setInterval(kRefreshMs);
@@ -96,6 +104,7 @@ void DevicesPage::hideEvent(QHideEvent* event) {
 }
 
 void DevicesPage::refresh() {
+  if (QApplication::activeModalWidget() != nullptr) return;  // a check may have one of them
   if (worker_) return;  // the last answer is still to come
   worker_ = run_in_background<std::vector<device::FoundDevice>>(
       this, find_, [this](std::vector<device::FoundDevice> devices) { show_list(devices); },
@@ -142,6 +151,7 @@ const device::FoundDevice* DevicesPage::selected() const {
 void DevicesPage::show_selected() {
   const auto* device = selected();
   use_->setEnabled(device != nullptr && usable(*device));
+  check_->setEnabled(use_->isEnabled());
   if (device == nullptr) {
     about_->setText("Choose one to see what it needs.");
     return;

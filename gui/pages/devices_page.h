@@ -29,6 +29,7 @@ class DevicesPage : public QWidget {
  signals:
   void found(const std::vector<vallecula::device::FoundDevice>& devices);
   void chosen(const vallecula::device::FoundDevice& device);
+  void check_wanted(const vallecula::device::FoundDevice& device);
   void left();
 
  protected:
@@ -44,7 +45,7 @@ class DevicesPage : public QWidget {
   std::vector<device::FoundDevice> devices_;
   QTableWidget* table_;
   QLabel* about_;
-  QPushButton* use_;
+  QPushButton *use_, *check_;
   QTimer clock_;
   QPointer<QThread> worker_;
 };

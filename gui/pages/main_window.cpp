@@ -14,7 +14,10 @@
 #include "device/factory.h"
 #include "gui/authoring/authoring_page.h"
 #include "gui/import/import_wizard.h"
+#include "gui/instructor/station.h"
 #include "gui/pages/devices_page.h"
+#include "gui/pages/home_page.h"
+#include "gui/pages/main_menu.h"
 #include "gui/pages/replay_page.h"
 #include "gui/pages/result_page.h"
 #include "gui/pages/self_rating_page.h"
@@ -33,7 +36,9 @@ namespace vallecula::gui {
 MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
   setWindowTitle("Vallecula");
   pages_ = new QStackedWidget(this);
+  home_ = new HomePage(pages_);
   start_ = new StartPage(pages_);
+  first_ = home_;
   devices_ = new DevicesPage(pages_);
   records_ = new RecordsPage(pages_);
   import_ = new ImportWizard(pages_);
@@ -44,21 +49,17 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
   result_ = new ResultPage(pages_);
   replay_ = new ReplayPage(pages_);
   for (QWidget* page :
-       {static_cast<QWidget*>(start_), static_cast<QWidget*>(devices_), static_cast<QWidget*>(records_),
+       {static_cast<QWidget*>(home_), static_cast<QWidget*>(start_), static_cast<QWidget*>(devices_), static_cast<QWidget*>(records_),
         static_cast<QWidget*>(import_), static_cast<QWidget*>(authoring_), prepare_page_, static_cast<QWidget*>(trial_),
         static_cast<QWidget*>(rating_), static_cast<QWidget*>(result_), static_cast<QWidget*>(replay_)})
     pages_->addWidget(page);
-  // The page that is seen says how small the window may be, not the largest of them all.
-  const auto only_current_counts = [this] {
-    for (int i = 0; i < pages_->count(); ++i) {
-      const auto policy = i == pages_->currentIndex() ? QSizePolicy::Preferred : QSizePolicy::Ignored;
-      pages_->widget(i)->setSizePolicy(policy, policy);
-    }
-    who_->setVisible(pages_->currentWidget() == start_);
-  };
   who_ = new WhoStrip(records_->desk(), this);
-  connect(pages_, &QStackedWidget::currentChanged, this, only_current_counts);
-  only_current_counts();
+  menu_ = new MainMenu(*this);
+  connect(pages_, &QStackedWidget::currentChanged, this, &MainWindow::page_changed);
+  page_changed();
+  connect_home();
+  connect_menu();
+  setAcceptDrops(true);
   auto* whole = new QWidget(this);
   auto* column = new QVBoxLayout(whole);
   column->setContentsMargins(0, 0, 0, 0);
@@ -84,7 +85,9 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
   connect(authoring_, &AuthoringPage::courses_changed, this, [this] {
     if (!has_start_) return;
     try {
-      start_->set_curricula(find_curricula().curricula);
+      std::vector<curricula::Curriculum> found = find_curricula().curricula;
+      found.insert(found.end(), opened_courses_.begin(), opened_courses_.end());
+      start_->set_curricula(std::move(found));
     } catch (const std::exception& error) {
       authoring_->set_message(QString::fromUtf8(error.what()));
     }
@@ -99,6 +102,7 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
   connect(import_, &ImportWizard::left, this, &MainWindow::back_to_start);
   connect(import_, &ImportWizard::finished, this, [this](const QString& package) {
     start_->add_patient(package.toStdString(), true);
+    remember(package.toStdString());
     back_to_start();
   });
   connect(trial_, &TrialPage::left, this, [this] {
@@ -107,6 +111,8 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
   });
   connect(trial_, &TrialPage::finished, this, [this](const TrialOutcome& outcome) {
     outcome_ = outcome;
+    // Whose trial it is, nobody else needs to see on the first page.
+    if (has_start_ && !trying_ && !records_->desk().who()) remember(outcome.log.parent_path());
     if (curricula::rules_of(scenario_.attempt.mode).self_rating_before && outcome.by_person) {
       rating_->ask(scenario_);
       pages_->setCurrentWidget(rating_);
@@ -133,11 +139,30 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
     leave_replay();
     emit replay_failed(message);
   });
+  connect_station();
+}
+
+void MainWindow::connect_station() {
+  station_ = new InstructorStation(*this, records_->desk(), *trial_);
+  menu_->view().addSeparator();
+  menu_->view().addActions({station_->open_action(), station_->next_trainee_action()});
+  connect(station_, &InstructorStation::next_trainee_begins, this, [this] {
+    cancelled_ = true;  // what is being prepared was for the one before
+    if (trial_->session()) trial_->close_trial();
+    if (pages_->currentWidget() == replay_) leave_replay();
+    back_to_start();
+  });
+  connect(station_, &InstructorStation::records_wanted, this, [this] { show_page(records_); });
+  connect(station_, &InstructorStation::told, this, &MainWindow::tell);
+  connect(devices_, &DevicesPage::check_wanted, station_, [this](const device::FoundDevice& device) {
+    station_->check_device(QString::fromStdString(device.name));
+  });
 }
 
 MainWindow::~MainWindow() {
   cancelled_ = true;
-  if (worker_) worker_->wait();
+  for (const auto& thread : {worker_, looker_})
+    if (thread) thread->wait();
 }
 
 QWidget* MainWindow::make_prepare_page() {
@@ -178,6 +203,7 @@ void MainWindow::show_start(std::vector<curricula::Curriculum> curricula) {
   const std::filesystem::path patient = kept->value("patient").toString().toStdString();
   if (!patient.empty() && std::filesystem::exists(patient / "patient.yaml")) start_->add_patient(patient, true);
   back_to_start();
+  page_changed();
 }
 
 void MainWindow::choose_last_device(const QString& name) {
@@ -219,7 +245,7 @@ void MainWindow::show_failure(const QString& message) {
   if (trying_)
     authoring_->set_message(message);
   else
-    start_->set_message(message);
+    tell_first(message);
   back_to_start();
   emit trial_failed(message);
 }
@@ -248,7 +274,7 @@ void MainWindow::read_past() {
       [this, person = records_->desk().person().id](PastResults past) {
         if (person == records_->desk().person().id) start_->set_past(std::move(past), records_->desk().instructor());
       },
-      [this](const QString& message) { start_->set_message(message); });
+      [this](const QString& message) { tell_first(message); });
 }
 
 void MainWindow::back_to_start() {
@@ -256,7 +282,7 @@ void MainWindow::back_to_start() {
     trying_ = false;
     pages_->setCurrentWidget(authoring_);
   } else if (has_start_) {
-    pages_->setCurrentWidget(start_);
+    pages_->setCurrentWidget(first_);
     read_past();
   } else {
     close();  // opened for one trial only
@@ -274,7 +300,8 @@ void MainWindow::show_trial(const QString& log, bool with_replay) {
 
 QString MainWindow::page_name() const {
   const QWidget* page = pages_->currentWidget();
-  return page == start_          ? "start"
+  return page == home_           ? "home"
+         : page == start_        ? "start"
          : page == devices_      ? "devices"
          : page == records_      ? "records"
          : page == import_       ? "import"

@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "gui/pages/start_page.h"
+#include "gui/session/dropped_files.h"
 #include "gui/session/trial_session.h"
 
 class QLabel;
@@ -19,7 +20,10 @@ namespace vallecula::gui {
 
 class AuthoringPage;
 class DevicesPage;
+class HomePage;
+class MainMenu;
 class ImportWizard;
+class InstructorStation;
 class RecordsPage;
 class ReplayPage;
 class ResultPage;
@@ -34,7 +38,7 @@ class MainWindow : public QMainWindow {
   explicit MainWindow(QWidget* parent = nullptr);
   ~MainWindow() override;
 
-  /// First page, with curricula to choose from; what was chosen last time is chosen again.
+  /// Home, with curricula to choose from; what was chosen last time is chosen again.
   void show_start(std::vector<curricula::Curriculum> curricula);
   /// Prepares this trial (on a thread of its own) and opens it; `start_at_once` for a scripted hand.
   void prepare(const TrialSetup& setup, bool start_at_once);
@@ -48,11 +52,16 @@ class MainWindow : public QMainWindow {
   void write_course(const std::filesystem::path& file = {});
   AuthoringPage& authoring_page() { return *authoring_; }
   TrialPage& trial_page() { return *trial_; }
+  /// Opens whatever it is: a CT, a patient, a course, a trial. What cannot be opened is told in one message.
+  void open_files(const std::vector<std::filesystem::path>& paths);
+  HomePage& home_page() { return *home_; }
+  MainMenu& menu() { return *menu_; }
   StartPage& start_page() { return *start_; }
   ImportWizard& import_wizard() { return *import_; }
   DevicesPage& devices_page() { return *devices_; }
   RecordsPage& records_page() { return *records_; }
-  /// "start", "records", "devices", "import", "authoring", "prepare", "trial", "rating", "result", "replay"
+  InstructorStation& station() { return *station_; }
+  /// "home", "start", "records", "devices", "import", "authoring", "prepare", "trial", "rating", "result", "replay"
   QString page_name() const;
 
  signals:
@@ -64,10 +73,29 @@ class MainWindow : public QMainWindow {
 
  protected:
   void closeEvent(QCloseEvent* event) override;
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
 
  private:
+  void connect_home();
+  void connect_menu();
+  void show_page(QWidget* page);
+  void page_changed();
+  /// Begins the next trial by one click; where something is missing, the course is shown.
+  void practise();
+  /// What the first page says of patient and recent files is asked of the disk on a thread of its own.
+  void look_around();
+  void remember(const std::filesystem::path& path);
+  void open_course(const std::filesystem::path& file);
+  void open_found(const Dropped& found);
+  bool may_open() const;  ///< nothing is under way that would be lost
+  void tell(const QString& message);        ///< on the page that is seen, or before it
+  void tell_first(const QString& message);  ///< on the page one goes back to; empty: nothing is wrong any more
   /// `seed`: of an attempt to be repeated; 0: a new one is drawn.
   void prepare_choice(const Choice& choice, std::uint32_t seed = 0);
+  /// Once the devices of the choice were checked in this session, or their check was closed.
+  void prepare_checked(const Choice& choice, std::uint32_t seed);
+  void connect_station();
   /// `patient`: gives the package's folder; runs on the preparing thread.
   void prepare(TrialSetup setup, std::function<std::filesystem::path()> patient, bool start_at_once);
   void report_progress(const std::string& stage, double fraction);
@@ -86,6 +114,8 @@ class MainWindow : public QMainWindow {
   QWidget* make_prepare_page();
 
   QStackedWidget* pages_;
+  HomePage* home_;
+  MainMenu* menu_;
   StartPage* start_;
   DevicesPage* devices_;
   RecordsPage* records_;
@@ -99,7 +129,11 @@ class MainWindow : public QMainWindow {
   SelfRatingPage* rating_;
   ResultPage* result_;
   ReplayPage* replay_;
-  QPointer<QThread> worker_;
+  InstructorStation* station_;
+  QPointer<QThread> worker_, looker_;
+  bool look_again_ = false;
+  QWidget* first_;  ///< home or the course: where one goes back to
+  std::vector<curricula::Curriculum> opened_courses_;  ///< from elsewhere than the folders of courses
   std::atomic<bool> cancelled_{false};
   curricula::Scenario scenario_;
   std::vector<std::string> misfits_;  ///< of the patient and this scenario

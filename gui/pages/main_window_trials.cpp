@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "gui/authoring/authoring_page.h"
+#include "gui/instructor/station.h"
 #include "gui/pages/background.h"
 #include "gui/pages/replay_page.h"
 #include "gui/pages/result_page.h"
@@ -52,6 +53,10 @@ void MainWindow::try_scenario(const QString& file, const QString& id) {
 }
 
 void MainWindow::prepare_choice(const Choice& choice, std::uint32_t seed) {
+  station_->check_before({choice.device, choice.second}, [=] { prepare_checked(choice, seed); });
+}
+
+void MainWindow::prepare_checked(const Choice& choice, std::uint32_t seed) {
   TrialSetup setup;
   setup.curriculum = choice.curriculum;
   setup.scenario = choice.scenario.id;
@@ -65,6 +70,7 @@ void MainWindow::prepare_choice(const Choice& choice, std::uint32_t seed) {
     kept->setValue("scenario", QString::fromStdString(choice.scenario.id));
     kept->setValue("device", choice.device);
     kept->setValue("patient", QString::fromStdString(choice.patient.string()));
+    if (!choice.patient.empty()) remember(choice.patient);
   }
   again_ = [this, choice] { prepare_choice(choice); };
   const std::string moment = QDateTime::currentDateTime().toString("yyyyMMdd-HHmmss").toStdString();
@@ -94,7 +100,7 @@ void MainWindow::prepare(const TrialSetup& setup, bool start_at_once) {
 void MainWindow::prepare(TrialSetup setup, std::function<std::filesystem::path()> patient, bool start_at_once) {
   if (worker_ && !worker_->isFinished()) return;
   results_ = setup.final_out.empty() ? setup.out : setup.final_out;
-  start_->set_message("");
+  tell_first("");
   cancelled_ = false;
   prepare_stage_->setText("Looking for the patient ...");
   prepare_bar_->setValue(0);
@@ -112,12 +118,14 @@ void MainWindow::prepare(TrialSetup setup, std::function<std::filesystem::path()
         report_progress("Ready", 1.0);
         return prepared;
       },
-      [this, start_at_once](Prepared ready) {
+      [this, start_at_once, device = QString::fromStdString(setup.device)](Prepared ready) {
+        if (cancelled_) return back_to_start();  // at the last moment
         scenario_ = ready.session->scenario();
         misfits_ = misfits(ready.session->package(), scenario_);
         pages_->setCurrentWidget(trial_);
         try {
           trial_->open(ready.session, ready.look);
+          trial_->set_device_note(station_->checks().words(device));
         } catch (const std::exception& error) {
           show_failure(QString::fromUtf8(error.what()));
           return;
@@ -138,7 +146,7 @@ void MainWindow::replay(const std::filesystem::path& trial, double at_s, const s
   QWidget* from = pages_->currentWidget();
   replay_from_ = from == result_ || from == records_ ? from : nullptr;
   result_->tell("");
-  start_->set_message("");
+  tell_first("");
   cancelled_ = false;
   prepare_stage_->setText("Reading the trial");
   prepare_bar_->setValue(0);
@@ -149,7 +157,7 @@ void MainWindow::replay(const std::filesystem::path& trial, double at_s, const s
     else if (replay_from_ == records_)
       records_->tell(message);
     else
-      start_->set_message(message);
+      tell_first(message);
     leave_replay();
     emit replay_failed(message);
   };

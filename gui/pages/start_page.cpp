@@ -46,6 +46,11 @@ QString course_text(const curricula::Curriculum& curriculum) {
 StartPage::StartPage(QWidget* parent) : QWidget(parent) {
   auto* title = new QLabel("Vallecula", this);
   title->setObjectName("title");
+  auto* home = new QPushButton(tr("H&ome"), this);
+  home->setObjectName("home");
+  home->setToolTip(tr("Back to the first page (Esc)"));
+  home->setShortcut(Qt::Key_Escape);
+  connect(home, &QPushButton::clicked, this, &StartPage::home_wanted);
   auto* sub = new QLabel(
       "Practise neonatal intubation, and see what your hands did. A training tool, not a medical device.", this);
   sub->setObjectName("faint");
@@ -134,7 +139,7 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
   heading_->setWordWrap(true);
   why_ = new QLabel(this);
   why_->setWordWrap(true);
-  why_->setStyleSheet(QString("color: %1;").arg(theme::over().name()));
+  why_->setProperty("role", "warning");
   auto* scrolled = new QScrollArea(this);  // a course's texts are as long as its author likes
   scrolled->setWidget(briefing_);
   scrolled->setWidgetResizable(true);
@@ -156,7 +161,10 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
   columns->addWidget(right_panel, 14);
   auto* all = new QVBoxLayout(this);
   all->setContentsMargins(26, 20, 26, 18);
-  all->addWidget(title);
+  auto* head = new QHBoxLayout;
+  head->addWidget(title, 1);
+  head->addWidget(home);
+  all->addLayout(head);
   all->addWidget(sub);
   all->addSpacing(10);
   all->addLayout(columns, 1);
@@ -170,6 +178,8 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
   connect(go_, &QPushButton::clicked, this, [this] {
     if (tree_->scenario() != nullptr && go_->isEnabled()) emit chosen(choice());
   });
+  for (QComboBox* box : {patient_, device_, second_, mode_})
+    connect(box, qOverload<int>(&QComboBox::currentIndexChanged), this, &StartPage::changed);
   go_->setEnabled(false);
 }
 
@@ -237,6 +247,7 @@ void StartPage::show_chosen() {
     heading_->setText(QString::fromStdString(curriculum()->title));
     briefing_->setText(course_text(*curriculum()));
   }
+  emit changed();
 }
 
 void StartPage::show_scenario(const curricula::Scenario& scenario) {
@@ -277,6 +288,12 @@ void StartPage::allow_start() {
   const curricula::Scenario* scenario = tree_->scenario();
   go_->setEnabled(scenario != nullptr && tree_->why_closed(*scenario).isEmpty() && !offered_->open());
   go_->setToolTip(offered_->open() ? "Choose blade and tube first: they count in the score" : "");
+  emit changed();
+}
+
+void StartPage::show_course(const std::string& id) {
+  for (std::size_t c = 0; c < curricula_.size(); ++c)
+    if (curricula_[c].id == id) curriculum_->setCurrentIndex(static_cast<int>(c));
 }
 
 void StartPage::add_patient(const std::filesystem::path& package, bool choose) {
@@ -370,6 +387,27 @@ Choice StartPage::hands() const {
   choice.device = device_->currentData().toString();
   choice.second = second_->currentData().toString();
   return choice;
+}
+
+NextTrial StartPage::next_trial() const {
+  NextTrial next;
+  next.patient = patient_->currentIndex() == 0 ? tr("the built-in manikin")
+                                               : QString::fromStdString(std::filesystem::path(
+                                                     patient_->currentData().toString().toStdString()).stem().string());
+  next.device = device_->currentText();
+  const curricula::Scenario* scenario = tree_->scenario();
+  if (scenario == nullptr) {
+    next.hindrance = tr("Choose a scenario of a course first.");
+    return next;
+  }
+  next.scenario = tr("%1 (%2)").arg(QString::fromStdString(scenario->title), QString::fromStdString(curriculum()->title));
+  const curricula::Module* module = curriculum()->module_of(scenario->id);
+  const bool practised = module == nullptr || watching() ||
+                         std::count(module->modes.begin(), module->modes.end(), curricula::Mode::practice) > 0;
+  next.hindrance = tree_->why_closed(*scenario);
+  if (next.hindrance.isEmpty() && offered_->open()) next.hindrance = tr("Blade and tube are to be chosen first.");
+  if (next.hindrance.isEmpty() && !practised) next.hindrance = tr("It can only be taken as an assessment.");
+  return next;
 }
 
 Choice StartPage::choice() const {

@@ -1,4 +1,4 @@
-// The first page: which scenario of which module, what is open and mastered, on which patient, with which device.
+// The course's page: which scenario of which module, what is open and mastered, on which patient, with which device.
 #pragma once
 
 #include <QWidget>
@@ -30,6 +30,12 @@ struct Choice {
   curricula::Mode mode = curricula::Mode::practice;
 };
 
+/// What a click on *Practise* would begin, in a person's words.
+struct NextTrial {
+  QString scenario, patient, device;
+  QString hindrance;  ///< why it cannot begin by one click; empty: it can
+};
+
 class StartPage : public QWidget {
   Q_OBJECT
  public:
@@ -39,6 +45,7 @@ class StartPage : public QWidget {
   /// What whoever sits here has done so far: says what is open and mastered. `all_open`: an instructor, for whom
   /// nothing is closed.
   void set_past(PastResults past, bool all_open = false);
+  void show_course(const std::string& id);  ///< nothing happens where there is none of this id
   void add_patient(const std::filesystem::path& package, bool choose);
   /// Offers what is plugged in beside what is always there; what is gone is no longer offered, unless it is chosen.
   void set_found_devices(const std::vector<device::FoundDevice>& devices);
@@ -55,12 +62,17 @@ class StartPage : public QWidget {
   QStringList states() const;
   /// Patient and devices of the choice alone, whatever the scenario.
   Choice hands() const;
+  /// Of the choice as it stands, practised: never an assessment.
+  NextTrial next_trial() const;
+  const std::vector<curricula::Curriculum>& curricula() const { return curricula_; }
 
  signals:
   void chosen(const vallecula::gui::Choice& choice);
   void import_wanted();
   void devices_wanted();
   void courses_wanted();
+  void home_wanted();
+  void changed();  ///< next_trial() may be another
 
  private:
   /// Fills the tree anew.

@@ -14,8 +14,10 @@
 #include "gui/pages/sound_button.h"
 #include "gui/pages/trial_panels.h"
 #include "gui/report/markdown.h"
+#include "gui/session/device_choice.h"
 #include "gui/session/expert_loop.h"
 #include "gui/session/patient_fit.h"
+#include "gui/session/user_settings.h"
 #include "gui/views/operator_view.h"
 
 namespace vallecula::gui {
@@ -161,6 +163,11 @@ void TrialPage::close_trial() {
   panels_->close_trial();
   running_ = false;
   let_go();
+}
+
+void TrialPage::set_device_note(const QString& note) {
+  device_note_->setText(note);
+  device_note_->setVisible(!note.isEmpty());
 }
 
 const curricula::Scenario& TrialPage::scenario() const {

@@ -50,9 +50,13 @@ class TrialPage : public QWidget {
   bool expert_shown() const { return expert_wanted_; }
   /// Lets the session go without a result (its log stays as interrupted when it was running).
   void close_trial();
+  /// What is known of the device's check, beside the help; empty: nothing.
+  void set_device_note(const QString& note);
   bool running() const { return running_; }
   /// The open trial, for whoever looks at it from another window; null: none is open.
   std::shared_ptr<TrialSession> session() const { return session_; }
+  /// What it is drawn from: moved once a frame, before frame().
+  std::shared_ptr<PatientLook> look() const { return look_; }
   /// An assessment is under way or being scored: it cannot be left without its result.
   bool assessing() const { return assessed() && (running_ || ending_); }
 
@@ -139,7 +143,7 @@ class TrialPage : public QWidget {
   QToolButton* panels_button_;
   BladeControl* control_;
   MouseIntroduction* introduction_;
-  QLabel *title_, *banner_, *help_, *steered_, *expert_sign_;
+  QLabel *title_, *banner_, *help_, *steered_, *expert_sign_, *device_note_;
   QPushButton *start_, *end_, *reset_, *leave_, *zoom_;
   QTimer timer_;
   QElapsedTimer since_frame_, since_start_, since_shown_;

@@ -120,7 +120,11 @@ QWidget* TrialPage::make_foot() {
   reset_ = new QPushButton(tr("Reset"), foot);
   zoom_ = new QPushButton(foot);
   leave_ = new QPushButton(tr("Back"), foot);
+  device_note_ = new QLabel(foot);
+  device_note_->setObjectName("faint");
+  device_note_->hide();
   row->addWidget(help_, 1);
+  row->addWidget(device_note_);
   for (auto* button : {zoom_, reset_, end_, start_, leave_}) {
     button->setFocusPolicy(Qt::NoFocus);  // keys are the blade's
     row->addWidget(button);

@@ -8,9 +8,9 @@
 #include <string>
 
 #include "gui/commands/commands.h"
+#include "gui/pages/look_settings.h"
 #include "gui/session/virtual_display.h"
 #include "gui/views/gl_view.h"
-#include "gui/views/theme.h"
 
 namespace vallecula::gui {
 namespace {
@@ -44,7 +44,8 @@ WindowApplication::WindowApplication() {
                                            : std::make_unique<QApplication>(one, just_program);
   QApplication::setApplicationName("Vallecula");
   QApplication::setApplicationDisplayName("Vallecula");
-  theme::apply(*application_);
+  note_system_palette();
+  apply_look(look_settings());
 }
 
 }  // namespace vallecula::gui

@@ -14,6 +14,7 @@
 #include "curricula/records/personal_data.h"
 #include "gui/records_pages/person_dialog.h"
 #include "gui/records_pages/person_words.h"
+#include "gui/records_pages/pin_try.h"
 #include "gui/records_pages/records_desk.h"
 
 namespace vallecula::gui {
@@ -28,24 +29,10 @@ namespace {
 constexpr char kNobodyYet[] =
     "Nobody is registered here yet: register as a trainee, or set up the first instructor.";
 
-struct SignInAnswer {
-  Who who;
-  QString refused;
-  double wait_s = 0.0;
-};
-
 struct Names {
   std::vector<Person> people;
   bool has_instructor = false;
 };
-
-SignInAnswer try_pin(Records& records, long long id, const std::string& pin) {
-  try {
-    return {People(records).sign_in(id, pin), {}, 0.0};
-  } catch (const curricula::PinRefused& refused) {
-    return {std::nullopt, QString::fromUtf8(refused.what()), refused.wait_s};
-  }
-}
 
 }  // namespace
 
@@ -213,9 +200,9 @@ void AccountTab::sign_in_as(long long id, const std::string& pin) {
   pin_->clear();
   message_->setText("Looking at the PIN ...");
   sign_in_button_->setEnabled(false);
-  desk_.ask<SignInAnswer>(
+  desk_.ask<PinTry>(
       this, [id, pin](Records& records) { return try_pin(records, id, pin); },
-      [this, id](SignInAnswer answer) {
+      [this, id](PinTry answer) {
         sign_in_button_->setEnabled(true);
         message_->setText(answer.refused);
         if (answer.wait_s > 0.0) {

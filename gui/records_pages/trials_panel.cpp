@@ -12,6 +12,7 @@
 #include "gui/pages/self_rating_page.h"
 #include "gui/records_pages/curve_charts.h"
 #include "gui/records_pages/hand_on.h"
+#include "gui/records_pages/keep_ratings.h"
 #include "gui/records_pages/rating_words.h"
 #include "gui/records_pages/records_desk.h"
 #include "gui/records_pages/tables.h"
@@ -225,13 +226,9 @@ void TrialsPanel::rate(const RecordRow& row, const Checklist& checklist) {
       new RatingDialog(this, courses_.title(row.curriculum_id, row.scenario_id) + ", " + for_people(row.finished_utc),
                        checklist.items, before, checklist.remark);
   connect(dialog, &RatingDialog::given, this, [this, dialog, trial = row.id] {
-    desk_.ask<bool>(
-        dialog,
-        [who = desk_.who(), trial, ratings = dialog->ratings()](curricula::Records& records) {
-          for (const Rating& rating : ratings) curricula::Ratings(records).add(who, trial, rating);
-          return true;
-        },
-        [this, dialog](bool) {
+    keep_ratings(
+        desk_, dialog, trial, dialog->ratings(),
+        [this, dialog] {
           dialog->accept();
           message_->setText("The rating is kept.");
           row_chosen(table_->currentRow());

@@ -31,6 +31,7 @@
 #include "gui/session/user_settings.h"
 #include "tests/curricula/full_course.h"
 #include "tests/gui/program.h"
+#include "tests/gui/window_home.h"
 #include "tests/gui/window_screen.h"
 
 namespace vallecula::gui::window_test {
@@ -51,6 +52,7 @@ class WindowAuthoring : public Screen {
     QApplication::setActiveWindow(window_.get());  // shortcuts go to the active window, and no window manager makes one
     QApplication::processEvents();
     page_ = &window_->authoring_page();
+    open_course_page(*window_);
   }
   void TearDown() override {
     while (page_->document().undo().canUndo()) page_->document().undo().undo();

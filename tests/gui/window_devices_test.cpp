@@ -16,6 +16,7 @@
 #include "gui/pages/main_window.h"
 #include "gui/session/user_paths.h"
 #include "tests/gui/program.h"
+#include "tests/gui/window_home.h"
 #include "tests/gui/window_screen.h"
 
 namespace vallecula::gui::window_test {
@@ -189,6 +190,7 @@ TEST_F(WindowDevices, TheChosenOneIsPractisedWithAndRemembered) {
     window.show_start({curriculum});
     window.show();
     EXPECT_EQ(device_of(window), "mouse");
+    open_course_page(window);
     button(window.start_page(), "Devices ...")->click();
     EXPECT_EQ(window.page_name(), "devices");
     keep_picture(window, "devices-window.png");

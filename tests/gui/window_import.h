@@ -19,6 +19,7 @@
 #include "gui/views/label_view.h"
 #include "pipeline/manikin/manikin.h"
 #include "tests/gui/program.h"
+#include "tests/gui/window_home.h"
 #include "tests/gui/window_screen.h"
 
 namespace vallecula::gui::window_test {
@@ -51,6 +52,7 @@ class WindowImport : public Screen {
     window_ = std::make_unique<MainWindow>();
     window_->show_start({curricula::load_curriculum(default_curriculum())});
     window_->show();
+    open_course_page(*window_);
     QPushButton* from_ct = button(window_->start_page(), "New patient from a CT ...");
     from_ct->click();
     ASSERT_EQ(window_->page_name(), "import");
@@ -122,8 +124,8 @@ class WindowImport : public Screen {
   /// Everything under the user's folder, and half-done work in the temporary one.
   std::vector<std::string> left_behind() const {
     std::vector<std::string> names;
-    // The window opens the records when it starts, whether anything is imported or not.
-    const std::set<fs::path> of_the_records{"records.sqlite", "records.sqlite-wal", "records.sqlite-shm", "station-id"};
+    // The window opens the records when it starts and keeps its size when it closes, whether anything is imported or not.
+    const std::set<fs::path> of_the_records{"settings.ini", "records.sqlite", "records.sqlite-wal", "records.sqlite-shm", "station-id"};
     for (const auto& entry : fs::recursive_directory_iterator(box_.home()))
       if (!entry.is_directory() && of_the_records.count(fs::relative(entry.path(), box_.home())) == 0)
         names.push_back(entry.path().string());

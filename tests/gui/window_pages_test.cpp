@@ -24,6 +24,7 @@
 #include "tests/gui/block_patient.h"
 #include "tests/gui/program.h"
 #include "tests/gui/window_patient.h"
+#include "tests/gui/window_home.h"
 #include "tests/gui/window_screen.h"
 
 namespace vallecula::gui::window_test {
@@ -255,7 +256,7 @@ TEST_F(Window, OpensOnTheShippedScenariosAndHandsOverTheChoice) {
   window.show_start({curricula::load_curriculum(default_curriculum())});
   window.show();
   QApplication::processEvents();
-  EXPECT_EQ(window.page_name(), "start");
+  open_course_page(window);
   EXPECT_GT(colours_in(window.grab().toImage()), 6);
   EXPECT_EQ(window.start_page().findChild<QTreeWidget*>()->topLevelItemCount(), 3);
   ASSERT_TRUE(window.start_page().select("preterm", "scripted:expert"));
@@ -272,6 +273,7 @@ TEST_F(Window, OffersEveryCurriculumAndAsksWhoHasTheTube) {
                      curricula::load_curriculum(curricula_folder() / "first-intubation.yaml")});
   window.show();
   QApplication::processEvents();
+  open_course_page(window);
   StartPage& page = window.start_page();
   auto* curriculum = page.findChild<QComboBox*>("curriculum");
   auto* device = page.findChild<QComboBox*>("device");
@@ -337,7 +339,8 @@ TEST_F(Window, SaysWhatIsWrongWithAPatientAndStaysOpen) {
   window.prepare(setup, true);
   ASSERT_TRUE(wait_for([&] { return !heard.failure.isEmpty(); }));
   EXPECT_TRUE(heard.failure.contains("face.vtp"));
-  EXPECT_EQ(window.page_name(), "start");
+  EXPECT_EQ(window.page_name(), "home");
+  EXPECT_EQ(window.home_page().findChild<QLabel*>("message")->text(), heard.failure);
   EXPECT_TRUE(window.isVisible());
   EXPECT_FALSE(fs::exists(box_ / "out" / "trial.vtrial"));
 }

@@ -23,6 +23,7 @@
 #include "tests/gui/block_patient.h"
 #include "tests/gui/busy_course.h"
 #include "tests/gui/program.h"
+#include "tests/gui/window_home.h"
 #include "tests/gui/window_screen.h"
 
 namespace vallecula::gui::window_test {
@@ -237,6 +238,7 @@ TEST_F(WindowPlaying, ModulesOpenOneAfterAnother) {
   window.show_start({curricula::load_curriculum(course_),
                      curricula::load_curriculum(curricula_folder() / "neonatal-intubation.yaml")});
   window.show();
+  open_course_page(window);
   StartPage& page = window.start_page();
   // What the records say comes later, and would take the place of what this test says was done.
   const Count answered(&window.records_page().desk(), &RecordsDesk::answered);
@@ -292,6 +294,7 @@ TEST_F(WindowPlaying, AnAttemptIsDrawnAnewOrDoneAgain) {
   MainWindow window;
   window.show_start({curricula::load_curriculum(course_)});
   window.show();
+  open_course_page(window);
   StartPage& page = window.start_page();
   page.add_patient(patient_, true);
   ASSERT_TRUE(page.select("helped", "mouse"));

@@ -127,7 +127,7 @@ TEST_F(WindowRecords, FromTheFirstInstructorToATraineesOwnProgress) {
   keep_picture(*window_, "records-5-another-figure.png");
 
   click(&page(), "Back");
-  EXPECT_EQ(window_->page_name(), "start");
+  EXPECT_EQ(window_->page_name(), "home");
   EXPECT_TRUE(text_of("who_is_signed_in").contains("Kiwi (trainee)"));
   keep_picture(*window_, "records-6-start-signed-in.png");
 }

@@ -1,0 +1,152 @@
+#include "gui/instructor/instructor_controls.h"
+
+#include <QComboBox>
+#include <QElapsedTimer>
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QTimer>
+#include <QVBoxLayout>
+#include <memory>
+
+#include "engine/tube/intubation_record.h"
+
+namespace vallecula::gui {
+
+InstructorControls::InstructorControls(QWidget* parent) : QWidget(parent) {
+  freeze_ = new QPushButton(tr("&Freeze"), this);
+  freeze_->setCheckable(true);
+  freeze_->setToolTip(tr("The trial's clock stands, no force is shown, the tools stay where they are (F5)"));
+  freeze_->setShortcut(Qt::Key_F5);
+  connect(freeze_, &QPushButton::clicked, this, &InstructorControls::freeze_wanted);
+  auto* grid = new QGridLayout;
+  grid->setSpacing(6);
+  const auto row = [&](int at, const QString& name, std::initializer_list<QPushButton*> buttons) {
+    grid->addWidget(new QLabel(name, this), at, 0);
+    int column = 1;
+    for (QPushButton* button : buttons) grid->addWidget(button, at, column++);
+  };
+  row(0, tr("Saturation"),
+      {vital_button(tr("SpO2 \xe2\x96\xbc"), tr("Held, the saturation falls (%)"), engine::kInstructorSaturationDown),
+       vital_button(tr("SpO2 \xe2\x96\xb2"), tr("Held, the saturation rises (%)"), engine::kInstructorSaturationUp)});
+  row(1, tr("Heart"),
+      {vital_button(tr("Heart \xe2\x96\xbc"), tr("Held, the heart slows (beats a minute)"), engine::kInstructorHeartDown),
+       vital_button(tr("Heart \xe2\x96\xb2"), tr("Held, the heart quickens (beats a minute)"), engine::kInstructorHeartUp)});
+  row(2, tr("Cords"),
+      {vital_button(tr("Laryngospasm"), tr("Pressed, the cords close; pressed again, they are let go"),
+                    engine::kInstructorSpasm),
+       freeze_});
+  grid->setColumnStretch(1, 1);
+  grid->setColumnStretch(2, 1);
+  line_ = new QComboBox(this);
+  line_->setEditable(true);
+  line_->setInsertPolicy(QComboBox::NoInsert);
+  line_->setAccessibleName(tr("What the team says"));
+  line_->setToolTip(tr("A ready sentence, or your own; Enter has the team say it on the trainee's screen"));
+  line_->lineEdit()->setMaxLength(120);
+  line_->lineEdit()->setPlaceholderText(tr("The team says ..."));
+  line_->setMinimumContentsLength(12);
+  line_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  line_->addItems({tr("What do you see?"), tr("Saturation is falling."), tr("Heart rate below 100."),
+                   tr("Thirty seconds."), tr("Shall I press on the larynx?"), tr("Suction is ready."),
+                   tr("Shall we ventilate by mask?"), tr("Stop, please.")});
+  line_->setCurrentIndex(-1);
+  say_ = new QPushButton(tr("&Say"), this);
+  auto* team = new QHBoxLayout;
+  team->addWidget(line_, 1);
+  team->addWidget(say_);
+  rules_ = new QLabel(this);
+  rules_->setObjectName("faint");
+  rules_->setWordWrap(true);
+  message_ = new QLabel(this);
+  message_->setObjectName("controls_message");
+  message_->setWordWrap(true);
+  message_->setProperty("role", "warning");
+  message_->hide();
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(6);
+  column->addLayout(grid);
+  column->addLayout(team);
+  column->addWidget(rules_);
+  column->addWidget(message_);
+  connect(say_, &QPushButton::clicked, this, &InstructorControls::say);
+  connect(line_->lineEdit(), &QLineEdit::returnPressed, this, &InstructorControls::say);
+  connect(line_->lineEdit(), &QLineEdit::textChanged, this,
+          [this](const QString& text) { say_->setEnabled(line_->isEnabled() && !text.trimmed().isEmpty()); });
+  allow(false, false, false);
+}
+
+/// The servo's thread reads what is held a thousand times a second; a click is held long enough to do something.
+QPushButton* InstructorControls::vital_button(const QString& text, const QString& tip, std::uint32_t action) {
+  auto* button = new QPushButton(text, this);
+  button->setToolTip(tip);
+  button->setAutoDefault(false);
+  vital_.emplace_back(button, action);
+  if (action == engine::kInstructorSpasm) {
+    button->setCheckable(true);
+    connect(button, &QPushButton::toggled, this, [this, action](bool on) { emit vital_sign(action, on); });
+    return button;
+  }
+  const auto since = std::make_shared<QElapsedTimer>();
+  connect(button, &QPushButton::pressed, this, [this, action, since] {
+    since->start();
+    emit vital_sign(action, true);
+  });
+  connect(button, &QPushButton::released, this, [this, button, action, since] {
+    const int left_ms = kLeastHoldMs - static_cast<int>(since->elapsed());
+    QTimer::singleShot(std::max(0, left_ms), button, [this, button, action] {
+      if (!button->isDown()) emit vital_sign(action, false);
+    });
+  });
+  return button;
+}
+
+void InstructorControls::allow(bool running, bool vital_signs, bool assessment) {
+  const int now = (running ? 1 : 0) | (vital_signs ? 2 : 0) | (assessment ? 4 : 0);
+  if (std::exchange(allowed_, now) == now) return;
+  freeze_->setEnabled(running);
+  for (const auto& [button, action] : vital_) button->setEnabled(running && vital_signs);
+  line_->setEnabled(running && !assessment);
+  say_->setEnabled(running && !assessment && !line_->currentText().trimmed().isEmpty());
+  rules_->setText(
+      assessment
+          ? tr("Assessment: you may freeze. Vital signs you change are recorded, and the trial is marked. "
+               "The team says nothing: a line would be a help.")
+      : vital_signs ? tr("Vital signs you change are recorded, and the trial is marked.")
+                    : tr("This scenario has no infant's vital signs."));
+  tell({});
+}
+
+void InstructorControls::show_frozen(bool frozen) {
+  if (freeze_->isChecked() == frozen && freeze_->property("frozen").toBool() == frozen) return;
+  freeze_->setProperty("frozen", frozen);
+  freeze_->setChecked(frozen);
+  freeze_->setText(frozen ? tr("&Continue") : tr("&Freeze"));
+  freeze_->setShortcut(Qt::Key_F5);  // the text took it
+}
+
+void InstructorControls::tell(const QString& message) {
+  message_->setText(message);
+  message_->setVisible(!message.isEmpty());
+}
+
+void InstructorControls::release_all() {
+  for (const auto& [button, action] : vital_) {
+    if (button->isCheckable()) button->setChecked(false);
+    button->setDown(false);
+    emit vital_sign(action, false);
+  }
+}
+
+void InstructorControls::say() {
+  const QString line = line_->currentText().trimmed();
+  if (line.isEmpty() || !line_->isEnabled()) return;
+  emit say_wanted(line);
+  line_->setCurrentIndex(-1);
+  line_->clearEditText();
+}
+
+}  // namespace vallecula::gui

@@ -1,0 +1,292 @@
+#include "gui/instructor/instructor_window.h"
+
+#include <QApplication>
+#include <QCloseEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QListWidget>
+#include <QPushButton>
+#include <QScreen>
+#include <QTabWidget>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <map>
+
+#include "gui/instructor/instructor_controls.h"
+#include "gui/instructor/run_checklist.h"
+#include "gui/pages/trial_page.h"
+#include "gui/records_pages/keep_ratings.h"
+#include "gui/records_pages/person_words.h"
+#include "gui/report/markdown.h"
+#include "gui/views/force_bars.h"
+#include "gui/views/monitor_panel.h"
+#include "gui/views/operator_view.h"
+#include "gui/views/trial_readings.h"
+
+namespace vallecula::gui {
+namespace {
+
+/// Ten pictures a second are enough to watch by; where drawing is slow, it takes no more than a fifth of a core.
+constexpr int kLeastPictureMs = 100;
+constexpr double kShareOfACore = 0.2;
+constexpr int kMostEvents = 500;
+
+QString clock_words(double seconds) {
+  const int whole = static_cast<int>(seconds);
+  return QString("%1:%2").arg(whole / 60).arg(whole % 60, 2, 10, QChar('0'));
+}
+
+QFrame* panel_with(QWidget* inside, QWidget* parent) {
+  auto* panel = new QFrame(parent);
+  panel->setObjectName("panel");
+  auto* column = new QVBoxLayout(panel);
+  column->setContentsMargins(8, 6, 8, 6);
+  column->addWidget(inside);
+  return panel;
+}
+
+std::optional<curricula::Mouth> mouth_of(const pipeline::PatientPackage& package) {
+  std::map<std::string, std::array<double, 3>> landmarks_m;
+  for (const auto& [name, point] : package.landmarks)
+    landmarks_m[name] = {1e-3 * point[0], 1e-3 * point[1], 1e-3 * point[2]};
+  return curricula::mouth_from_landmarks(landmarks_m);
+}
+
+}  // namespace
+
+InstructorWindow::InstructorWindow(TrialPage& trial, RecordsDesk& trainee)
+    : trial_(trial), trainee_(trainee) {
+  setWindowTitle(tr("Instructor - Vallecula"));
+  auto* columns = new QHBoxLayout(this);
+  columns->setContentsMargins(12, 10, 12, 10);
+  columns->setSpacing(12);
+  columns->addWidget(make_left(), 3);
+  columns->addWidget(make_right(), 2);
+  connect(&trial_, &TrialPage::opened, this, &InstructorWindow::take_session);
+  connect(&trial_, &TrialPage::started, this, &InstructorWindow::show_state);
+  connect(&trial_, &TrialPage::frame, this, &InstructorWindow::frame);
+  connect(&trial_, &TrialPage::closed, this, &InstructorWindow::let_go);
+  connect(&trial_, &TrialPage::finished, this, &InstructorWindow::recorded);
+  connect(&trainee_, &RecordsDesk::changed, this, &InstructorWindow::show_state);
+  connect(&desk_, &RecordsDesk::changed, this, &InstructorWindow::show_state);
+  connect(controls_, &InstructorControls::freeze_wanted, this, &InstructorWindow::freeze);
+  connect(controls_, &InstructorControls::vital_sign, this, &InstructorWindow::drive);
+  connect(controls_, &InstructorControls::say_wanted, this, &InstructorWindow::say);
+  connect(checklist_, &RunChecklist::keep_wanted, this, &InstructorWindow::keep_ratings_given);
+  resize(1280, 800);
+  take_session();
+}
+
+QWidget* InstructorWindow::make_left() {
+  auto* left = new QWidget(this);
+  title_ = new QLabel(left);
+  title_->setObjectName("title");
+  title_->setWordWrap(true);
+  state_ = new QLabel(left);
+  state_->setObjectName("instructor_state");
+  who_ = new QLabel(left);
+  who_->setObjectName("faint");
+  who_->setWordWrap(true);
+  next_ = new QPushButton(tr("&Next trainee ..."), left);
+  next_->setToolTip(tr("The present trainee is signed out, the next one signs in (Ctrl+T); not while a trial runs"));
+  connect(next_, &QPushButton::clicked, this, &InstructorWindow::next_trainee_wanted);
+  view_ = new OperatorView(left);
+  view_->setMinimumSize(360, 240);
+  view_->setAccessibleName(tr("The operator's view, live"));
+  monitor_ = new MonitorPanel(left);
+  auto* head = new QHBoxLayout;
+  head->addWidget(title_, 1);
+  head->addWidget(next_, 0, Qt::AlignTop);
+  auto* line = new QHBoxLayout;
+  line->addWidget(state_);
+  line->addSpacing(14);
+  line->addWidget(who_, 1);
+  auto* column = new QVBoxLayout(left);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(8);
+  column->addLayout(head);
+  column->addLayout(line);
+  events_ = new QListWidget(left);
+  events_->setObjectName("events");
+  events_->setAccessibleName(tr("Events"));
+  events_->setToolTip(tr("What happens, by the trial's clock (min:s)"));
+  events_->setWordWrap(true);
+  events_->setSelectionMode(QAbstractItemView::NoSelection);
+  events_->setFixedHeight(6 * events_->fontMetrics().lineSpacing());
+  events_->setStyleSheet("QListWidget::item { padding: 1px 4px; }");
+  column->addWidget(view_, 1);
+  column->addWidget(monitor_);
+  column->addWidget(events_);
+  return left;
+}
+
+QWidget* InstructorWindow::make_right() {
+  auto* right = new QWidget(this);
+  bars_ = new ForceBars(right);
+  readings_ = new TrialReadings(right);
+  controls_ = new InstructorControls(right);
+  checklist_ = new RunChecklist(right);
+  tabs_ = new QTabWidget(right);
+  tabs_->addTab(checklist_, tr("Checklist"));
+  tabs_->addTab(readings_, tr("Figures"));
+  auto* column = new QVBoxLayout(right);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(8);
+  column->addWidget(panel_with(bars_, right));
+  column->addWidget(panel_with(controls_, right));
+  column->addWidget(tabs_, 1);
+  return right;
+}
+
+void InstructorWindow::show_beside(QWidget* first) {
+  const QList<QScreen*> screens = QApplication::screens();
+  for (QScreen* screen : screens)
+    if (screen != first->screen()) {
+      move(screen->availableGeometry().topLeft());
+      showMaximized();
+      return;
+    }
+  show();
+  raise();
+}
+
+void InstructorWindow::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  if (session_) view_->draw();
+}
+
+void InstructorWindow::closeEvent(QCloseEvent* event) {
+  controls_->release_all();
+  desk_.sign_out();  // who opens it next may be somebody else
+  event->accept();
+}
+
+void InstructorWindow::take_session() {
+  let_go();
+  session_ = trial_.session();
+  if (!session_) return;
+  const auto& scenario = session_->scenario();
+  const auto& scene = session_->scene();
+  const auto mouth = mouth_of(session_->package());
+  live_.begin(scenario, mouth);
+  view_->show_patient(trial_.look(), scene.tool.surface, scene.intubation ? &*scene.intubation : nullptr);
+  bars_->set_marks({scenario.targets.tongue_force_n, scenario.targets.gum_force_n, scene.haptics.device_limit_n});
+  readings_->set_scenario(scenario, mouth);
+  readings_->show_tube(scene.intubation.has_value());
+  checklist_->begin(scenario);
+  events_->clear();
+  bars_->clear();
+  monitor_->clear();
+  record_ = 0;
+  drawn_ = 0;
+  last_time_s_ = 0.0;
+  if (isVisible()) view_->draw();
+  show_state();
+}
+
+void InstructorWindow::let_go() {
+  if (session_) controls_->release_all();
+  session_.reset();
+  show_state();
+}
+
+void InstructorWindow::frame(const engine::Snapshot& snapshot) {
+  if (!session_ || !isVisible()) return;
+  if (snapshot.time_s < last_time_s_) {  // begun anew
+    live_.begin(session_->scenario(), mouth_of(session_->package()));
+    bars_->clear();
+    readings_->clear();
+    monitor_->clear();
+    add_events({{0.0, tr("Begun anew")}});
+  }
+  last_time_s_ = snapshot.time_s;
+  const double wait_ms = std::max<double>(kLeastPictureMs, view_->last_draw_ms() / kShareOfACore);
+  if (since_drawn_.isValid() && static_cast<double>(since_drawn_.elapsed()) < wait_ms) return;
+  since_drawn_.start();
+  ++drawn_;
+  view_->update_from(snapshot);  // the look has moved to it already, in the trial page's view
+  view_->draw();
+  bars_->show_forces(blade_forces(snapshot.loads, snapshot.proxy_pose));
+  readings_->show_snapshot(snapshot, session_->paused_s());
+  monitor_->show_snapshot(snapshot);
+  add_events(live_.watch(snapshot, QString::fromStdString(session_->pause()), session_->paused_s(),
+                         &session_->dual_task()));
+  show_state();
+}
+
+void InstructorWindow::show_state() {
+  const bool running = session_ && trial_.running();
+  const bool assessed = session_ && session_->scenario().attempt.mode == curricula::Mode::assessment;
+  const bool infant = session_ && session_->scene().intubation.has_value();
+  const bool frozen = running && session_->frozen();
+  const QString title = session_ ? plain_of(session_->scenario().title) : tr("No trial is open");
+  if (title_->text() != title) title_->setText(title);
+  state_->setText(!session_   ? tr("Waiting for a trial")
+                  : !running  ? tr("Prepared, not started")
+                  : frozen    ? tr("FROZEN at %1").arg(clock_words(live_.now_s()))
+                  : session_->pause().empty() ? tr("Running, %1").arg(clock_words(live_.now_s()))
+                                              : tr("Paused at %1").arg(clock_words(live_.now_s())));
+  const QString trainee = trainee_.who() ? words_of(trainee_.person()) : tr("nobody is signed in");
+  const QString instructor = desk_.who() ? words_of(desk_.person()) : tr("nobody: ticks cannot be kept");
+  who_->setText(tr("At the blade: %1. Here: %2.%3").arg(trainee, instructor, assessed ? tr(" Assessment.") : QString()));
+  monitor_->setVisible(infant);
+  next_->setEnabled(!running && !trial_.assessing());
+  controls_->allow(running, infant, assessed);
+  controls_->show_frozen(frozen);
+}
+
+void InstructorWindow::add_events(const std::vector<LiveEvent>& events) {
+  for (const LiveEvent& event : events)
+    events_->addItem(QString("%1   %2").arg(clock_words(event.at_s), event.text));
+  while (events_->count() > kMostEvents) delete events_->takeItem(0);
+  if (!events.empty()) events_->scrollToBottom();
+}
+
+void InstructorWindow::freeze(bool on) {
+  if (!session_) return;
+  try {
+    session_->freeze(on);
+    add_events({{live_.now_s(), on ? tr("You froze the trial") : tr("You let it go on")}});
+    show_state();
+  } catch (const std::exception& error) {
+    show_state();
+    controls_->tell(QString::fromUtf8(error.what()));
+  }
+}
+
+void InstructorWindow::drive(std::uint32_t action, bool down) {
+  if (!session_) return;
+  session_->actions().hold(static_cast<engine::Action>(action), down);
+  const bool was = (driven_ & action) != 0;
+  driven_ = down ? driven_ | action : driven_ & ~action;
+  if (!down || was) return;
+  const std::map<std::uint32_t, QString> words{{engine::kInstructorSaturationDown, tr("You lower the saturation")},
+                                               {engine::kInstructorSaturationUp, tr("You raise the saturation")},
+                                               {engine::kInstructorHeartDown, tr("You slow the heart")},
+                                               {engine::kInstructorHeartUp, tr("You quicken the heart")},
+                                               {engine::kInstructorSpasm, tr("You close the cords")}};
+  add_events({{live_.now_s(), words.at(action)}});
+}
+
+void InstructorWindow::say(const QString& line) {
+  if (!session_) return;
+  trial_.say(line);
+  add_events({{live_.now_s(), tr("The team says: %1").arg(line)}});
+}
+
+void InstructorWindow::recorded(const TrialOutcome& outcome) {
+  record_ = outcome.record_id;
+  checklist_->recorded(outcome.score.checklist,
+                       !desk_.instructor()   ? tr("Recorded. An instructor who is signed in here can keep the ticks.")
+                       : outcome.record_id == 0 ? tr("This trial has no record: the ticks cannot be kept.")
+                                                : QString());
+  tabs_->setCurrentWidget(checklist_);
+}
+
+void InstructorWindow::keep_ratings_given() {
+  keep_ratings(
+      desk_, this, record_, checklist_->ratings(), [this] { checklist_->kept(); },
+      [this](const QString& message) { checklist_->refuse(message); });
+}
+
+}  // namespace vallecula::gui

@@ -1,0 +1,148 @@
+#include "gui/instructor/sign_in_dialog.h"
+
+#include <QComboBox>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+
+#include "gui/records_pages/person_words.h"
+#include "gui/records_pages/pin_try.h"
+
+namespace vallecula::gui {
+
+using curricula::Person;
+
+SignInDialog::SignInDialog(RecordsDesk& desk, Whom whom, const QString& title, const QString& say, long long after,
+                           QWidget* parent)
+    : QDialog(parent), desk_(desk), whom_(whom), after_(after) {
+  setWindowTitle(title);
+  setAttribute(Qt::WA_DeleteOnClose);
+  auto* heading = new QLabel(title, this);
+  heading->setObjectName("heading");
+  auto* about = new QLabel(say, this);
+  about->setObjectName("faint");
+  about->setWordWrap(true);
+  name_ = new QComboBox(this);
+  name_->setAccessibleName(tr("Name"));
+  name_->setToolTip(tr("Up and Down change it from the PIN's field too"));
+  pin_ = new QLineEdit(this);
+  pin_->setEchoMode(QLineEdit::Password);
+  pin_->setMaxLength(100);
+  pin_->setAccessibleName(tr("PIN"));
+  pin_->installEventFilter(this);
+  auto* form = new QFormLayout;
+  form->addRow(tr("&Name"), name_);
+  form->addRow(tr("&PIN"), pin_);
+  message_ = new QLabel(this);
+  message_->setObjectName("dialog_message");
+  message_->setWordWrap(true);
+  message_->setProperty("role", "warning");
+  auto* nobody = new QPushButton(whom == Whom::anybody ? tr("Go on as nobody") : tr("Cancel"), this);
+  nobody->setAutoDefault(false);
+  auto* records = new QPushButton(tr("Somebody ne&w ..."), this);
+  records->setAutoDefault(false);
+  records->setVisible(whom == Whom::anybody);
+  take_ = new QPushButton(tr("Sign in"), this);
+  take_->setObjectName("primary");
+  take_->setDefault(true);
+  take_->setEnabled(false);
+  auto* buttons = new QHBoxLayout;
+  buttons->addWidget(nobody);
+  buttons->addWidget(records);
+  buttons->addStretch(1);
+  buttons->addWidget(take_);
+  auto* all = new QVBoxLayout(this);
+  all->setContentsMargins(22, 18, 22, 16);
+  all->setSpacing(10);
+  all->addWidget(heading);
+  all->addWidget(about);
+  all->addLayout(form);
+  all->addWidget(message_);
+  all->addLayout(buttons);
+  setMinimumWidth(460);
+  connect(nobody, &QPushButton::clicked, this, &QDialog::reject);
+  connect(records, &QPushButton::clicked, this, [this] {
+    emit records_wanted();
+    reject();
+  });
+  connect(take_, &QPushButton::clicked, this, &SignInDialog::take);
+  pin_->setFocus();
+  ask_names();
+}
+
+void SignInDialog::ask_names() {
+  message_->setText(tr("Asking the records ..."));
+  desk_.ask<std::vector<Person>>(
+      this, [](curricula::Records& records) { return curricula::People(records).list(); },
+      [this](std::vector<Person> people) {
+        const auto unwanted = [this](const Person& person) {
+          return whom_ == Whom::instructors && person.role != curricula::Role::instructor;
+        };
+        people.erase(std::remove_if(people.begin(), people.end(), unwanted), people.end());
+        people_ = std::move(people);
+        int next = 0, trainee = -1;
+        for (std::size_t i = 0; i < people_.size(); ++i) {
+          name_->addItem(words_of(people_[i]));
+          if (people_[i].role == curricula::Role::trainee && trainee < 0) trainee = static_cast<int>(i);
+          if (people_[i].id == after_) next = static_cast<int>(i + 1);
+        }
+        // After the last one, and after nobody, the first of the trainees.
+        if (next == 0 || next >= static_cast<int>(people_.size())) next = std::max(0, trainee);
+        name_->setCurrentIndex(people_.empty() ? -1 : next);
+        message_->setText(people_.empty() ? tr("Nobody is registered here yet.") : QString());
+        take_->setEnabled(!people_.empty());
+      },
+      [this](const QString& message) { message_->setText(message); });
+}
+
+bool SignInDialog::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == pin_ && event->type() == QEvent::KeyPress) {
+    const int key = static_cast<QKeyEvent*>(event)->key();
+    if (key == Qt::Key_Up || key == Qt::Key_Down) {
+      name_->setCurrentIndex(std::clamp(name_->currentIndex() + (key == Qt::Key_Down ? 1 : -1), 0,
+                                        std::max(0, name_->count() - 1)));
+      return true;
+    }
+  }
+  return QDialog::eventFilter(watched, event);
+}
+
+void SignInDialog::take() {
+  const auto chosen = static_cast<std::size_t>(name_->currentIndex());
+  if (chosen >= people_.size()) return;
+  const Person person = people_[chosen];
+  take_->setEnabled(false);
+  message_->setText(tr("Looking at the PIN ..."));
+  desk_.ask<PinTry>(
+      this,
+      [id = person.id, pin = pin_->text().toStdString()](curricula::Records& records) {
+        return try_pin(records, id, pin);
+      },
+      [this, person](PinTry answer) {
+        take_->setEnabled(true);
+        pin_->clear();
+        pin_->setFocus();
+        if (answer.who) {
+          desk_.sign_in(*answer.who, person);
+          accept();
+        } else if (answer.wait_s > 0.0) {
+          message_->setText(tr("Too many wrong PINs: wait %1 s, or ask an instructor for a new PIN.")
+                                .arg(static_cast<int>(std::ceil(answer.wait_s))));
+        } else {
+          message_->setText(answer.refused);
+        }
+      },
+      [this](const QString& message) {
+        take_->setEnabled(true);
+        message_->setText(message);
+      });
+  pin_->clear();
+}
+
+}  // namespace vallecula::gui

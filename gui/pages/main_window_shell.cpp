@@ -1,0 +1,236 @@
+// What frames the window's pages: home, menu, files that are dropped or opened, the look.
+#include <QDragEnterEvent>
+#include <QDropEvent>
+#include <QFileDialog>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QStackedWidget>
+#include <QUrl>
+#include <algorithm>
+
+#include "gui/authoring/authoring_page.h"
+#include "gui/import/import_wizard.h"
+#include "gui/pages/background.h"
+#include "gui/pages/devices_page.h"
+#include "gui/pages/home_page.h"
+#include "gui/pages/look_settings.h"
+#include "gui/pages/main_menu.h"
+#include "gui/pages/main_window.h"
+#include "gui/pages/replay_page.h"
+#include "gui/pages/self_rating_page.h"
+#include "gui/pages/settings_dialog.h"
+#include "gui/pages/trial_page.h"
+#include "gui/records_pages/records_page.h"
+#include "gui/session/builtin_patient.h"
+#include "gui/session/recent_files.h"
+
+namespace vallecula::gui {
+namespace {
+
+constexpr double kTextStep = 0.1;
+
+std::vector<std::filesystem::path> local_files(const QMimeData& data) {
+  std::vector<std::filesystem::path> paths;
+  for (const QUrl& url : data.urls())
+    if (url.isLocalFile()) paths.emplace_back(url.toLocalFile().toStdString());
+  return paths;
+}
+
+/// What the first page shows of the disk.
+struct Around {
+  QImage patient;
+  std::vector<RecentFile> recent;
+};
+
+}  // namespace
+
+void MainWindow::show_page(QWidget* page) {
+  if (page == home_ || page == start_) first_ = page;
+  if (pages_->currentWidget() == replay_) replay_->close_replay();
+  pages_->setCurrentWidget(page);
+}
+
+void MainWindow::page_changed() {
+  const QWidget* page = pages_->currentWidget();
+  // The page that is seen says how small the window may be, not the largest of them all.
+  for (int i = 0; i < pages_->count(); ++i) {
+    const auto policy = pages_->widget(i) == page ? QSizePolicy::Preferred : QSizePolicy::Ignored;
+    pages_->widget(i)->setSizePolicy(policy, policy);
+  }
+  who_->setVisible(page == home_ || page == start_);
+  menu_->set_state(!has_start_ || page == trial_ || page == rating_ || page == prepare_page_, may_open());
+  if (page == home_) look_around();
+}
+
+void MainWindow::connect_home() {
+  connect(home_, &HomePage::practise_wanted, this, &MainWindow::practise);
+  connect(home_, &HomePage::course_wanted, this, [this] { show_page(start_); });
+  connect(home_, &HomePage::import_wanted, this, [this] { import_series(); });
+  connect(home_, &HomePage::records_wanted, this, [this] { show_page(records_); });
+  connect(home_, &HomePage::devices_wanted, this, [this] { show_page(devices_); });
+  connect(home_, &HomePage::writing_wanted, this, [this] { write_course(); });
+  connect(home_, &HomePage::recent_wanted, this, [this](const QString& path) { open_files({path.toStdString()}); });
+  connect(start_, &StartPage::home_wanted, this, [this] { show_page(home_); });
+  connect(start_, &StartPage::changed, this, [this] {
+    home_->set_next(start_->next_trial());
+    if (pages_->currentWidget() == home_) look_around();
+  });
+  home_->set_next(start_->next_trial());
+}
+
+void MainWindow::connect_menu() {
+  connect(menu_, &MainMenu::home_wanted, this, [this] { show_page(home_); });
+  connect(menu_, &MainMenu::course_wanted, this, [this] { show_page(start_); });
+  connect(menu_, &MainMenu::records_wanted, this, [this] { show_page(records_); });
+  connect(menu_, &MainMenu::devices_wanted, this, [this] { show_page(devices_); });
+  connect(menu_, &MainMenu::import_wanted, this, [this] { import_series(); });
+  connect(menu_, &MainMenu::writing_wanted, this, [this] { write_course(); });
+  connect(menu_, &MainMenu::recent_wanted, this, [this](const QString& path) { open_files({path.toStdString()}); });
+  connect(menu_, &MainMenu::open_wanted, this, [this] {
+    const QString file = QFileDialog::getOpenFileName(
+        this, tr("Open a trial, a patient's patient.yaml, a course or a CT's file"), {},
+        tr("What can be opened (*.vtrial *.yaml *.yml *.dcm *.ima *.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd);;All files (*)"));
+    if (!file.isEmpty()) open_files({file.toStdString()});
+  });
+  connect(menu_, &MainMenu::quit_wanted, this, &QWidget::close);
+  connect(menu_, &MainMenu::settings_wanted, this, [this] {
+    auto* dialog = new SettingsDialog(this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->open();
+  });
+  connect(menu_, &MainMenu::ground_wanted, this, [](const QString& ground) {
+    LookSettings look = look_settings();
+    look.ground = ground;
+    keep_look(look);
+    apply_look(look);
+  });
+  connect(menu_, &MainMenu::text_wanted, this, [](int steps) {
+    LookSettings look = look_settings();
+    look.text_scale = steps == 0 ? 1.0
+                                 : std::clamp(look.text_scale + kTextStep * steps, theme::kLeastTextScale,
+                                              theme::kMostTextScale);
+    keep_look(look);
+    apply_look(look);
+  });
+}
+
+void MainWindow::practise() {
+  if (!start_->next_trial().hindrance.isEmpty()) return show_page(start_);
+  Choice choice = start_->choice();
+  choice.mode = curricula::Mode::practice;
+  prepare_choice(choice);
+}
+
+void MainWindow::look_around() {
+  if (looker_ && !looker_->isFinished()) {
+    look_again_ = true;
+    return;
+  }
+  look_again_ = false;
+  const NextTrial next = start_->next_trial();
+  std::filesystem::path patient = start_->hands().patient;
+  curricula::ManikinSpec manikin;
+  if (patient.empty() && !next.scenario.isEmpty()) manikin = start_->choice().scenario.manikin;
+  looker_ = run_in_background<Around>(
+      this,
+      [patient, manikin, files = kept_recent()]() mutable {
+        if (patient.empty()) patient = builtin_patients_folder() / (builtin_patient_name(manikin) + ".patient");
+        return Around{QImage(QString::fromStdString((patient / "thumbnail.png").string())), still_there(files)};
+      },
+      [this](const Around& around) {
+        home_->set_picture(around.patient);
+        home_->set_recent(around.recent);
+        menu_->set_recent(around.recent);
+        if (look_again_) look_around();
+      },
+      [this](const QString& message) { home_->set_message(message); });
+}
+
+void MainWindow::remember(const std::filesystem::path& path) {
+  remember_recent(path);
+  if (pages_->currentWidget() == home_) look_around();
+}
+
+bool MainWindow::may_open() const {
+  const QWidget* page = pages_->currentWidget();
+  if (page == import_) return import_->step() == "source" && !import_->work().busy();
+  return page != trial_ && page != rating_ && page != prepare_page_ && page != authoring_;
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+  if (pages_->currentWidget() != trial_ && !local_files(*event->mimeData()).empty()) event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+  event->acceptProposedAction();
+  open_files(local_files(*event->mimeData()));
+}
+
+void MainWindow::open_files(const std::vector<std::filesystem::path>& paths) {
+  if (pages_->currentWidget() == authoring_ ? !authoring_->may_leave() : !may_open())
+    return tell(tr("Finish or leave what is under way on this page first; then it can be opened."));
+  run_in_background<Dropped>(
+      this, [paths] { return what_was_dropped(paths); }, [this](const Dropped& found) { open_found(found); },
+      [this](const QString& message) { tell(message); });
+}
+
+void MainWindow::open_found(const Dropped& found) {
+  tell_first("");
+  switch (found.kind) {
+    case DroppedKind::nothing:
+      return tell(found.message);
+    case DroppedKind::ct:
+      return import_series(QString::fromStdString(found.path.string()));
+    case DroppedKind::patient:
+      start_->add_patient(found.path, true);
+      remember(found.path);
+      return show_page(first_);
+    case DroppedKind::course:
+      return open_course(found.path);
+    case DroppedKind::trial:
+      if (!records_->desk().who()) remember(found.path);
+      return replay(found.path);
+  }
+}
+
+void MainWindow::open_course(const std::filesystem::path& file) {
+  run_in_background<curricula::Curriculum>(
+      this, [file] { return curricula::load_curriculum(file); },
+      [this, file](curricula::Curriculum course) {
+        std::vector<curricula::Curriculum> all = start_->curricula();
+        const auto same = std::find_if(all.begin(), all.end(), [&](const auto& one) { return one.id == course.id; });
+        std::error_code error;
+        if (same != all.end() && !std::filesystem::equivalent(same->file, file, error))
+          return tell(tr("%1: a course of this id (%2) is there already; give it another id.")
+                          .arg(QString::fromStdString(file.filename().string()), QString::fromStdString(course.id)));
+        const std::string first = course.scenarios.front().id;
+        if (same != all.end()) {
+          *same = course;
+        } else {
+          opened_courses_.push_back(course);
+          all.push_back(course);
+        }
+        records_->set_curricula(all);
+        start_->set_curricula(std::move(all));
+        start_->show_course(course.id);
+        remember(file);
+        show_page(start_);
+      },
+      [this](const QString& message) { tell(message); });
+}
+
+void MainWindow::tell_first(const QString& message) {
+  for (QWidget* page : {static_cast<QWidget*>(home_), static_cast<QWidget*>(start_)}) {
+    const QString here = page == first_ ? message : QString();
+    page == home_ ? home_->set_message(here) : start_->set_message(here);
+  }
+}
+
+void MainWindow::tell(const QString& message) {
+  if (pages_->currentWidget() == first_) return tell_first(message);
+  auto* box = new QMessageBox(QMessageBox::Information, windowTitle(), message, QMessageBox::Ok, this);
+  box->setAttribute(Qt::WA_DeleteOnClose);
+  box->open();
+}
+
+}  // namespace vallecula::gui

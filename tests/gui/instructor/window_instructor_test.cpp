@@ -1,0 +1,362 @@
+// The instructor's second window beside a trial: what it shows, what it does to it, what is kept of the ticks; and the
+// next trainee at the same machine.
+#include <QComboBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QPushButton>
+#include <QTest>
+#include <QToolButton>
+#include <algorithm>
+
+#include "curricula/records/ratings.h"
+#include "gui/instructor/instructor_controls.h"
+#include "gui/instructor/instructor_window.h"
+#include "gui/instructor/run_checklist.h"
+#include "gui/instructor/sign_in_dialog.h"
+#include "gui/instructor/station.h"
+#include "gui/pages/trial_page.h"
+#include "gui/session/builtin_patient.h"
+#include "gui/views/operator_view.h"
+#include "gui/views/theme.h"
+#include "tests/gui/block_patient.h"
+#include "tests/gui/busy_course.h"
+#include "tests/gui/records_pages/window_records.h"
+
+namespace vallecula::gui::window_test {
+namespace {
+
+class WindowInstructor : public WindowRecords {
+ protected:
+  void register_people() {
+    Records records(records_location());
+    People people(records);
+    people.create_first_instructor("Boss", "4321");
+    for (const char* name : {"Emu", "Kiwi", "Moa"}) people.register_trainee(name, "1234");
+  }
+  /// Signed in at the blade, as the records' page would.
+  void sign_in_directly(const std::string& name, const std::string& pin) {
+    Records records(records_location());
+    People people(records);
+    for (const auto& person : people.list())
+      if (person.name == name) desk().sign_in(people.sign_in(person.id, pin), person);
+    ASSERT_EQ(desk().person().name, name);
+  }
+  void open_with_course() {
+    window_ = std::make_unique<MainWindow>();
+    window_->show_start({curricula::load_curriculum(course_)});
+    window_->show();
+    QApplication::setActiveWindow(window_.get());
+    QApplication::processEvents();
+  }
+  TrialSetup setup(const std::string& scenario, curricula::Mode mode = curricula::Mode::practice) {
+    TrialSetup setup;
+    setup.patient = patient_;
+    setup.curriculum = course_;
+    setup.scenario = scenario;
+    setup.device = "mouse";
+    setup.out = box_ / "out";
+    setup.mode = mode;
+    setup.trainee_id = desk().person().id;
+    return setup;
+  }
+  void prepare(const TrialSetup& setup) {
+    bool ready = false;
+    QString failure;
+    const auto heard = QObject::connect(window_.get(), &MainWindow::prepared, [&] { ready = true; });
+    const auto failed = QObject::connect(window_.get(), &MainWindow::trial_failed, [&](const QString& m) { failure = m; });
+    window_->prepare(setup, false);
+    ASSERT_TRUE(wait_for([&] { return ready || !failure.isEmpty(); }));
+    ASSERT_EQ(failure.toStdString(), "");
+    QObject::disconnect(heard);
+    QObject::disconnect(failed);
+  }
+  InstructorWindow& second() { return *window_->station().instructor_window(); }
+  bool second_is_open() {
+    return window_->station().instructor_window() != nullptr && second().isVisible();
+  }
+  /// By its key in the first window.
+  void open_second() {
+    QApplication::setActiveWindow(window_.get());
+    QTest::keyClick(window_.get(), Qt::Key_I, Qt::ControlModifier);
+  }
+  QString state() { return second().findChild<QLabel*>("instructor_state")->text(); }
+  QStringList events() {
+    QStringList all;
+    auto* list = second().findChild<QListWidget*>();
+    for (int i = 0; i < list->count(); ++i) all << list->item(i)->text();
+    return all;
+  }
+  bool told(const QString& what) {
+    const QStringList all = events();
+    return std::any_of(all.begin(), all.end(), [&](const QString& one) { return one.contains(what); });
+  }
+  QPushButton* button(const QString& text) {
+    for (auto* one : second().findChildren<QPushButton*>())
+      if (one->text().remove('&').startsWith(text)) return one;
+    return nullptr;
+  }
+  QToolButton* tick(const QString& name) {
+    for (auto* one : second().findChildren<QToolButton*>())
+      if (one->accessibleName() == name) return one;
+    return nullptr;
+  }
+  template <class Dialog>
+  Dialog* dialog() {
+    Dialog* found = nullptr;
+    EXPECT_TRUE(wait_for([&] { return (found = qobject_cast<Dialog*>(QApplication::activeModalWidget())) != nullptr; }, 10000));
+    if (found == nullptr) return nullptr;
+    EXPECT_TRUE(wait_for([&] { return found->template findChild<QComboBox*>()->count() > 0; }, 10000));
+    return found;
+  }
+  /// A picture of the second window at both sizes, on both grounds.
+  void keep_pictures(const std::string& name) {
+    if (std::getenv("VALLECULA_PICTURES") == nullptr) return;
+    for (const auto ground : {theme::Ground::light, theme::Ground::dark}) {
+      theme::apply(*qobject_cast<QApplication*>(QCoreApplication::instance()), {ground, 1.0});
+      for (const QSize size : {QSize(1024, 700), QSize(1280, 800)}) {
+        second().resize(size);
+        wait_for([] { return false; }, 400);
+        keep_picture(second(), "instructor-" + name + (ground == theme::Ground::dark ? "-dark-" : "-light-") +
+                                   std::to_string(size.width()) + ".png");
+      }
+    }
+  }
+
+  const std::filesystem::path patient_ = test::write_block_patient(box_.folder());
+  const std::filesystem::path course_ = test::write_busy_course(box_.folder());
+};
+
+TEST_F(WindowInstructor, WatchesAnIntubationAndActsOnIt) {
+  open_with_course();
+  open_second();
+  ASSERT_TRUE(wait_for([&] { return second_is_open(); }, 10000)) << "nobody has registered an instructor: anybody may";
+  EXPECT_EQ(state(), "Waiting for a trial");
+  EXPECT_FALSE(button("Freeze")->isEnabled());
+  const auto file = curricula_folder() / "first-intubation.yaml";
+  const curricula::Curriculum course = curricula::load_curriculum(file);
+  TrialSetup whole = setup("busy");
+  whole.curriculum = file;
+  whole.scenario = course.scenarios.front().id;
+  whole.patient = builtin_patient(course.scenarios.front().manikin, {});
+  prepare(whole);
+  EXPECT_EQ(state(), "Prepared, not started");
+  TrialPage& page = window_->trial_page();
+  int frames = 0;
+  QObject::connect(&page, &TrialPage::frame, [&] { ++frames; });
+  QElapsedTimer running;
+  running.start();
+  page.start();
+  ASSERT_TRUE(wait_for([&] { return second().drawn() >= 5; }, 20000));
+  EXPECT_TRUE(state().startsWith("Running, 0:0")) << state().toStdString();
+  EXPECT_LE(second().drawn(), 2 + running.elapsed() / 100) << "ten pictures a second, no more";
+  EXPECT_LE(second().drawn(), frames);
+  auto* view = second().findChild<OperatorView*>();
+  EXPECT_GT(colours_in(view->picture()), 40) << "the patient, not an empty ground";
+
+  // A click is held long enough to be seen by a servo that looks a thousand times a second.
+  const auto held = [&](engine::Action action) { return page.session()->actions().held(action); };
+  auto* lower = button("SpO2 \xe2\x96\xbc");
+  ASSERT_NE(lower, nullptr);
+  QElapsedTimer since;
+  since.start();
+  QTest::mouseClick(lower, Qt::LeftButton);
+  EXPECT_TRUE(held(engine::kInstructorSaturationDown));
+  ASSERT_TRUE(wait_for([&] { return !held(engine::kInstructorSaturationDown); }, 5000));
+  EXPECT_GE(since.elapsed(), kLeastHoldMs - 1);
+  EXPECT_TRUE(told("You lower the saturation"));
+  QTest::mousePress(button("Heart \xe2\x96\xb2"), Qt::LeftButton);
+  wait_for([] { return false; }, 2 * kLeastHoldMs);
+  EXPECT_TRUE(held(engine::kInstructorHeartUp)) << "as long as it is pressed";
+  QTest::mouseRelease(button("Heart \xe2\x96\xb2"), Qt::LeftButton);
+  ASSERT_TRUE(wait_for([&] { return !held(engine::kInstructorHeartUp); }, 5000));
+  QTest::keyClick(button("Laryngospasm"), Qt::Key_Space);
+  EXPECT_TRUE(held(engine::kInstructorSpasm)) << "stays until it is pressed again";
+  QTest::keyClick(button("Laryngospasm"), Qt::Key_Space);
+  EXPECT_FALSE(held(engine::kInstructorSpasm));
+
+  // The team's line, typed.
+  auto* line = second().findChild<InstructorControls*>()->findChild<QLineEdit*>();
+  QTest::keyClicks(line, "The cords are closed.");
+  QTest::keyClick(line, Qt::Key_Return);
+  EXPECT_TRUE(told("The team says: The cords are closed."));
+  EXPECT_TRUE(line->text().isEmpty());
+  EXPECT_TRUE(wait_for(
+      [&] {
+        const auto now = page.findChildren<QLabel*>();
+        return std::any_of(now.begin(), now.end(), [](const QLabel* label) {
+          return label->isVisible() && label->text().contains("The cords are closed.");
+        });
+      },
+      5000))
+      << "on the trainee's screen";
+
+  // Frozen, the trial's time stands.
+  QTest::keyClick(&second(), Qt::Key_F5);
+  if (!page.session()->frozen()) QTest::mouseClick(button("Freeze"), Qt::LeftButton);
+  EXPECT_TRUE(page.session()->frozen());
+  ASSERT_TRUE(wait_for([&] { return state().startsWith("FROZEN"); }, 5000)) << state().toStdString();
+  keep_pictures("frozen");
+  const QString stood = state();
+  wait_for([] { return false; }, 1500);
+  EXPECT_EQ(state(), stood);
+  QTest::mouseClick(button("Continue"), Qt::LeftButton);
+  EXPECT_FALSE(page.session()->frozen());
+  page.session()->confirm();
+  EXPECT_TRUE(wait_for([&] { return state().startsWith("Running"); }, 5000)) << state().toStdString();
+  keep_pictures("running");
+  second().close();
+  window_->close();
+}
+
+TEST_F(WindowInstructor, TicksMadeDuringTheRunAreKeptByOneClickAsTheInstructorsRating) {
+  register_people();
+  open_with_course();
+  sign_in_directly("Boss", "4321");
+  open_second();
+  ASSERT_TRUE(wait_for([&] { return second_is_open(); }, 10000));
+  sign_in_directly("Kiwi", "1234");
+  EXPECT_TRUE(second().desk().instructor()) << "who sits at the second window stays signed in there";
+  prepare(setup("busy"));
+  TrialPage& page = window_->trial_page();
+  TrialOutcome outcome;
+  QObject::connect(window_.get(), &MainWindow::trial_finished, [&](const TrialOutcome& given) { outcome = given; });
+  page.start();
+  ASSERT_TRUE(wait_for([&] { return second().drawn() > 2; }, 20000));
+  QToolButton* yes = tick("Handle in the left hand: yes");
+  QToolButton* no = tick("Handle in the left hand: no");
+  ASSERT_TRUE(yes != nullptr && no != nullptr);
+  QTest::mouseClick(no, Qt::LeftButton);
+  QTest::mouseClick(yes, Qt::LeftButton);
+  EXPECT_FALSE(no->isChecked());
+  QTest::keyClick(tick("Told the team what was seen and done: no"), Qt::Key_Space);
+  for (auto* step : second().findChildren<QToolButton*>())
+    if (step->text() == "4") QTest::mouseClick(step, Qt::LeftButton);
+  EXPECT_FALSE(button("Keep as my rating")->isEnabled()) << "there is no record yet";
+  ASSERT_TRUE(wait_for([&] { return told("Beside the hands: How long has it been?"); }, 10000));
+  page.end("ended by trainee");
+  ASSERT_TRUE(wait_for([&] { return outcome.record_id != 0; }));
+  ASSERT_TRUE(button("Keep as my rating")->isEnabled());
+  keep_pictures("recorded");
+  QTest::mouseClick(button("Keep as my rating"), Qt::LeftButton);
+  ASSERT_TRUE(wait_for(
+      [&] { return second().findChild<QLabel*>("checklist_message")->text().contains("is kept"); }, 10000));
+  Records records(records_location());
+  People people(records);
+  curricula::Who boss;
+  for (const auto& person : people.list())
+    if (person.name == "Boss") boss = people.sign_in(person.id, "4321");
+  std::map<std::string, double> kept;
+  for (const auto& rating : curricula::Ratings(records).of_trial(boss, outcome.record_id)) {
+    EXPECT_EQ(rating.by, "instructor");
+    kept[rating.item] = rating.value;
+  }
+  EXPECT_EQ(kept, (std::map<std::string, double>{{"global", 4.0}, {"handle_in_left_hand", 1.0}, {"team_told", 0.0}}));
+  second().close();
+  EXPECT_FALSE(second().desk().who()) << "closed, nobody's sign-in is left behind";
+  EXPECT_EQ(desk().person().name, "Kiwi");
+}
+
+TEST_F(WindowInstructor, WhereThereIsAnInstructorOnlyOneOpensItAndTheTraineeStaysAtTheBlade) {
+  register_people();
+  open_with_course();
+  sign_in_directly("Kiwi", "1234");
+  open_second();
+  auto* asks = dialog<SignInDialog>();
+  ASSERT_NE(asks, nullptr);
+  EXPECT_EQ(asks->findChild<QComboBox*>()->count(), 1) << "instructors only";
+  auto* pin = asks->findChild<QLineEdit*>();
+  QTest::keyClicks(pin, "1234");
+  QTest::keyClick(pin, Qt::Key_Return);
+  auto* message = asks->findChild<QLabel*>("dialog_message");
+  ASSERT_TRUE(wait_for([&] { return message->text().contains("PIN") && !message->text().startsWith("Looking"); }, 10000));
+  EXPECT_FALSE(second_is_open());
+  QTest::keyClicks(pin, "4321");
+  QTest::keyClick(pin, Qt::Key_Return);
+  ASSERT_TRUE(wait_for([&] { return second_is_open(); }, 10000));
+  EXPECT_EQ(desk().person().name, "Kiwi");
+  EXPECT_TRUE(second().desk().instructor());
+}
+
+TEST_F(WindowInstructor, InAnAssessmentNothingHelpsOrHoldsTheTraineeUp) {
+  open_with_course();
+  open_second();
+  ASSERT_TRUE(wait_for([&] { return second_is_open(); }, 10000));
+  prepare(setup("helped", curricula::Mode::assessment));
+  window_->trial_page().start();
+  ASSERT_TRUE(wait_for([&] { return second().drawn() > 0; }, 20000));
+  EXPECT_FALSE(button("Say")->isEnabled());
+  EXPECT_FALSE(second().findChild<InstructorControls*>()->findChild<QComboBox*>()->isEnabled());
+  EXPECT_FALSE(button("Freeze")->isEnabled());
+  const auto labels = second().findChildren<QLabel*>();
+  EXPECT_TRUE(std::any_of(labels.begin(), labels.end(), [](const QLabel* label) {
+    return label->isVisible() && label->text().startsWith("Assessment: ");
+  }));
+  EXPECT_FALSE(window_->station().next_trainee_action()->isEnabled()) << "a trial belongs to whoever began it";
+  window_->trial_page().end("ended by trainee");
+  EXPECT_TRUE(wait_for([&] { return window_->station().next_trainee_action()->isEnabled(); }, 20000));
+}
+
+TEST_F(WindowInstructor, TheNextTraineeTakesOverByOneKeyAndThePin) {
+  register_people();
+  open_with_course();
+  sign_in_directly("Emu", "1234");
+  StartPage& start = window_->start_page();
+  start.add_patient(patient_, true);
+  ASSERT_TRUE(start.select("helped", "mouse"));
+  QTest::keyClick(start.findChild<QComboBox*>("mode"), Qt::Key_Down);
+  ASSERT_EQ(start.choice().mode, curricula::Mode::assessment);
+  const Choice before = start.choice();
+  prepare(setup("busy"));
+  ASSERT_EQ(window_->page_name(), "trial");
+
+  QApplication::setActiveWindow(window_.get());
+  QTest::keyClick(window_.get(), Qt::Key_T, Qt::ControlModifier);
+  EXPECT_FALSE(desk().who()) << "the one before is signed out at once";
+  EXPECT_NE(window_->page_name(), "trial") << "what was prepared was for the one before";
+  auto* asks = dialog<SignInDialog>();
+  ASSERT_NE(asks, nullptr);
+  EXPECT_EQ(asks->findChild<QComboBox*>()->currentText(), "Kiwi (trainee)") << "the one after Emu";
+  keep_picture(*asks, "next-trainee.png");
+  auto* pin = asks->findChild<QLineEdit*>();
+  QTest::keyClick(pin, Qt::Key_Down);  // Moa, not Kiwi
+  QTest::keyClicks(pin, "1234");
+  QTest::keyClick(pin, Qt::Key_Return);
+  ASSERT_TRUE(wait_for([&] { return desk().who().has_value(); }, 10000));
+  EXPECT_EQ(desk().person().name, "Moa") << "three keys and the PIN";
+  const Choice after = start.choice();
+  EXPECT_EQ(after.scenario.id, before.scenario.id);
+  EXPECT_EQ(after.patient, before.patient);
+  EXPECT_EQ(after.device, before.device);
+  EXPECT_EQ(after.mode, curricula::Mode::practice);
+
+  QTest::keyClick(window_.get(), Qt::Key_T, Qt::ControlModifier);
+  asks = dialog<SignInDialog>();
+  ASSERT_NE(asks, nullptr);
+  EXPECT_EQ(asks->findChild<QComboBox*>()->currentText(), "Emu (trainee)") << "after the last one the first";
+  QTest::keyClick(asks, Qt::Key_Escape);
+  EXPECT_FALSE(desk().who());
+}
+
+TEST_F(WindowInstructor, AHapticDeviceIsCheckedBeforeItsFirstTrial) {
+  open_with_course();
+  window_->station().set_device_maker([]() -> std::unique_ptr<device::HapticDevice> {
+    throw std::runtime_error("no libHD.so was found");
+  });
+  window_->start_page().add_patient(patient_, true);
+  window_->start_page().choose_device("touch", "Touch X");
+  ASSERT_TRUE(window_->start_page().select("helped", "touch"));
+  QString failure;
+  QObject::connect(window_.get(), &MainWindow::trial_failed, [&](const QString& message) { failure = message; });
+  emit window_->start_page().chosen(window_->start_page().choice());
+  DeviceCheck* check = nullptr;
+  ASSERT_TRUE(wait_for([&] { return (check = qobject_cast<DeviceCheck*>(QApplication::activeModalWidget())) != nullptr; }, 5000));
+  ASSERT_TRUE(wait_for([&] { return window_->station().checks().find("touch") != nullptr; }, 10000));
+  EXPECT_TRUE(failure.isEmpty()) << "no trial before the check is closed";
+  QTest::keyClick(check, Qt::Key_Escape);
+  ASSERT_TRUE(wait_for([&] { return !failure.isEmpty(); }, 20000)) << "it goes on, and says what the trial says of it";
+  EXPECT_FALSE(window_->station().checks().due("touch")) << "once a session";
+}
+
+}  // namespace
+}  // namespace vallecula::gui::window_test
