@@ -31,7 +31,7 @@ ClipExport::ClipExport(Picture picture, double from_s, double until_s, double st
   };
   from_ = second("From");
   to_ = second("To");
-  told_ = new QLabel("Both views as they are set now, as Ogg Theora (.ogv): browsers and VLC play it.", this);
+  told_ = new QLabel("Both views as they are set now, as MP4 (H.264): slide programs, browsers and players show it.", this);
   told_->setObjectName("faint");
   told_->setWordWrap(true);
   bar_ = new QProgressBar(this);
@@ -60,9 +60,9 @@ void ClipExport::set_span(double from_s, double to_s) {
 }
 
 void ClipExport::ask() {
-  QString file = QFileDialog::getSaveFileName(this, "Save a clip", "replay.ogv", "Clips (*.ogv)");
+  QString file = QFileDialog::getSaveFileName(this, "Save a clip", "replay.mp4", "Clips (*.mp4)");
   if (file.isEmpty()) return;
-  if (!file.endsWith(".ogv")) file += ".ogv";
+  if (!file.endsWith(".mp4")) file += ".mp4";
   start(file);
 }
 

@@ -17,6 +17,7 @@
 #include "gui/report/monitor_chart.h"
 #include "gui/session/log_conversion.h"
 #include "gui/views/force_bars.h"
+#include "gui/views/heat_look.h"
 #include "gui/views/monitor_panel.h"
 #include "gui/views/operator_view.h"
 #include "gui/views/replay_marks.h"
@@ -58,20 +59,13 @@ void ReplayPage::open(std::shared_ptr<ReplayTrial> trial, double at_s, bool mark
   change_->setText(QString::fromStdString(what_to_change(trial_->score, trial_->scenario)));
   operator_view_->show_patient(trial_->look, scene.tool.surface, intubation);
   sagittal_view_->show_patient(trial_->look, scene.tool.surface, intubation);
-  operator_view_->add_marks(marks_->props());
   sagittal_view_->add_marks(cut_marks_->props());
-  for (const auto& marks : {marks_.get(), cut_marks_.get()})
-    marks->set_paths(trial_->path, trial_->expert_path, trial_->scenario.targets.tongue_force_n);
+  open_marks();
   const bool planned = !trial_->expert_path.tip_mm.empty();
   expert_->setEnabled(planned);
   expert_->setToolTip(planned ? "X: the way a scripted expert's tip takes in this patient, in white"
                               : "The scripted expert has no plan for this patient");
   free_->setChecked(false);
-  legend_->setText(QString("Tip's path: <span style='color:%1'>&#9644;</span> below half the target force on the tongue "
-                           "<span style='color:%2'>&#9644;</span> up to it (%4 N) <span style='color:%3'>&#9644;</span> "
-                           "over it; in white the expert's")
-                       .arg(theme::device().name(), theme::target().name(), theme::bad().name())
-                       .arg(trial_->scenario.targets.tongue_force_n, 0, 'f', 1));
   bars_->set_marks({trial_->scenario.targets.tongue_force_n, trial_->scenario.targets.gum_force_n,
                     trial_->log->header.device_limit_n});
   monitor_->clear();
@@ -94,6 +88,7 @@ void ReplayPage::open(std::shared_ptr<ReplayTrial> trial, double at_s, bool mark
 void ReplayPage::close_replay() {
   play(false);
   timer_.stop();
+  heat_look_.reset();
   trial_.reset();
 }
 
@@ -213,6 +208,7 @@ void ReplayPage::frame() {
                             (!trial_->film->finished() && since_cut_.elapsed() >= kWaitingMs))) {
       show_now(true);  // what was waited for, and on the way there how far it is
     }
+    follow_heat();
     draw_views(!playing_);
   } catch (const std::exception& error) {
     const QString message = QString::fromUtf8(error.what());
@@ -255,6 +251,7 @@ void ReplayPage::show_now(bool jumped) {
     marks_->show(snapshot);
     cut_marks_->show(snapshot);
     if (jumped) operator_view_->settle();
+    show_heat();
     dirty_ = true;
   }
   show_figures();

@@ -64,6 +64,8 @@ void ReplayPage::keyPressEvent(QKeyEvent* event) {
     case Qt::Key_X:
       if (expert_->isEnabled()) expert_->toggle();
       return;
+    case Qt::Key_C:
+      return heat_->toggle();
     case Qt::Key_F:
       return free_->toggle();
     case Qt::Key_H:

@@ -15,6 +15,7 @@
 #include "gui/pages/timed_list.h"
 #include "gui/pages/timeline.h"
 #include "gui/views/force_bars.h"
+#include "gui/views/heat_look.h"
 #include "gui/views/monitor_panel.h"
 #include "gui/views/operator_view.h"
 #include "gui/views/replay_marks.h"
@@ -84,6 +85,8 @@ QWidget* ReplayPage::make_head() {
                                     "on gums, palate and teeth", true);
   path_ = box("Tip's path", "path", "P: the way of the blade's tip until now, coloured by the force on the tongue", false);
   expert_ = box("Expert's path", "expert", "", false);
+  heat_ = box("Heat map", "heat", "C: where the blade pressed on tongue and epiglottis so far, and how hard (kPa): the highest "
+                                  "pressure on each part", false);
   free_ = box("Free camera", "free", "F: drag turns the view, Shift-drag moves it, the wheel goes nearer; Shift and arrow "
                                      "keys turn it too", false);
   half_ = box("Half head", "half", "H: with the free camera, without the skin of the patient's left half, for a look from the side", false);
@@ -94,11 +97,18 @@ QWidget* ReplayPage::make_head() {
   });
   connect(path_, &QCheckBox::toggled, this, [this](bool on) {
     for (const auto& marks : {marks_.get(), cut_marks_.get()}) marks->show_path(on);
-    legend_->setVisible(on);
+    show_legend();
     dirty_ = true;
   });
   connect(expert_, &QCheckBox::toggled, this, [this](bool on) {
     for (const auto& marks : {marks_.get(), cut_marks_.get()}) marks->show_expert(on);
+    dirty_ = true;
+  });
+  connect(heat_, &QCheckBox::toggled, this, [this](bool on) {
+    if (!heat_look_) return;
+    heat_look_->actor()->SetVisibility(on);
+    show_heat();
+    show_legend();
     dirty_ = true;
   });
   connect(free_, &QCheckBox::toggled, this, [this](bool on) {
@@ -121,7 +131,7 @@ QWidget* ReplayPage::make_pictures() {
   operator_view_->setMinimumSize(400, 220);
   legend_ = new QLabel(top);
   legend_->setMargin(5);
-  legend_->setStyleSheet("background: rgba(16, 20, 25, 200);");
+  legend_->setStyleSheet("background: rgba(16, 20, 25, 200); color: white;");
   legend_->setAttribute(Qt::WA_TransparentForMouseEvents);
   legend_->hide();
   monitor_ = new MonitorPanel(top);
