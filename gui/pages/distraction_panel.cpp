@@ -25,8 +25,10 @@ QColor colour_of(Kind kind) {
   return kind == Kind::alarm ? theme::bad() : kind == Kind::question ? theme::device() : theme::faint();
 }
 
-const char* name_of(Kind kind) {
-  return kind == Kind::alarm ? "Alarm" : kind == Kind::question ? "Question" : "The team talks";
+QString name_of(Kind kind) {
+  return kind == Kind::alarm      ? QCoreApplication::translate("DistractionPanel", "Alarm")
+         : kind == Kind::question ? QCoreApplication::translate("DistractionPanel", "Question")
+                                  : QCoreApplication::translate("DistractionPanel", "The team talks");
 }
 
 }  // namespace
@@ -37,10 +39,10 @@ DistractionPanel::DistractionPanel(QWidget* parent) : QFrame(parent) {
   column_ = new QVBoxLayout(this);
   column_->setContentsMargins(10, 8, 10, 8);
   column_->setSpacing(6);
-  idle_ = new QLabel(
-      "You will be asked things meanwhile, here. Keys 1 to 6 answer, M silences an alarm; talk asks for "
-      "nothing.",
-      this);
+  idle_ =
+      new QLabel(tr("You will be asked things meanwhile, here. Keys 1 to 6 answer, M silences an alarm; talk asks for "
+                    "nothing."),
+                 this);
   idle_->setObjectName("faint");
   idle_->setWordWrap(true);
   column_->addWidget(idle_);
@@ -105,7 +107,7 @@ DistractionPanel::Row DistractionPanel::make_row(const DualTask::Open& open, boo
     return made;
   };
   if (it.kind == Kind::alarm) {
-    connect(button(has_keys ? "Silence (M)" : "Silence"), &QPushButton::clicked, this,
+    connect(button(has_keys ? tr("Silence (M)") : tr("Silence")), &QPushButton::clicked, this,
             [this, number] { task_->silence(number); });
   } else {
     for (std::size_t a = 0; a < it.answers.size(); ++a) {
@@ -121,7 +123,7 @@ DistractionPanel::Row DistractionPanel::make_row(const DualTask::Open& open, boo
   row.left->setRange(0, kBarSteps);
   row.left->setTextVisible(false);
   row.left->setFixedHeight(7);
-  row.left->setAccessibleName("Time left");
+  row.left->setAccessibleName(tr("Time left"));
   row.left->setStyleSheet(
       QString("QProgressBar::chunk { background: %1; border-radius: 3px; } QProgressBar { border-radius: 3px; }")
           .arg(colour.name()));

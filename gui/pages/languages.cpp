@@ -68,6 +68,10 @@ bool install_language(QCoreApplication& application, const QString& code) {
   if (!is_available(code)) return false;
   for (const auto& translator : installed().translators) application.removeTranslator(translator.get());
   installed() = Installed{code, {}};
+  // Numbers, dates and a course's texts follow the words; where the system speaks this language its country is kept.
+  const QLocale system = QLocale::system(), spoken(code);
+  const bool same = system.language() == spoken.language() || (code == kSource && system.language() == QLocale::C);
+  QLocale::setDefault(same ? system : spoken);
   const auto add = [&application](const QString& file) {
     auto translator = std::make_unique<QTranslator>();
     if (!translator->load(file)) return;

@@ -161,7 +161,7 @@ QString SliceScene::describe(const Point& at) const {
   if (!hu_) return {};
   QString text = QString("L %1   P %2   H %3 mm").arg(tenths_of(at[0]), tenths_of(at[1]), tenths_of(at[2]));
   const auto c = hu_->grid.nearest(at);
-  if (!hu_->grid.contains(c[0], c[1], c[2])) return text + "   outside the scan";
+  if (!hu_->grid.contains(c[0], c[1], c[2])) return text + "   " + tr("outside the scan");
   text += QString("   %1 HU").arg(hu_->at(c[0], c[1], c[2]));
   if (labels_)
     for (const auto& label : pipeline::kLabelNames)
