@@ -24,6 +24,7 @@
 #include "gui/views/slice_view.h"
 #include "gui/views/theme.h"
 #include "pipeline/package/label_map.h"
+#include "pipeline/package/origin.h"
 #include "pipeline/quality.h"
 
 namespace vallecula::gui {
@@ -297,7 +298,7 @@ void CheckPage::show_message(const QString& message, bool problem) {
 
 void CheckPage::show_failure(const QString& message) {
   for (const auto& label : pipeline::kLabelNames)
-    if (message.contains(words_of(label.name))) structures_->select(label.name);
+    if (message.contains(QString::fromStdString(pipeline::words_of(label.name)))) structures_->select(label.name);
   show_message(message + '\n' +
                tr("Choose a structure on the right and give it a seed, a threshold or a label map, then run again."));
 }

@@ -8,9 +8,11 @@
 #include "gui/import/given_labels.h"
 #include "gui/import/window_message.h"
 #include "gui/pages/background.h"
+#include "gui/session/words_from_below.h"
 #include "pipeline/exchange/label_image.h"
 #include "pipeline/exchange/landmark_file.h"
 #include "pipeline/mesh/generic_face.h"
+#include "pipeline/package/origin.h"
 #include "pipeline/quality.h"
 #include "pipeline/segment/reslice.h"
 #include "pipeline/segment/volume_ops.h"
@@ -209,7 +211,7 @@ bool ImportWork::load(const std::filesystem::path& file, const std::string& stru
   const bool landmarks = file.extension() == ".json";
   const QString what = landmarks           ? tr("loading landmarks")
                        : structure.empty() ? tr("loading labels")
-                                           : tr("loading %1").arg(structure.c_str());
+                                           : tr("loading %1").arg(in_words(pipeline::words_of(structure)));
   return run<EditState>(
       0.0, 1.0,
       [import = import_, file, structure, before, landmarks] {

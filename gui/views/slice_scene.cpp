@@ -4,12 +4,13 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "gui/session/words_from_below.h"
 #include "pipeline/package/label_map.h"
 #include "pipeline/package/origin.h"
 
 namespace vallecula::gui {
 
-QString words_of(const std::string& name) { return QString::fromStdString(pipeline::words_of(name)); }
+QString words_of(const std::string& name) { return in_words(pipeline::words_of(name)); }
 
 QString tenths_of(double mm) { return QString::number(std::round(10.0 * mm) / 10.0 + 0.0, 'f', 1); }
 
