@@ -26,7 +26,7 @@ namespace {
 
 /// A sentence of the score, as a link to its second where it has one and the trial may be replayed.
 QString linked(const std::string& sentence, const curricula::Score& score, bool replayed) {
-  const QString text = QString::fromStdString(sentence).toHtmlEscaped();
+  const QString text = in_words(sentence).toHtmlEscaped();
   for (const curricula::Criterion& criterion : score.criteria)
     if (replayed && criterion.sentence == sentence && criterion.at_s >= 0.0)
       return QString("<a style='color:%1' href='%2'>%3</a>")
