@@ -85,25 +85,25 @@ QWidget* AuthoringPage::make_head() {
     connect(action, &QAction::triggered, this, slot);
     if (on != nullptr) on->setToolTip(on->toolTip() + " (" + keys.toString(QKeySequence::NativeText) + ")");
   };
-  auto* back = button("Back", "back", "To the start page", head);
+  auto* back = button(tr("Back"), "back", tr("To the start page"), head);
   connect(back, &QToolButton::clicked, this, [this] {
     if (may_leave()) emit left();
   });
-  auto* fresh = button("New", "new", "An empty course, or a copy of one there is", head);
+  auto* fresh = button(tr("New"), "new", tr("An empty course, or a copy of one there is"), head);
   fresh->setPopupMode(QToolButton::InstantPopup);
   auto* new_menu = new QMenu(fresh);
   fresh->setMenu(new_menu);
   connect(new_menu, &QMenu::aboutToShow, this, [this, new_menu] {
     new_menu->clear();
-    new_menu->addAction("Empty course", this, [this] {
+    new_menu->addAction(tr("Empty course"), this, [this] {
       if (may_leave()) new_course();
     });
-    new_menu->addSection("A copy of");
+    new_menu->addSection(tr("A copy of"));
     fill_course_menu(new_menu, [this](const std::filesystem::path& file) {
       if (may_leave()) copy_course(file);
     });
   });
-  auto* open = button("Open", "open", "A course of your own, a shipped one, or a file you were given", head);
+  auto* open = button(tr("Open"), "open", tr("A course of your own, a shipped one, or a file you were given"), head);
   open->setPopupMode(QToolButton::InstantPopup);
   auto* open_menu = new QMenu(open);
   open->setMenu(open_menu);
@@ -113,22 +113,23 @@ QWidget* AuthoringPage::make_head() {
       if (may_leave()) open_file(file);
     });
     open_menu->addSeparator();
-    open_menu->addAction("Another file ...", this, [this] { open_file({}); });
+    open_menu->addAction(tr("Another file ..."), this, [this] { open_file({}); });
   });
-  save_ = new QPushButton("Save", head);
+  save_ = new QPushButton(tr("Save"), head);
   save_->setObjectName("save");
   connect(save_, &QPushButton::clicked, this, &AuthoringPage::save);
-  auto* copy = button("Save a copy ...", "share", "One file, to hand on or keep elsewhere", head);
+  auto* copy = button(tr("Save a copy ..."), "share", tr("One file, to hand on or keep elsewhere"), head);
   connect(copy, &QToolButton::clicked, this, &AuthoringPage::save_copy);
-  own_ = button("Add to mine", "own", "Keep this file among your own courses, so that the start page offers it", head);
+  own_ = button(tr("Add to mine"), "own", tr("Keep this file among your own courses, so that the start page offers it"),
+                head);
   connect(own_, &QToolButton::clicked, this, [this] { write(free_own_file(id())); });
-  undo_ = button("Undo", "undo", "", head);
+  undo_ = button(tr("Undo"), "undo", "", head);
   connect(undo_, &QToolButton::clicked, &document_.undo(), &QUndoStack::undo);
-  redo_ = button("Redo", "redo", "", head);
+  redo_ = button(tr("Redo"), "redo", "", head);
   connect(redo_, &QToolButton::clicked, &document_.undo(), &QUndoStack::redo);
-  try_ = new QPushButton("Try this scenario", head);
+  try_ = new QPushButton(tr("Try this scenario"), head);
   try_->setObjectName("primary");
-  try_->setToolTip("Play it as it stands here, saved or not (F5)");
+  try_->setToolTip(tr("Play it as it stands here, saved or not (F5)"));
   connect(try_, &QPushButton::clicked, this, &AuthoringPage::try_scenario);
   shortcut(nullptr, QKeySequence::Save, [this] { save(); });
   shortcut(nullptr, QKeySequence::Undo, [this] { document_.undo().undo(); });
@@ -152,28 +153,28 @@ QWidget* AuthoringPage::make_head() {
 QWidget* AuthoringPage::make_left() {
   auto* left = new QWidget(this);
   tree_ = new CourseTree(document_, left);
-  tree_->setToolTip("Drag to another place, or Alt and the arrow keys");
-  auto* scenario = button("Add scenario", "add-scenario", "At the end of the module", left);
+  tree_->setToolTip(tr("Drag to another place, or Alt and the arrow keys"));
+  auto* scenario = button(tr("Add scenario"), "add-scenario", tr("At the end of the module"), left);
   connect(scenario, &QToolButton::clicked, this, &AuthoringPage::add_scenario);
-  auto* module = button("Add module", "add-module", "With one scenario", left);
+  auto* module = button(tr("Add module"), "add-module", tr("With one scenario"), left);
   connect(module, &QToolButton::clicked, this, &AuthoringPage::add_module);
-  auto* copy = button("Copy", "copy", "The chosen module or scenario once more", left);
+  auto* copy = button(tr("Copy"), "copy", tr("The chosen module or scenario once more"), left);
   connect(copy, &QToolButton::clicked, this, &AuthoringPage::copy_part);
-  auto* from = button("Copy from ...", "copy-from", "A module or scenario of another course", left);
+  auto* from = button(tr("Copy from ..."), "copy-from", tr("A module or scenario of another course"), left);
   from->setPopupMode(QToolButton::InstantPopup);
   copy_menu_ = new QMenu(from);
   from->setMenu(copy_menu_);
   connect(copy_menu_, &QMenu::aboutToShow, this, &AuthoringPage::fill_copy_menu);
-  auto* gone = button("Delete", "delete", "The chosen module or scenario", left);
+  auto* gone = button(tr("Delete"), "delete", tr("The chosen module or scenario"), left);
   connect(gone, &QToolButton::clicked, this, &AuthoringPage::delete_part);
-  auto* up = button("Up", "up", "Earlier in the course (Alt+Up)", left);
+  auto* up = button(tr("Up"), "up", tr("Earlier in the course (Alt+Up)"), left);
   connect(up, &QToolButton::clicked, tree_, &CourseTree::move_up);
-  auto* down = button("Down", "down", "Later in the course (Alt+Down)", left);
+  auto* down = button(tr("Down"), "down", tr("Later in the course (Alt+Down)"), left);
   connect(down, &QToolButton::clicked, tree_, &CourseTree::move_down);
-  modules_ = button("Divide into modules", "modules",
-                    "This course was written before there were modules: put its scenarios into one", left);
+  modules_ = button(tr("Divide into modules"), "modules",
+                    tr("This course was written before there were modules: put its scenarios into one"), left);
   connect(modules_, &QToolButton::clicked, this,
-          [this] { edit("Divide into modules", [](const auto& text) { return curricula::with_modules(text); }); });
+          [this] { edit(tr("Divide into modules"), [](const auto& text) { return curricula::with_modules(text); }); });
   auto* column = new QVBoxLayout(left);
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(tree_, 1);
@@ -196,18 +197,18 @@ QWidget* AuthoringPage::make_right() {
   text_ = new CourseText(document_, tabs_);
   compare_tab_ = new QWidget(tabs_);
   against_ = new QComboBox(compare_tab_);
-  against_->setAccessibleName("Compare with");
+  against_->setAccessibleName(tr("Compare with"));
   compare_ = new CompareView(compare_tab_);
   auto* column = new QVBoxLayout(compare_tab_);
   column->setContentsMargins(0, 6, 0, 0);
   auto* row = new QHBoxLayout;
-  row->addWidget(new QLabel("Compare with", compare_tab_));
+  row->addWidget(new QLabel(tr("Compare with"), compare_tab_));
   row->addWidget(against_, 1);
   column->addLayout(row);
   column->addWidget(compare_, 1);
-  tabs_->addTab(form_, "Form");
-  tabs_->addTab(text_, "Text");
-  tabs_->addTab(compare_tab_, "Compare");
+  tabs_->addTab(form_, tr("Form"));
+  tabs_->addTab(text_, tr("Text"));
+  tabs_->addTab(compare_tab_, tr("Compare"));
   connect(against_, qOverload<int>(&QComboBox::activated), this, &AuthoringPage::compare);
   connect(tabs_, &QTabWidget::currentChanged, this, [this](int index) {
     document_.end_merging();
@@ -230,34 +231,35 @@ void AuthoringPage::go_to(const QString& field, int line) {
 
 void AuthoringPage::show_state() {
   const std::filesystem::path& file = document_.file();
-  const QString where = file.empty() ? "not saved yet" : QString::fromStdString(file.filename().string());
+  const QString where = file.empty() ? tr("not saved yet") : QString::fromStdString(file.filename().string());
   const bool shipped = !file.empty() && is_shipped(file);
   name_->setText(where + (document_.modified() ? " *" : ""));
   name_->setToolTip(QString::fromStdString(file.string()));
-  save_->setText(shipped ? "Save as mine" : "Save");
-  save_->setToolTip(shipped ? "A shipped course stays as it is: this is kept among your own (Ctrl+S)" : "Ctrl+S");
+  save_->setText(shipped ? tr("Save as mine") : tr("Save"));
+  save_->setToolTip(shipped ? tr("A shipped course stays as it is: this is kept among your own (Ctrl+S)")
+                            : QString("Ctrl+S"));
   save_->setEnabled(!document_.read_only() && (document_.modified() || file.empty() || shipped));
   own_->setVisible(!file.empty() && !shipped && !document_.read_only() && file.parent_path() != own_curricula_folder());
   undo_->setEnabled(document_.undo().canUndo());
-  undo_->setToolTip("Undo: " + document_.undo().undoText() + " (Ctrl+Z)");
+  undo_->setToolTip(tr("Undo: %1 (Ctrl+Z)").arg(document_.undo().undoText()));
   redo_->setEnabled(document_.undo().canRedo());
-  redo_->setToolTip("Redo: " + document_.undo().redoText() + " (Ctrl+Shift+Z)");
+  redo_->setToolTip(tr("Redo: %1 (Ctrl+Shift+Z)").arg(document_.undo().redoText()));
   modules_->setVisible(document_.yaml() != nullptr && document_.schema() == 1);
   const std::size_t count = document_.problems().size();
   if (document_.checking()) {
-    state_->setText("Checking ...");
+    state_->setText(tr("Checking ..."));
   } else if (count == 0) {
-    state_->setText("Nothing is wrong: this course can be practised.");
+    state_->setText(tr("Nothing is wrong: this course can be practised."));
   } else {
-    state_->setText(QString("%1 %2 to mend; a click leads there:").arg(count).arg(count == 1 ? "thing" : "things"));
+    state_->setText(tr("%n thing(s) to mend; a click leads there:", "", static_cast<int>(count)));
   }
   state_->setStyleSheet(QString("color: %1;").arg((count == 0 ? theme::within() : theme::over()).name()));
   problems_->setVisible(count > 0);
   const bool scenario = tree_->part().startsWith("scenarios");
   try_->setEnabled(scenario && count == 0 && document_.yaml() != nullptr);
-  try_->setToolTip(!scenario    ? "Choose a scenario on the left"
-                   : count == 0 ? "Play it as it stands here, saved or not (F5)"
-                                : "What is listed below is to be mended first");
+  try_->setToolTip(!scenario    ? tr("Choose a scenario on the left")
+                   : count == 0 ? tr("Play it as it stands here, saved or not (F5)")
+                                : tr("What is listed below is to be mended first"));
 }
 
 void AuthoringPage::set_message(const QString& message) { message_->setText(message); }

@@ -23,7 +23,7 @@ using curricula::YamlText;
 
 namespace {
 
-constexpr const char* kFiles = "Courses (*.yaml *.yml);;All files (*)";
+QString course_files() { return QCoreApplication::translate("AuthoringPage", "Courses (*.yaml *.yml);;All files (*)"); }
 
 /// What people know a course by; the file's name where it cannot be read.
 QString title_of(const fs::path& file) {
@@ -33,7 +33,7 @@ QString title_of(const fs::path& file) {
     if (const auto* given = text.find("title"); given != nullptr && !given->value.empty())
       title = QString::fromStdString(given->value) + "  (" + title + ")";
   } catch (const std::exception&) {
-    title += "  (cannot be read)";
+    title = QCoreApplication::translate("AuthoringPage", "%1  (cannot be read)").arg(title);
   }
   return title;
 }
@@ -47,7 +47,7 @@ void AuthoringPage::begin() {
 
 void AuthoringPage::new_course() {
   set_message("");
-  document_.start_new(curricula::empty_course("my-course", "My course"));
+  document_.start_new(curricula::empty_course("my-course", tr("My course").toStdString()));
   tree_->choose("");
   form_->show_part(tree_->part());
 }
@@ -58,7 +58,7 @@ void AuthoringPage::copy_course(const fs::path& file) {
     const auto* given = text.find("id");
     const std::string copied = "my-" + (given == nullptr ? std::string("course") : given->value).substr(0, 55);
     document_.start_new(curricula::with_value(text, "id", curricula::yaml_text(copied)));
-    set_message("A copy of " + title_of(file) + ", not saved yet.");
+    set_message(tr("A copy of %1, not saved yet.").arg(title_of(file)));
   } catch (const std::exception& error) {
     set_message(QString::fromUtf8(error.what()));
     return;
@@ -71,7 +71,7 @@ void AuthoringPage::open_file(const fs::path& given) {
   fs::path file = given;
   if (file.empty()) {
     if (!may_leave()) return;
-    file = QFileDialog::getOpenFileName(this, "Open a course", {}, kFiles).toStdString();
+    file = QFileDialog::getOpenFileName(this, tr("Open a course"), {}, course_files()).toStdString();
     if (file.empty()) return;
   }
   set_message("");
@@ -83,9 +83,10 @@ void AuthoringPage::open_file(const fs::path& given) {
     return;
   }
   if (is_shipped(file))
-    set_message("This course came with Vallecula and stays as it is; what you change is saved among your own.");
+    set_message(tr("This course came with Vallecula and stays as it is; what you change is saved among your own."));
   if (document_.read_only())
-    set_message("This file can only be looked at here: what is wrong with it is said below. Nothing in it is changed.");
+    set_message(
+        tr("This file can only be looked at here: what is wrong with it is said below. Nothing in it is changed."));
   if (document_.yaml() == nullptr) tabs_->setCurrentIndex(1);  // the text is what can be worked on
   tree_->choose("");
   form_->show_part(tree_->part());
@@ -105,16 +106,18 @@ void AuthoringPage::refuse_taken_id(const fs::path& file) const {
   if (given == nullptr || file.parent_path() != own_curricula_folder()) return;
   const fs::path other = course_with_id(given->value, file);
   if (other.empty()) return;
-  throw std::runtime_error("It is not saved: " + other.filename().string() + " has the id '" + given->value +
-                           "' too, and the records would take the two courses for one. Give this one another id (the "
-                           "course itself on the left, then Id), and save again.");
+  throw std::runtime_error(
+      tr("It is not saved: %1 has the id '%2' too, and the records would take the two courses for one. Give this one "
+         "another id (the course itself on the left, then Id), and save again.")
+          .arg(QString::fromStdString(other.filename().string()), QString::fromStdString(given->value))
+          .toStdString());
 }
 
 bool AuthoringPage::may_overwrite() {
   if (!document_.changed_on_disk()) return true;
-  return QMessageBox::question(this, "Changed by another program",
-                               QString::fromStdString(document_.file().filename().string()) +
-                                   " was changed by another program since it was opened here. Overwrite it?",
+  return QMessageBox::question(this, tr("Changed by another program"),
+                               tr("%1 was changed by another program since it was opened here. Overwrite it?")
+                                   .arg(QString::fromStdString(document_.file().filename().string())),
                                QMessageBox::Yes | QMessageBox::No, QMessageBox::No) == QMessageBox::Yes;
 }
 
@@ -122,7 +125,7 @@ bool AuthoringPage::write(const fs::path& file) {
   try {
     refuse_taken_id(file);
     if (file == document_.file() && !may_overwrite()) {
-      set_message("It is not saved. Save a copy keeps both; Open shows what the file has now.");
+      set_message(tr("It is not saved. Save a copy keeps both; Open shows what the file has now."));
       return false;
     }
     if (file.parent_path() == own_curricula_folder()) fs::create_directories(own_curricula_folder());
@@ -131,9 +134,9 @@ bool AuthoringPage::write(const fs::path& file) {
     set_message(QString::fromUtf8(error.what()));
     return false;
   }
-  set_message(QString("Saved as %1.%2")
-                  .arg(QString::fromStdString(file.filename().string()),
-                       document_.problems().empty() ? "" : " It can be practised once nothing is wrong with it."));
+  set_message((document_.problems().empty() ? tr("Saved as %1.")
+                                            : tr("Saved as %1. It can be practised once nothing is wrong with it."))
+                  .arg(QString::fromStdString(file.filename().string())));
   show_state();
   emit courses_changed();
   return true;
@@ -148,7 +151,7 @@ bool AuthoringPage::save() {
   const fs::path own = free_own_file(wanted);
   if (own.stem() != id()) {
     // Two courses of one id would be taken for one in the records.
-    edit("Give it an id of its own", [&](const YamlText& text) {
+    edit(tr("Give it an id of its own"), [&](const YamlText& text) {
       return curricula::with_value(text, "id", curricula::yaml_text(own.stem().string()));
     });
   }
@@ -156,8 +159,8 @@ bool AuthoringPage::save() {
 }
 
 bool AuthoringPage::save_copy() {
-  const QString file =
-      QFileDialog::getSaveFileName(this, "Save a copy of the course", QString::fromStdString(id()) + ".yaml", kFiles);
+  const QString file = QFileDialog::getSaveFileName(this, tr("Save a copy of the course"),
+                                                    QString::fromStdString(id()) + ".yaml", course_files());
   if (file.isEmpty()) return false;
   try {
     if (is_shipped(file.toStdString()))
@@ -168,7 +171,8 @@ bool AuthoringPage::save_copy() {
     set_message(QString::fromUtf8(error.what()));
     return false;
   }
-  set_message("A copy was saved; whoever gets the file opens it here, or checks it with `vallecula curriculum check`.");
+  set_message(
+      tr("A copy was saved; whoever gets the file opens it here, or checks it with `vallecula curriculum check`."));
   emit courses_changed();
   return true;
 }
@@ -185,7 +189,7 @@ void AuthoringPage::discard() {
 
 bool AuthoringPage::may_leave() {
   if (!document_.modified()) return true;
-  QMessageBox box(QMessageBox::Question, "Unsaved changes", "The course has changes that are not saved.",
+  QMessageBox box(QMessageBox::Question, tr("Unsaved changes"), tr("The course has changes that are not saved."),
                   QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, this);
   box.setDefaultButton(QMessageBox::Save);
   const int answer = box.exec();
@@ -199,7 +203,7 @@ bool AuthoringPage::may_leave() {
 
 void AuthoringPage::fill_course_menu(QMenu* menu, const std::function<void(const fs::path&)>& chosen) {
   for (const fs::path& file : curriculum_files())
-    menu->addAction((is_shipped(file) ? "Shipped: " : "Mine: ") + title_of(file), this,
+    menu->addAction((is_shipped(file) ? tr("Shipped: %1") : tr("Mine: %1")).arg(title_of(file)), this,
                     [chosen, file] { chosen(file); });
 }
 
@@ -211,7 +215,7 @@ void AuthoringPage::fill_copy_menu() {
       for (const char* list : {"modules", "scenarios"}) {
         const auto* all = text.find(list);
         if (all == nullptr || (document_.schema() == 1 && std::string(list) == "modules")) continue;
-        course->addSection(list == std::string("modules") ? "Modules, with their scenarios" : "Scenarios");
+        course->addSection(list == std::string("modules") ? tr("Modules, with their scenarios") : tr("Scenarios"));
         for (std::size_t i = 0; i < all->children.size(); ++i) {
           const auto* title = all->children[i].child("title");
           const QString part = QString("%1[%2]").arg(list).arg(i);
@@ -226,7 +230,7 @@ void AuthoringPage::fill_copy_menu() {
 
 void AuthoringPage::edit(const QString& what, const std::function<std::string(const YamlText&)>& change) {
   const YamlText* text = document_.yaml();
-  if (text == nullptr) return set_message("The text cannot be read as it is: " + document_.yaml_problem());
+  if (text == nullptr) return set_message(tr("The text cannot be read as it is: %1").arg(document_.yaml_problem()));
   try {
     document_.end_merging();
     document_.set_bytes(change(*text), what);
@@ -238,29 +242,30 @@ void AuthoringPage::edit(const QString& what, const std::function<std::string(co
 
 void AuthoringPage::add_scenario() {
   std::string id;
-  edit("Add a scenario", [&](const YamlText& text) { return curricula::with_new_scenario(text, tree_->module(), id); });
+  edit(tr("Add a scenario"),
+       [&](const YamlText& text) { return curricula::with_new_scenario(text, tree_->module(), id); });
   if (!id.empty() && document_.yaml() != nullptr)
     tree_->choose(QString::fromStdString(curricula::path_of(*document_.yaml(), "scenarios", id)));
 }
 
 void AuthoringPage::add_module() {
-  if (document_.schema() == 1) return set_message("This course has no modules yet: divide it into modules first.");
+  if (document_.schema() == 1) return set_message(tr("This course has no modules yet: divide it into modules first."));
   std::string id;
-  edit("Add a module", [&](const YamlText& text) { return curricula::with_new_module(text, id); });
+  edit(tr("Add a module"), [&](const YamlText& text) { return curricula::with_new_module(text, id); });
   if (!id.empty() && document_.yaml() != nullptr)
     tree_->choose(QString::fromStdString(curricula::path_of(*document_.yaml(), "modules", id)));
 }
 
 void AuthoringPage::copy_part() {
   if (tree_->part().isEmpty())
-    return set_message("Choose a module or a scenario on the left; New makes a copy of a whole course.");
+    return set_message(tr("Choose a module or a scenario on the left; New makes a copy of a whole course."));
   copy_from({}, tree_->part());
 }
 
 void AuthoringPage::copy_from(const fs::path& file, const QString& part) {
   const bool module = part.startsWith("modules");
   std::string id;
-  edit(module ? "Copy a module" : "Copy a scenario", [&](const YamlText& text) {
+  edit(module ? tr("Copy a module") : tr("Copy a scenario"), [&](const YamlText& text) {
     const YamlText other(file.empty() ? std::string("x: 1\n") : read_file(file));
     const YamlText& from = file.empty() ? text : other;
     const auto* given = from.find((part + ".id").toStdString());
@@ -274,9 +279,9 @@ void AuthoringPage::copy_from(const fs::path& file, const QString& part) {
 
 void AuthoringPage::delete_part() {
   const QString part = tree_->part();
-  if (part.isEmpty()) return set_message("Choose a module or a scenario on the left.");
+  if (part.isEmpty()) return set_message(tr("Choose a module or a scenario on the left."));
   const bool module = part.startsWith("modules");
-  edit(module ? "Delete the module" : "Delete the scenario", [&](const YamlText& text) {
+  edit(module ? tr("Delete the module") : tr("Delete the scenario"), [&](const YamlText& text) {
     const auto* given = text.find((part + ".id").toStdString());
     if (given == nullptr) throw std::runtime_error("it has no id; delete it in the text");
     return module ? curricula::without_module(text, given->value) : curricula::without_scenario(text, given->value);
@@ -287,7 +292,7 @@ void AuthoringPage::try_scenario() {
   const YamlText* text = document_.yaml();
   const auto* scenario = text == nullptr ? nullptr : text->find((tree_->part() + ".id").toStdString());
   if (!tree_->part().startsWith("scenarios") || scenario == nullptr)
-    return set_message("Choose a scenario on the left to try it.");
+    return set_message(tr("Choose a scenario on the left to try it."));
   try {
     // What is only tried is nobody's progress: the records know it as a draft.
     const fs::path file = drafts_.filePath("draft.yaml").toStdString();
@@ -296,7 +301,7 @@ void AuthoringPage::try_scenario() {
     set_message("");
     emit try_wanted(QString::fromStdString(file.string()), QString::fromStdString(scenario->value));
   } catch (const curricula::CurriculumError& error) {
-    set_message("It cannot be tried yet: " + QString::fromStdString(error.problem().message));
+    set_message(tr("It cannot be tried yet: %1").arg(QString::fromStdString(error.problem().message)));
   } catch (const std::exception& error) {
     set_message(QString::fromUtf8(error.what()));
   }
@@ -309,7 +314,7 @@ void AuthoringPage::fill_compare() {
   if (own.compare(0, 3, "my-") == 0) own = own.substr(3);
   int origin = 0;
   for (const fs::path& file : curriculum_files()) {
-    against_->addItem((is_shipped(file) ? "Shipped: " : "Mine: ") + title_of(file),
+    against_->addItem((is_shipped(file) ? tr("Shipped: %1") : tr("Mine: %1")).arg(title_of(file)),
                       QString::fromStdString(file.string()));
     if (is_shipped(file) && file.stem() == own) origin = against_->count() - 1;
   }

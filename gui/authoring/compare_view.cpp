@@ -32,7 +32,7 @@ CompareView::CompareView(QWidget* parent) : QWidget(parent) {
   title_ = new QLabel(this);
   title_->setWordWrap(true);
   lines_ = new QTextBrowser(this);
-  lines_->setAccessibleName("Differences");
+  lines_->setAccessibleName(tr("Differences"));
   lines_->setOpenLinks(false);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
@@ -47,11 +47,10 @@ void CompareView::show_difference(const QString& name, const std::string& other,
     return std::count_if(lines.begin(), lines.end(), [kind](const auto& line) { return line.kind == kind; });
   };
   const auto added = count(Kind::added), removed = count(Kind::removed);
-  title_->setText(added + removed == 0 ? QString("This course is the same as %1.").arg(name)
-                                       : QString("Against %1: %2 lines are new (green, +), %3 are gone (brown, -).")
-                                             .arg(name)
-                                             .arg(added)
-                                             .arg(removed));
+  title_->setText(
+      added + removed == 0
+          ? tr("This course is the same as %1.").arg(name)
+          : tr("Against %1: %2 lines are new (green, +), %3 are gone (brown, -).").arg(name).arg(added).arg(removed));
   std::vector<bool> shown(lines.size(), false);
   for (std::size_t i = 0; i < lines.size(); ++i) {
     if (lines[i].kind == Kind::same) continue;

@@ -173,12 +173,12 @@ void CourseForm::add_group(const FieldRule& rule, const QString& path, QVBoxLayo
   const bool there = document_.yaml()->find(path.toStdString()) != nullptr;
   const bool optional = !rule.required && asks_for_something(rule);
   FormSection* section = add_section(rule.label + (rule.required ? " *" : ""),
-                                     rule.help + (there || rule.required ? ""
-                                                  : rule.help.isEmpty()  ? "left out"
-                                                                         : " (left out)"),
+                                     there || rule.required ? rule.help
+                                     : rule.help.isEmpty()  ? tr("left out")
+                                                            : tr("%1 (left out)").arg(rule.help),
                                      path, layout, rule.required || (there && rule.name != "rubric"));
   if (optional) {
-    QToolButton* button = section->add_button(there ? "Leave out" : "Add");
+    QToolButton* button = section->add_button(there ? tr("Leave out") : tr("Add"));
     button->setObjectName((there ? "leave:" : "add:") + path);
     connect(button, &QToolButton::clicked, this, [this, rule, path, there] {
       if (!there) opened_ << path;
@@ -196,7 +196,7 @@ void CourseForm::add_groups(const FieldRule& rule, const QString& path, QVBoxLay
   const YamlNode* list = document_.yaml()->find(path.toStdString());
   const std::size_t count = list == nullptr ? 0 : list->children.size();
   FormSection* section = add_section(QString("%1 (%2)").arg(rule.label).arg(count), rule.help, path, layout, count > 0);
-  QToolButton* add = section->add_button("Add one");
+  QToolButton* add = section->add_button(tr("Add one"));
   add->setObjectName("add:" + path);
   connect(add, &QToolButton::clicked, this, [this, rule, path, count] {
     opened_ << path;
@@ -207,7 +207,7 @@ void CourseForm::add_groups(const FieldRule& rule, const QString& path, QVBoxLay
             return curricula::with_item_copied(text, where, count, text, where, count - 1);
           return curricula::with_item(text, where, count, beginning(rule));
         },
-        "Add to " + rule.label);
+        tr("Add to %1").arg(rule.label));
   });
   for (std::size_t i = 0; i < count; ++i) {
     const QString here = at(path, i), title = QString("%1.").arg(i + 1);
@@ -236,12 +236,12 @@ void CourseForm::add_list_buttons(FormSection* section, const QString& list, std
           return curricula::with_item_moved(text, where, index,
                                             static_cast<std::size_t>(static_cast<std::ptrdiff_t>(index) + by));
         },
-        "Move");
+        tr("Move"));
   };
-  if (index > 0) connect(section->add_button("Up"), &QToolButton::clicked, this, [move] { move(-1); });
-  if (index + 1 < count) connect(section->add_button("Down"), &QToolButton::clicked, this, [move] { move(1); });
-  connect(section->add_button("Remove"), &QToolButton::clicked, this, [this, where, index] {
-    edit([&](const YamlText& text) { return curricula::without_item(text, where, index); }, "Remove");
+  if (index > 0) connect(section->add_button(tr("Up")), &QToolButton::clicked, this, [move] { move(-1); });
+  if (index + 1 < count) connect(section->add_button(tr("Down")), &QToolButton::clicked, this, [move] { move(1); });
+  connect(section->add_button(tr("Remove")), &QToolButton::clicked, this, [this, where, index] {
+    edit([&](const YamlText& text) { return curricula::without_item(text, where, index); }, tr("Remove"));
   });
 }
 
@@ -267,12 +267,12 @@ void CourseForm::set_value(const QString& path, const YamlNode& value) {
             return curricula::with_id(text, part_.section('[', 0, 0).toStdString(), old->value, value.value);
         return curricula::with_value(text, path.toStdString(), value);
       },
-      "Change " + curricula::label_of(path.section('.', -1)).toLower(), path);
+      tr("Change %1").arg(curricula::label_of(path.section('.', -1)).toLower()), path);
 }
 
 void CourseForm::leave_out(const QString& path) {
   edit([&](const YamlText& text) { return curricula::without_value(text, path.toStdString()); },
-       "Leave out " + curricula::label_of(path.section('.', -1)).toLower(), path);
+       tr("Leave out %1").arg(curricula::label_of(path.section('.', -1)).toLower()), path);
 }
 
 void CourseForm::edit(const std::function<std::string(const YamlText&)>& change, const QString& what,
@@ -294,7 +294,7 @@ void CourseForm::show_problems() {
       const QString field = QString::fromStdString(problem.field);
       if (field != row->path() && !field.startsWith(row->path() + "[") && !field.startsWith(row->path() + "."))
         continue;
-      told << QString("is %1; allowed: %2")
+      told << tr("is %1; allowed: %2")
                   .arg(QString::fromStdString(problem.value), QString::fromStdString(problem.allowed));
     }
     row->show_problem(told.join("\n"));

@@ -10,7 +10,7 @@
 namespace vallecula::gui {
 
 CourseText::CourseText(CourseDocument& document, QWidget* parent) : QPlainTextEdit(parent), document_(document) {
-  setAccessibleName("The course's text");
+  setAccessibleName(tr("The course's text"));
   setLineWrapMode(QPlainTextEdit::NoWrap);
   setUndoRedoEnabled(false);  // the document has its own, for form and text together
   QFont font = QFontDatabase::systemFont(QFontDatabase::FixedFont);
@@ -23,7 +23,7 @@ CourseText::CourseText(CourseDocument& document, QWidget* parent) : QPlainTextEd
     following_ = true;
     QString text = this->document()->toRawText();  // toPlainText would change no-break spaces
     text.replace(QChar::ParagraphSeparator, '\n');
-    document_.set_text(text, "Type", "typing");
+    document_.set_text(text, tr("Type"), "typing");
     following_ = false;
   });
 }

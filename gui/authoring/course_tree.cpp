@@ -1,5 +1,6 @@
 #include "gui/authoring/course_tree.h"
 
+#include <QCoreApplication>
 #include <QDropEvent>
 #include <QKeyEvent>
 #include <QTreeWidgetItemIterator>
@@ -22,7 +23,7 @@ QString title_of(const YamlNode& node) {
   for (const char* field : {"title", "id"})
     if (const YamlNode* given = node.child(field); given != nullptr && !given->value.empty())
       return QString::fromStdString(given->value);
-  return "(no title)";
+  return QCoreApplication::translate("CourseTree", "(no title)");
 }
 
 QString place(const char* list, std::size_t index) { return QString("%1[%2]").arg(list).arg(index); }
@@ -33,7 +34,7 @@ std::size_t index_in(const QString& part) { return part.section('[', 1).section(
 
 CourseTree::CourseTree(CourseDocument& document, QWidget* parent) : QTreeWidget(parent), document_(document) {
   setHeaderHidden(true);
-  setAccessibleName("Course, modules and scenarios");
+  setAccessibleName(tr("Course, modules and scenarios"));
   setDragDropMode(QAbstractItemView::InternalMove);
   setDragEnabled(true);
   setDropIndicatorShown(true);
@@ -90,7 +91,8 @@ void CourseTree::refresh() {
   for (std::size_t s = 0; s < count; ++s)
     if (!shown[s])
       rows.push_back({1, place("scenarios", s),
-                      title_of(scenarios->children[s]) + (modules == nullptr ? "" : "  (in no module)")});
+                      modules == nullptr ? title_of(scenarios->children[s])
+                                         : tr("%1  (in no module)").arg(title_of(scenarios->children[s]))});
   QStringList described;
   for (const Row& row : rows) described << QString("%1 %2 %3").arg(row.depth).arg(row.part, row.title);
   if (described == rows_) return;
@@ -131,7 +133,7 @@ void CourseTree::mark_problems() {
           return part.isEmpty() ? !inner : field.startsWith(part);
         });
     (*it)->setForeground(0, wrong ? theme::over() : theme::text());
-    (*it)->setToolTip(0, wrong ? "Something in it is not allowed: see below" : (*it)->text(0));
+    (*it)->setToolTip(0, wrong ? tr("Something in it is not allowed: see below") : (*it)->text(0));
   }
 }
 
@@ -140,7 +142,7 @@ void CourseTree::move_scenario(const QString& part, std::size_t module, std::siz
   const YamlNode* id = text == nullptr ? nullptr : text->find((part + ".id").toStdString());
   if (id == nullptr) return;
   document_.end_merging();
-  document_.set_bytes(curricula::with_scenario_moved(*text, id->value, module, position), "Move the scenario");
+  document_.set_bytes(curricula::with_scenario_moved(*text, id->value, module, position), tr("Move the scenario"));
   choose(part);
 }
 
@@ -157,7 +159,7 @@ void CourseTree::shift(int by) {
       if (index < 0 || index > last) return;
       document_.set_bytes(
           curricula::with_item_moved(*document_.yaml(), "modules", index_in(moved), static_cast<std::size_t>(index)),
-          "Move the module");
+          tr("Move the module"));
       choose(place("modules", static_cast<std::size_t>(index)));
     } else if (to >= 0 && to < parent->childCount()) {
       move_scenario(moved, module(), static_cast<std::size_t>(to));
@@ -192,7 +194,7 @@ void CourseTree::dropEvent(QDropEvent* event) {
       if (index > from) --index;
       document_.end_merging();
       document_.set_bytes(curricula::with_item_moved(*document_.yaml(), "modules", from, std::min(index, last)),
-                          "Move the module");
+                          tr("Move the module"));
       choose(place("modules", std::min(index, last)));
     } else if (to.startsWith("modules")) {
       move_scenario(moved, index_in(to), static_cast<std::size_t>(target->childCount()));

@@ -2,6 +2,7 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -38,7 +39,7 @@ QString remark(const FieldRule& rule) {
   QStringList parts;
   if (!rule.allowed().isEmpty() && rule.kind != Kind::text) parts << rule.allowed();
   if (!rule.help.isEmpty()) parts << rule.help;
-  if (!rule.left_out.isEmpty()) parts << "left out: " + rule.left_out;
+  if (!rule.left_out.isEmpty()) parts << QCoreApplication::translate("FieldRow", "left out: %1").arg(rule.left_out);
   return parts.join("; ");
 }
 
@@ -49,7 +50,7 @@ FieldRow::FieldRow(const FieldRule& rule, const QString& path, const QStringList
   auto* label = new QLabel(rule.label + (rule.required ? " *" : ""), this);
   label->setFixedWidth(kLabelWidth);
   label->setWordWrap(true);
-  label->setToolTip("In the file: " + rule.name);
+  label->setToolTip(tr("In the file: %1").arg(rule.name));
   auto* help = new QLabel(remark(rule), this);
   help->setObjectName("faint");
   help->setWordWrap(true);
@@ -124,12 +125,12 @@ void FieldRow::make_range() {
   auto* both = new QWidget(this);
   auto *from = new NumberBox(rule_, both), *to = new NumberBox(rule_, both);
   for (NumberBox* box : {from, to}) box->setFixedWidth(90);
-  from->setAccessibleName(rule_.label + ": from");
-  to->setAccessibleName(rule_.label + ": to");
+  from->setAccessibleName(tr("%1: from").arg(rule_.label));
+  to->setAccessibleName(tr("%1: to").arg(rule_.label));
   auto* row = new QHBoxLayout(both);
   row->setContentsMargins(0, 0, 0, 0);
   row->addWidget(from);
-  row->addWidget(new QLabel("to", both));
+  row->addWidget(new QLabel(tr("to"), both));
   row->addWidget(to);
   both->setFocusProxy(from);
   const auto changed = [this, from, to] {
@@ -157,10 +158,10 @@ void FieldRow::make_word() {
   auto* box = new WordBox(this);
   box->setMinimumWidth(200);
   if (!rule_.required)
-    box->addItem(rule_.left_out.isEmpty() ? "(left out)" : "(left out: " + rule_.left_out + ")", QString());
+    box->addItem(rule_.left_out.isEmpty() ? tr("(left out)") : tr("(left out: %1)").arg(rule_.left_out), QString());
   if (rule_.kind == Kind::truth) {
-    box->addItem("yes", "true");
-    box->addItem("no", "false");
+    box->addItem(tr("yes"), "true");
+    box->addItem(tr("no"), "false");
   } else {
     for (QString word : rule_.words) box->addItem(capitalised(QString(word).replace('-', ' ')), word);
   }

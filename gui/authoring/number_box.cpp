@@ -17,7 +17,7 @@ NumberBox::NumberBox(const curricula::FieldRule& rule, QWidget* parent)
                                                                 : 100.0;
   setFocusPolicy(Qt::StrongFocus);
   setFixedWidth(120);
-  lineEdit()->setPlaceholderText(rule.required ? "" : "left out");
+  lineEdit()->setPlaceholderText(rule.required ? "" : tr("left out"));
   connect(lineEdit(), &QLineEdit::textEdited, this, &NumberBox::edited);
 }
 

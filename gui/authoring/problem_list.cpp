@@ -15,8 +15,8 @@ constexpr int kMost = 200;  ///< rows; the rest is counted
 }  // namespace
 
 ProblemList::ProblemList(CourseDocument& document, QWidget* parent) : QTreeWidget(parent), document_(document) {
-  setAccessibleName("Problems");
-  setHeaderLabels({"Line", "Where", "Is", "Allowed"});
+  setAccessibleName(tr("Problems"));
+  setHeaderLabels({tr("Line"), tr("Where"), tr("Is"), tr("Allowed")});
   setRootIsDecorated(false);
   setUniformRowHeights(true);
   header()->setSectionResizeMode(QHeaderView::Interactive);
@@ -53,7 +53,7 @@ QString ProblemList::place_of(const curricula::Problem& problem) const {
                                                                : QString("%1 %2").arg(words.last()).arg(step.index + 1);
     }
   }
-  return words.isEmpty() ? QString("The whole file") : words.join(" > ");
+  return words.isEmpty() ? tr("The whole file") : words.join(" > ");
 }
 
 void ProblemList::refresh() {
@@ -61,7 +61,7 @@ void ProblemList::refresh() {
   int row = 0;
   for (const curricula::Problem& problem : document_.problems()) {
     if (++row > kMost) {
-      new QTreeWidgetItem(this, {"", QString("... and %1 more").arg(document_.problems().size() - kMost)});
+      new QTreeWidgetItem(this, {"", tr("... and %1 more").arg(document_.problems().size() - kMost)});
       break;
     }
     const bool whole = problem.allowed.empty();
@@ -72,7 +72,8 @@ void ProblemList::refresh() {
     item->setData(0, kField, QString::fromStdString(problem.field));
     item->setData(0, kLine, problem.line);
     for (int column = 1; column < 4; ++column) item->setToolTip(column, item->text(column));
-    item->setToolTip(1, QString::fromStdString(whole ? problem.message : "In the file: " + problem.field));
+    item->setToolTip(1, whole ? QString::fromStdString(problem.message)
+                              : tr("In the file: %1").arg(QString::fromStdString(problem.field)));
   }
   const bool text_only = document_.problems().size() == 1 && document_.problems()[0].allowed.empty();
   header()->resizeSection(1, text_only ? 800 : 380);

@@ -30,12 +30,12 @@ QString language_name(const QString& code) {
 TextField::TextField(const QString& name, QWidget* parent) : QWidget(parent) {
   languages_ = new QTabBar(this);
   languages_->setExpanding(false);
-  languages_->setAccessibleName(name + ": language");
+  languages_->setAccessibleName(tr("%1: language").arg(name));
   add_ = new QToolButton(this);
-  add_->setText("Add a language ...");
+  add_->setText(tr("Add a language ..."));
   connect(add_, &QToolButton::clicked, this, &TextField::add_language);
   remove_ = new QToolButton(this);
-  remove_->setText("Remove it");
+  remove_->setText(tr("Remove it"));
   connect(remove_, &QToolButton::clicked, this, &TextField::remove_language);
   editor_ = new QPlainTextEdit(this);
   editor_->setObjectName("text");
@@ -47,7 +47,7 @@ TextField::TextField(const QString& name, QWidget* parent) : QWidget(parent) {
   preview_->setWordWrap(true);
   preview_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   preview_->setTextInteractionFlags(Qt::NoTextInteraction);
-  preview_->setToolTip("As the trainee will read it");
+  preview_->setToolTip(tr("As the trainee will read it"));
   auto* seen = new QScrollArea(this);
   seen->setWidget(preview_);
   seen->setWidgetResizable(true);
@@ -58,7 +58,7 @@ TextField::TextField(const QString& name, QWidget* parent) : QWidget(parent) {
   head->addWidget(add_);
   head->addWidget(remove_);
   head->addStretch(1);
-  auto* seen_title = new QLabel("As the trainee reads it", this);
+  auto* seen_title = new QLabel(tr("As the trainee reads it"), this);
   seen_title->setObjectName("faint");
   head->addWidget(seen_title);
   auto* row = new QHBoxLayout;
@@ -121,9 +121,9 @@ void TextField::preview() {
 
 void TextField::add_language() {
   bool given = false;
-  const QString code =
-      QInputDialog::getText(this, "Add a language", "Its code, like de, fr or pt-BR:", QLineEdit::Normal, {}, &given)
-          .trimmed();
+  const QString code = QInputDialog::getText(this, tr("Add a language"), tr("Its code, like de, fr or pt-BR:"),
+                                             QLineEdit::Normal, {}, &given)
+                           .trimmed();
   static const QRegularExpression pattern("^[a-z]{2}(-[A-Z]{2})?$");
   const bool known = std::any_of(texts_.begin(), texts_.end(), [&](const auto& one) { return one.first == code; });
   if (!given || known || !pattern.match(code).hasMatch()) return;

@@ -26,12 +26,12 @@ BuildPage::BuildPage(ImportWork& work, QWidget* parent) : QWidget(parent), work_
   message_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   quality_ = new QualityList(QualityList::Remarks::beside, this);
   strip_ = new WorkStrip(work_, this);
-  leave_ = new QPushButton("L&eave", this);
-  back_ = new QPushButton("Back to the &check", this);
-  again_ = new QPushButton("Build a&gain", this);
-  save_ = new QPushButton("&Save the patient", this);
+  leave_ = new QPushButton(tr("L&eave"), this);
+  back_ = new QPushButton(tr("Back to the &check"), this);
+  again_ = new QPushButton(tr("Build a&gain"), this);
+  save_ = new QPushButton(tr("&Save the patient"), this);
   save_->setObjectName("primary");
-  practise_ = new QPushButton("&Practise with this patient", this);
+  practise_ = new QPushButton(tr("&Practise with this patient"), this);
   practise_->setObjectName("primary");
   auto* foot = new QHBoxLayout;
   foot->addWidget(leave_);
@@ -59,17 +59,17 @@ BuildPage::BuildPage(ImportWork& work, QWidget* parent) : QWidget(parent), work_
 QWidget* BuildPage::make_choices() {
   auto* panel = new QFrame(this);
   panel->setObjectName("panel");
-  keep_position_ = new QCheckBox("&Leave mouth and neck as scanned", panel);
-  keep_position_->setToolTip("Else a closed mouth is opened and the neck extended, as for an intubation");
-  newborn_size_ = new QCheckBox("Scale to a &newborn's size", panel);
-  newborn_size_->setToolTip("All lengths, so that the skull is as broad as a term newborn's");
+  keep_position_ = new QCheckBox(tr("&Leave mouth and neck as scanned"), panel);
+  keep_position_->setToolTip(tr("Else a closed mouth is opened and the neck extended, as for an intubation"));
+  newborn_size_ = new QCheckBox(tr("Scale to a &newborn's size"), panel);
+  newborn_size_->setToolTip(tr("All lengths, so that the skull is as broad as a term newborn's"));
   tetrahedra_ = new QSpinBox(panel);
   tetrahedra_->setRange(pipeline::kFewestTetrahedra, pipeline::kMostTetrahedra);
   tetrahedra_->setSingleStep(1000);
-  tetrahedra_->setAccessibleName("Tetrahedra of the tongue");
-  tetrahedra_->setToolTip("About so many (within 10 %): more are finer and slower");
+  tetrahedra_->setAccessibleName(tr("Tetrahedra of the tongue"));
+  tetrahedra_->setToolTip(tr("About so many (within 10 %): more are finer and slower"));
   name_ = new QLineEdit(panel);
-  name_->setAccessibleName("Name of the new patient");
+  name_->setAccessibleName(tr("Name of the new patient"));
   name_->setMaximumWidth(320);
   name_problem_ = new QLabel(panel);
   name_problem_->setStyleSheet(QString("color: %1;").arg(theme::over().name()));
@@ -77,14 +77,14 @@ QWidget* BuildPage::make_choices() {
   how->setSpacing(18);
   how->addWidget(keep_position_);
   how->addWidget(newborn_size_);
-  auto* count_name = new QLabel("&Tetrahedra of the tongue", panel);
+  auto* count_name = new QLabel(tr("&Tetrahedra of the tongue"), panel);
   count_name->setBuddy(tetrahedra_);
   how->addWidget(count_name);
   how->addWidget(tetrahedra_);
   how->addStretch(1);
   auto* naming = new QHBoxLayout;
   naming->setSpacing(10);
-  auto* name_name = new QLabel("Na&me of the new patient", panel);
+  auto* name_name = new QLabel(tr("Na&me of the new patient"), panel);
   name_name->setBuddy(name_);
   naming->addWidget(name_name);
   naming->addWidget(name_);
@@ -95,7 +95,8 @@ QWidget* BuildPage::make_choices() {
   column->addLayout(naming);
   begin({});
   connect(name_, &QLineEdit::textChanged, this, &BuildPage::show_state);
-  for (QCheckBox* box : {keep_position_, newborn_size_}) connect(box, &QCheckBox::toggled, this, &BuildPage::show_state);
+  for (QCheckBox* box : {keep_position_, newborn_size_})
+    connect(box, &QCheckBox::toggled, this, &BuildPage::show_state);
   connect(tetrahedra_, qOverload<int>(&QSpinBox::valueChanged), this, &BuildPage::show_state);
   return panel;
 }
@@ -120,9 +121,9 @@ void BuildPage::show_building() {
   built_ = written_ = false;
   built_with_ = choice();
   quality_->show_items({});
-  verdict_->setText("Building the patient");
+  verdict_->setText(tr("Building the patient"));
   message_->clear();
-  strip_->begin("Bringing the patient into position");
+  strip_->begin(tr("Bringing the patient into position"));
   show_state();
 }
 
@@ -132,23 +133,22 @@ void BuildPage::show_report(const std::vector<pipeline::QualityItem>& quality,
   quality_->show_items(quality, report_.empty() ? checked : report_);
   report_ = quality;
   const int check = quality_->to_check();
-  verdict_->setText(check == 0 ? QString("The patient is built. Nothing stands out.")
-                               : QString("The patient is built. %1 to be checked before it is saved.")
-                                     .arg(check == 1 ? QString("One thing is") : QString("%1 things are").arg(check)));
+  verdict_->setText(check == 0 ? tr("The patient is built. Nothing stands out.")
+                               : tr("The patient is built. %n thing(s) to be checked before it is saved.", "", check));
   show_state();
   save_->setFocus();
 }
 
 void BuildPage::show_writing() {
   message_->clear();
-  strip_->begin("Writing the patient");
+  strip_->begin(tr("Writing the patient"));
   show_state();
 }
 
 void BuildPage::show_written(const QString& package) {
   written_ = true;
-  verdict_->setText("The patient is saved.");
-  say("In " + package, false);
+  verdict_->setText(tr("The patient is saved."));
+  say(tr("In %1").arg(package), false);
   show_state();
   practise_->setFocus();
 }
@@ -160,7 +160,7 @@ void BuildPage::say(const QString& message, bool problem) {
 
 void BuildPage::show_message(const QString& message) {
   say(message, true);
-  if (!built_) verdict_->setText("The patient could not be built.");
+  if (!built_) verdict_->setText(tr("The patient could not be built."));
   show_state();
 }
 

@@ -19,10 +19,12 @@
 #include "gui/import/structure_panel.h"
 #include "gui/import/window_message.h"
 #include "gui/import/work_strip.h"
+#include "gui/session/words_from_below.h"
 #include "gui/views/label_view.h"
 #include "gui/views/slice_view.h"
 #include "gui/views/theme.h"
 #include "pipeline/package/label_map.h"
+#include "pipeline/package/origin.h"
 #include "pipeline/quality.h"
 
 namespace vallecula::gui {
@@ -55,10 +57,10 @@ CheckPage::CheckPage(ImportWork& work, QWidget* parent) : QWidget(parent), work_
     views_->setColumnStretch(i, 1);
   }
   at_ = new QLabel(this);
-  at_->setAccessibleName("Under the pointer");
+  at_->setAccessibleName(tr("Under the pointer"));
   at_->setToolTip(
-      "Place under the pointer (mm to the patient's left, back and head, as the scan has them), grey value "
-      "(HU) and structure");
+      tr("Place under the pointer (mm to the patient's left, back and head, as the scan has them), grey value "
+         "(HU) and structure"));
   auto* left = new QVBoxLayout;
   left->setSpacing(4);
   left->addWidget(tools);
@@ -82,7 +84,8 @@ CheckPage::CheckPage(ImportWork& work, QWidget* parent) : QWidget(parent), work_
     show_message("");
   });
   connect(&work_, &ImportWork::file_failed, this, [this](const QString& message) { show_message(message); });
-  connect(&work_, &ImportWork::saved, this, [this](const QString& files) { show_message("Saved: " + files, false); });
+  connect(&work_, &ImportWork::saved, this,
+          [this](const QString& files) { show_message(tr("Saved: %1").arg(files), false); });
   show_state();
 }
 
@@ -125,40 +128,40 @@ QWidget* CheckPage::make_tools() {
   auto* row = new QHBoxLayout(bar);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(4);
-  add_tool(bar, "Crosshair", "C", SliceTool::crosshair, "Take all slices to a point; drag landmarks");
-  add_tool(bar, "Window", "W", SliceTool::window,
-           "Window and level (HU). Drag: right wider, up darker; the right button does it with any tool");
-  add_tool(bar, "Ruler", "R", SliceTool::ruler,
-           "Length (mm). Drag, or click two points; Delete takes the last one away");
-  add_tool(bar, "Angle", "A", SliceTool::angle, "Angle (degrees). Click three points, the corner second");
+  add_tool(bar, tr("Crosshair"), "C", SliceTool::crosshair, tr("Take all slices to a point; drag landmarks"));
+  add_tool(bar, tr("Window"), "W", SliceTool::window,
+           tr("Window and level (HU). Drag: right wider, up darker; the right button does it with any tool"));
+  add_tool(bar, tr("Ruler"), "R", SliceTool::ruler,
+           tr("Length (mm). Drag, or click two points; Delete takes the last one away"));
+  add_tool(bar, tr("Angle"), "A", SliceTool::angle, tr("Angle (degrees). Click three points, the corner second"));
   row->addSpacing(10);
   auto* presets = new QComboBox(bar);
-  presets->setAccessibleName("Window and level for");
-  presets->setToolTip("Window and level for these tissues");
-  for (const auto& preset : kGreyPresets) presets->addItem(preset.name);
+  presets->setAccessibleName(tr("Window and level for"));
+  presets->setToolTip(tr("Window and level for these tissues"));
+  for (const auto& preset : kGreyPresets) presets->addItem(in_words(preset.name));
   connect(presets, qOverload<int>(&QComboBox::activated), this,
           [this](int i) { scene_.set_grey(kGreyPresets[static_cast<std::size_t>(i)].window); });
   row->addWidget(presets);
   grey_ = new QLabel(bar);
   grey_->setObjectName("faint");
-  grey_->setToolTip("Window and level, HU");
+  grey_->setToolTip(tr("Window and level, HU"));
   connect(&scene_, &SliceScene::changed, grey_, [this] {
     grey_->setText(QString("W %1  L %2").arg(scene_.grey().width, 0, 'f', 0).arg(scene_.grey().centre, 0, 'f', 0));
   });
   row->addWidget(grey_);
   row->addSpacing(10);
-  row->addWidget(new QLabel("Labels", bar));
+  row->addWidget(new QLabel(tr("Labels"), bar));
   auto* opacity = new QSlider(Qt::Horizontal, bar);
-  opacity->setAccessibleName("Opacity of the labels");
-  opacity->setToolTip("Opacity of the structures' colours in the slices, %");
+  opacity->setAccessibleName(tr("Opacity of the labels"));
+  opacity->setToolTip(tr("Opacity of the structures' colours in the slices, %"));
   opacity->setRange(0, 100);
   opacity->setValue(static_cast<int>(100.0 * scene_.opacity()));
   opacity->setFixedWidth(80);
   connect(opacity, &QSlider::valueChanged, this, [this](int percent) { scene_.set_opacity(0.01 * percent); });
   row->addWidget(opacity);
   row->addStretch(1);
-  add_step(bar, "Undo", true, QKeySequence::Undo);
-  add_step(bar, "Redo", false, QKeySequence::Redo);
+  add_step(bar, tr("Undo"), true, QKeySequence::Undo);
+  add_step(bar, tr("Redo"), false, QKeySequence::Redo);
   return bar;
 }
 
@@ -187,16 +190,15 @@ QWidget* CheckPage::make_side() {
   structures_ = new StructurePanel(scene_, history_, side);
   landmarks_ = new LandmarkPanel(scene_, history_, side);
   quality_ = new QualityList(QualityList::Remarks::below, side);
-  tabs_->addTab(structures_, "S&tructures");
-  tabs_->addTab(landmarks_, "Land&marks");
-  tabs_->addTab(quality_, "&Quality");
-  save_ = new QPushButton("Save &for 3D Slicer ...", side);
-  load_ = new QPushButton("L&oad ...", side);
-  save_->setToolTip("Labels (.nrrd) and landmarks (.mrk.json beside them), to be painted and moved there");
-  load_->setToolTip(
-      "A label map (all structures in it) or landmarks (.mrk.json), as 3D Slicer saves them.\n"
-      "A label map without names (NIfTI) is read by these values: " +
-      label_values_text());
+  tabs_->addTab(structures_, tr("S&tructures"));
+  tabs_->addTab(landmarks_, tr("Land&marks"));
+  tabs_->addTab(quality_, tr("&Quality"));
+  save_ = new QPushButton(tr("Save &for 3D Slicer ..."), side);
+  load_ = new QPushButton(tr("L&oad ..."), side);
+  save_->setToolTip(tr("Labels (.nrrd) and landmarks (.mrk.json beside them), to be painted and moved there"));
+  load_->setToolTip(tr("A label map (all structures in it) or landmarks (.mrk.json), as 3D Slicer saves them.\n"
+                       "A label map without names (NIfTI) is read by these values: %1")
+                        .arg(label_values_text()));
   auto* slicer = new QHBoxLayout;
   slicer->addWidget(save_);
   slicer->addWidget(load_);
@@ -206,15 +208,16 @@ QWidget* CheckPage::make_side() {
   all->addLayout(slicer);
   const auto choose = [this](const std::string& structure) {
     const QString file = QFileDialog::getOpenFileName(
-        this, "Choose a label map", {},
-        "Label maps and landmarks (*.nrrd *.nii *.nii.gz *.dcm *.mrk.json);;All files (*)");
+        this, tr("Choose a label map"), {},
+        tr("Label maps and landmarks (*.nrrd *.nii *.nii.gz *.dcm *.mrk.json);;All files (*)"));
     if (!file.isEmpty()) load(file.toStdString(), structure);
   };
   connect(structures_, &StructurePanel::load_wanted, this,
           [choose](const QString& structure) { choose(structure.toStdString()); });
   connect(load_, &QPushButton::clicked, this, [choose] { choose({}); });
   connect(save_, &QPushButton::clicked, this, [this] {
-    const QString file = QFileDialog::getSaveFileName(this, "Save the labels", "labels.nrrd", "Label maps (*.nrrd)");
+    const QString file =
+        QFileDialog::getSaveFileName(this, tr("Save the labels"), "labels.nrrd", tr("Label maps (*.nrrd)"));
     if (!file.isEmpty()) save(file.toStdString());
   });
   return side;
@@ -226,10 +229,10 @@ QWidget* CheckPage::make_foot() {
   message_->setWordWrap(true);
   message_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   strip_ = new WorkStrip(work_, foot);
-  again_ = new QPushButton("Run a&gain with the edits", foot);
-  again_->setToolTip("Finds the structures anew with the seeds, thresholds, label maps and landmarks given");
-  back_ = new QPushButton("L&eave", foot);
-  build_ = new QPushButton("&Build the patient", foot);
+  again_ = new QPushButton(tr("Run a&gain with the edits"), foot);
+  again_->setToolTip(tr("Finds the structures anew with the seeds, thresholds, label maps and landmarks given"));
+  back_ = new QPushButton(tr("L&eave"), foot);
+  build_ = new QPushButton(tr("&Build the patient"), foot);
   auto* row = new QHBoxLayout(foot);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(8);
@@ -258,7 +261,7 @@ void CheckPage::show_scan(std::shared_ptr<const pipeline::Hounsfield> scan) {
   landmarks_->show_found({}, {});
   report_.clear();
   quality_->show_items({});
-  tabs_->setTabText(2, "&Quality");
+  tabs_->setTabText(2, tr("&Quality"));
   message_->clear();
 }
 
@@ -273,8 +276,8 @@ void CheckPage::show_segmentation(const SegmentedScan& scan) {
   report_ = scan.quality;
   for (auto& item : pipeline::finding_items(scan.findings)) report_.push_back(std::move(item));
   quality_->show_items(report_, before);
-  tabs_->setTabText(2, quality_->to_check() > 0 ? QString("&Quality (%1)").arg(quality_->to_check()) : "&Quality");
-  tabs_->setTabToolTip(2, "To be checked first: " + QString::number(quality_->to_check()));
+  tabs_->setTabText(2, quality_->to_check() > 0 ? tr("&Quality (%1)").arg(quality_->to_check()) : tr("&Quality"));
+  tabs_->setTabToolTip(2, tr("To be checked first: %1").arg(quality_->to_check()));
   show_message("");
   const auto glottis = scan.landmarks.find("glottis_centre");
   const auto vallecula = scan.landmarks.find("vallecula");
@@ -295,9 +298,9 @@ void CheckPage::show_message(const QString& message, bool problem) {
 
 void CheckPage::show_failure(const QString& message) {
   for (const auto& label : pipeline::kLabelNames)
-    if (message.contains(words_of(label.name))) structures_->select(label.name);
-  show_message(message +
-               "\nChoose a structure on the right and give it a seed, a threshold or a label map, then run again.");
+    if (message.contains(QString::fromStdString(pipeline::words_of(label.name)))) structures_->select(label.name);
+  show_message(message + '\n' +
+               tr("Choose a structure on the right and give it a seed, a threshold or a label map, then run again."));
 }
 
 bool CheckPage::edits_waiting() const {
@@ -329,11 +332,11 @@ void CheckPage::show_state() {
 }
 
 void CheckPage::load(const std::filesystem::path& file, const std::string& structure) {
-  if (work_.load(file, structure, history_.state())) show_busy("Reading what was made elsewhere");
+  if (work_.load(file, structure, history_.state())) show_busy(tr("Reading what was made elsewhere"));
 }
 
 void CheckPage::save(const std::filesystem::path& file) {
-  if (work_.save(file, history_.state())) show_busy("Saving for 3D Slicer");
+  if (work_.save(file, history_.state())) show_busy(tr("Saving for 3D Slicer"));
 }
 
 }  // namespace vallecula::gui

@@ -2,7 +2,9 @@
 
 #include <QUndoCommand>
 
+#include "gui/session/words_from_below.h"
 #include "pipeline/package/label_map.h"
+#include "pipeline/package/origin.h"
 
 namespace vallecula::gui {
 
@@ -54,26 +56,26 @@ void EditHistory::set_seed(const std::string& structure, const pipeline::Point& 
   auto next = state_;
   next.seeds[structure] = at;
   next.accepted.erase(structure);
-  change(QString("seed of %1").arg(structure.c_str()), next);
+  change(tr("seed of %1").arg(in_words(pipeline::words_of(structure))), next);
 }
 
 void EditHistory::set_threshold(const std::string& structure, const std::array<double, 2>& hu) {
   auto next = state_;
   next.thresholds[structure] = hu;
   next.accepted.erase(structure);
-  change(QString("threshold of %1").arg(structure.c_str()), next);
+  change(tr("threshold of %1").arg(in_words(pipeline::words_of(structure))), next);
 }
 
 void EditHistory::set_landmark(const std::string& name, const pipeline::Point& at) {
   auto next = state_;
   next.landmarks[name] = at;
-  change(QString("move of %1").arg(name.c_str()), next);
+  change(tr("move of %1").arg(in_words(pipeline::words_of(name))), next);
 }
 
 void EditHistory::set_accepted(const std::string& structure, bool accepted) {
   auto next = state_;
   accepted ? static_cast<void>(next.accepted.insert(structure)) : static_cast<void>(next.accepted.erase(structure));
-  change(QString(accepted ? "accepting %1" : "doubting %1").arg(structure.c_str()), next);
+  change(QString(accepted ? tr("accepting %1") : tr("doubting %1")).arg(in_words(pipeline::words_of(structure))), next);
 }
 
 void EditHistory::forget(const std::string& structure) {
@@ -84,7 +86,7 @@ void EditHistory::forget(const std::string& structure) {
   for (const auto& label : pipeline::kLabelNames)
     if (label.name == structure) next.replaced.erase(label.value);
   if (next.same_segmentation(state_) && next.same_landmarks(state_)) return;
-  change(QString("dropping the edits of %1").arg(structure.c_str()), next);
+  change(tr("dropping the edits of %1").arg(in_words(pipeline::words_of(structure))), next);
 }
 
 }  // namespace vallecula::gui

@@ -1,5 +1,6 @@
 #include "gui/import/given_labels.h"
 
+#include <QCoreApplication>
 #include <array>
 #include <stdexcept>
 
@@ -16,10 +17,15 @@ EditState with_given_labels(const EditState& before, const pipeline::Labels& map
     if (present[label.value] && (wanted.empty() || wanted.count(label.value) != 0)) taken.insert(label.value);
   if (taken.empty())
     throw std::runtime_error(
-        wanted.empty() ? "the label map has none of the structures this program knows inside the scan; name its "
-                         "segments as the list here does (tongue, airway, ...)"
-                       : "the label map has no voxel of this structure inside the scan; name its segment as it is "
-                         "named in the list here");
+        (wanted.empty() ? QCoreApplication::translate(
+                              "GivenLabels",
+                              "the label map has none of the structures this program knows inside the scan; name its "
+                              "segments as the list here does (tongue, airway, ...)")
+                        : QCoreApplication::translate(
+                              "GivenLabels",
+                              "the label map has no voxel of this structure inside the scan; name its segment as it is "
+                              "named in the list here"))
+            .toStdString());
 
   auto labels = std::make_shared<pipeline::Labels>(before.labels ? *before.labels : pipeline::Labels(map.grid));
   for (std::size_t i = 0; i < map.voxels.size(); ++i) {

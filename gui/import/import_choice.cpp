@@ -1,5 +1,6 @@
 #include "gui/import/import_choice.h"
 
+#include <QCoreApplication>
 #include <QRegularExpression>
 
 #include "gui/session/play_check.h"
@@ -19,15 +20,14 @@ QString free_patient_name() {
 QString problem_with_name(const QString& name) {
   static const QRegularExpression allowed("^[A-Za-z0-9][A-Za-z0-9_-]{0,39}$");
   if (!allowed.match(name).hasMatch())
-    return "Give it a name of letters, digits, - and _ (at most 40), not the patient's.";
+    return QCoreApplication::translate("ImportChoice",
+                                       "Give it a name of letters, digits, - and _ (at most 40), not the patient's.");
   if (std::filesystem::exists(patients_folder() / (name.toStdString() + ".patient")))
-    return "A patient of this name exists already; choose another name.";
+    return QCoreApplication::translate("ImportChoice", "A patient of this name exists already; choose another name.");
   return {};
 }
 
-std::filesystem::path package_of(const QString& name) {
-  return patients_folder() / (name.toStdString() + ".patient");
-}
+std::filesystem::path package_of(const QString& name) { return patients_folder() / (name.toStdString() + ".patient"); }
 
 pipeline::ImportOptions options_of(const ImportChoice& choice) {
   pipeline::ImportOptions options;

@@ -1,5 +1,6 @@
 #include "gui/import/import_wizard.h"
 
+#include <QCoreApplication>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QMessageBox>
@@ -26,7 +27,7 @@ ImportWizard::ImportWizard(QWidget* parent) : QWidget(parent) {
     pages_->addWidget(page);
   auto* head = new QHBoxLayout;
   head->setSpacing(22);
-  for (const char* text : {"1  Source", "2  Segment", "3  Check", "4  Build"}) {
+  for (const QString& text : {tr("1  Source"), tr("2  Segment"), tr("3  Check"), tr("4  Build")}) {
     steps_.push_back(new QLabel(text, this));
     head->addWidget(steps_.back());
   }
@@ -41,7 +42,7 @@ ImportWizard::ImportWizard(QWidget* parent) : QWidget(parent) {
   connect(source_, &SourcePage::left, this, &ImportWizard::leave);
   connect(check_, &CheckPage::left, this, &ImportWizard::leave);
   connect(check_, &CheckPage::segment_wanted, this, [this] {
-    if (work_.segment(check_->history().state())) check_->show_busy("Finding the structures");
+    if (work_.segment(check_->history().state())) check_->show_busy(tr("Finding the structures"));
   });
   connect(check_, &CheckPage::build_wanted, this, &ImportWizard::build);
   connect(build_, &BuildPage::build_wanted, this, &ImportWizard::build);
@@ -74,9 +75,9 @@ ImportWizard::ImportWizard(QWidget* parent) : QWidget(parent) {
 
 QWidget* ImportWizard::make_segment_page() {
   auto* page = new QWidget(pages_);
-  auto* title = new QLabel("Reading the scan and finding the structures", page);
+  auto* title = new QLabel(tr("Reading the scan and finding the structures"), page);
   title->setObjectName("title");
-  auto* about = new QLabel("Nothing is written yet. You look at the result before it becomes a patient.", page);
+  auto* about = new QLabel(tr("Nothing is written yet. You look at the result before it becomes a patient."), page);
   about->setObjectName("faint");
   strip_ = new WorkStrip(work_, page);
   auto* column = new QVBoxLayout(page);
@@ -116,9 +117,10 @@ void ImportWizard::stop() {
 void ImportWizard::leave() {
   const bool edited = check_->history().stack().count() > 0, built = build_->built();
   if ((edited || built) && package_.isEmpty() &&
-      QMessageBox::question(this, "Leave the import",
-                            QString("Leave without saving the patient? %1 lost.")
-                                .arg(built ? "What was built is" : "The edits made here are")) != QMessageBox::Yes)
+      QMessageBox::question(this, tr("Leave the import"),
+                            built ? tr("Leave without saving the patient? What was built is lost.")
+                                  : tr("Leave without saving the patient? The edits made here are lost.")) !=
+          QMessageBox::Yes)
     return;
   stop();
   emit left();
@@ -133,7 +135,7 @@ void ImportWizard::build() {
 void ImportWizard::begin_segmentation(const ImportChoice& choice) {
   if (!work_.open(choice)) return;
   build_->begin(choice.name);
-  strip_->begin("Reading the series");
+  strip_->begin(tr("Reading the series"));
   show_page(segment_);
 }
 
@@ -142,7 +144,7 @@ void ImportWizard::job_failed(const QString& said) {
   QWidget* page = pages_->currentWidget();
   if (page == build_) {
     build_->show_message(build_->built() ? message
-                                         : message + "\nGo back to the check and mend there what it names.");
+                                         : message + '\n' + tr("Go back to the check and mend there what it names."));
   } else if (page == source_ || work_.import() == nullptr) {
     show_page(source_);
     source_->show_message(message);
@@ -161,10 +163,10 @@ void ImportWizard::job_cancelled() {
     show_page(source_);
     source_->show_message("");
   } else if (page == build_ && build_->built()) {
-    build_->show_message("Cancelled; nothing was saved.");
+    build_->show_message(tr("Cancelled; nothing was saved."));
   } else {
     show_page(check_);
-    check_->show_message("Cancelled.");
+    check_->show_message(tr("Cancelled."));
   }
 }
 

@@ -1,5 +1,6 @@
 #include "gui/import/import_work.h"
 
+#include <QCoreApplication>
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -7,9 +8,11 @@
 #include "gui/import/given_labels.h"
 #include "gui/import/window_message.h"
 #include "gui/pages/background.h"
+#include "gui/session/words_from_below.h"
 #include "pipeline/exchange/label_image.h"
 #include "pipeline/exchange/landmark_file.h"
 #include "pipeline/mesh/generic_face.h"
+#include "pipeline/package/origin.h"
 #include "pipeline/quality.h"
 #include "pipeline/segment/reslice.h"
 #include "pipeline/segment/volume_ops.h"
@@ -167,8 +170,8 @@ bool ImportWork::segment(const EditState& edits) {
 
 bool ImportWork::build(const EditState& edits, const BuildChoice& choice) {
   if (busy() || !import_) return false;
-  const bool anew =
-      stale_ || !last_.labels || !choice.same_position(positioned_) || !edits.same_segmentation(last_.from) || !edits.same_landmarks(last_.from);
+  const bool anew = stale_ || !last_.labels || !choice.same_position(positioned_) ||
+                    !edits.same_segmentation(last_.from) || !edits.same_landmarks(last_.from);
   stale_ = true;  // a positioning that failed or was cancelled half way is not to be gone on with
   positioned_ = choice;
   auto& options = import_->options();
@@ -206,9 +209,9 @@ bool ImportWork::write(const QString& name) {
 bool ImportWork::load(const std::filesystem::path& file, const std::string& structure, const EditState& before) {
   if (busy() || !import_) return false;
   const bool landmarks = file.extension() == ".json";
-  const QString what = landmarks           ? QString("loading landmarks")
-                       : structure.empty() ? QString("loading labels")
-                                           : QString("loading %1").arg(structure.c_str());
+  const QString what = landmarks           ? tr("loading landmarks")
+                       : structure.empty() ? tr("loading labels")
+                                           : tr("loading %1").arg(in_words(pipeline::words_of(structure)));
   return run<EditState>(
       0.0, 1.0,
       [import = import_, file, structure, before, landmarks] {
@@ -231,7 +234,8 @@ bool ImportWork::save(const std::filesystem::path& file, const EditState& edits)
   return run<QString>(
       0.0, 1.0,
       [scan = last_, generic = import_->options().generic_face, file, edits] {
-        // The positioning of a build moves the import's own landmarks; labels and landmarks written here lie as scanned.
+        // The positioning of a build moves the import's own landmarks; labels and landmarks written here lie as
+        // scanned.
         pipeline::write_label_map(generic ? pipeline::without_face(*scan.labels, scan.scale) : *scan.labels, file);
         auto beside = file;
         beside.replace_extension(".mrk.json");
@@ -239,33 +243,35 @@ bool ImportWork::save(const std::filesystem::path& file, const EditState& edits)
         for (const auto& [name, at] : edits.landmarks)
           if (is_place(name)) marks.landmarks[name] = pipeline::moved(marks.pose.scan_to_package, at);
         pipeline::write_landmark_file(marks, beside);
-        const auto files = QString::fromStdString(file.filename().string() + " and " + beside.filename().string());
-        return generic ? files + "; of the skin what lies near other structures, for the face is to be the generic one"
-                       : files;
+        return (generic ? tr("%1 and %2; of the skin what lies near other structures, for the face is to be the "
+                             "generic one")
+                        : tr("%1 and %2"))
+            .arg(QString::fromStdString(file.filename().string()), QString::fromStdString(beside.filename().string()));
       },
       [this](const QString& files) { emit saved(files); }, true, true);
 }
 
 QString stage_text(const std::string& stage) {
-  static const std::map<std::string, QString> texts = {
-      {"list", "Looking at what is there"},
-      {"read", "Reading the series"},
-      {"segment", "Finding the structures"},
-      {"segment: head", "Finding the head"},
-      {"segment: airway", "Finding the airway"},
-      {"segment: bones", "Finding skull, jaw, spine and hyoid"},
-      {"segment: epiglottis", "Finding the epiglottis"},
-      {"segment: tongue", "Finding the tongue"},
-      {"segment: soft palate and larynx", "Finding soft palate, larynx and oesophagus"},
-      {"segment: landmarks", "Finding the landmarks"},
-      {"position", "Bringing the patient into position"},
-      {"surfaces", "Making the surfaces"},
-      {"surfaces: face", "Making the surface of face and throat"},
-      {"surfaces: airway", "Making the surface of the airway"},
-      {"surfaces: jaw and palate", "Making the surfaces of jaw and palate"},
-      {"tetrahedra", "Filling tongue and epiglottis with tetrahedra"},
-      {"check by playing", "Trying an intubation with the scripted expert"},
-      {"write", "Writing the patient"}};
+  const std::map<std::string, QString> texts = {
+      {"list", QCoreApplication::translate("ImportWork", "Looking at what is there")},
+      {"read", QCoreApplication::translate("ImportWork", "Reading the series")},
+      {"segment", QCoreApplication::translate("ImportWork", "Finding the structures")},
+      {"segment: head", QCoreApplication::translate("ImportWork", "Finding the head")},
+      {"segment: airway", QCoreApplication::translate("ImportWork", "Finding the airway")},
+      {"segment: bones", QCoreApplication::translate("ImportWork", "Finding skull, jaw, spine and hyoid")},
+      {"segment: epiglottis", QCoreApplication::translate("ImportWork", "Finding the epiglottis")},
+      {"segment: tongue", QCoreApplication::translate("ImportWork", "Finding the tongue")},
+      {"segment: soft palate and larynx",
+       QCoreApplication::translate("ImportWork", "Finding soft palate, larynx and oesophagus")},
+      {"segment: landmarks", QCoreApplication::translate("ImportWork", "Finding the landmarks")},
+      {"position", QCoreApplication::translate("ImportWork", "Bringing the patient into position")},
+      {"surfaces", QCoreApplication::translate("ImportWork", "Making the surfaces")},
+      {"surfaces: face", QCoreApplication::translate("ImportWork", "Making the surface of face and throat")},
+      {"surfaces: airway", QCoreApplication::translate("ImportWork", "Making the surface of the airway")},
+      {"surfaces: jaw and palate", QCoreApplication::translate("ImportWork", "Making the surfaces of jaw and palate")},
+      {"tetrahedra", QCoreApplication::translate("ImportWork", "Filling tongue and epiglottis with tetrahedra")},
+      {"check by playing", QCoreApplication::translate("ImportWork", "Trying an intubation with the scripted expert")},
+      {"write", QCoreApplication::translate("ImportWork", "Writing the patient")}};
   const auto found = texts.find(stage);
   return found != texts.end() ? found->second : QString::fromStdString(stage);
 }
@@ -278,10 +284,12 @@ double seconds_left(double share, double elapsed_s) {
 QString time_left_text(double seconds, double since_s) {
   if (seconds < 0.0) return {};
   const double left = seconds - since_s;
-  if (left < -2.0) return "takes longer than expected";
-  if (left < 20.0) return QString("about %1 s left").arg(std::max(1.0, std::ceil(left)), 0, 'f', 0);
-  if (left < 90.0) return QString("about %1 s left").arg(5.0 * std::ceil(left / 5.0), 0, 'f', 0);
-  return QString("about %1 min left").arg(std::ceil(left / 60.0), 0, 'f', 0);
+  if (left < -2.0) return QCoreApplication::translate("ImportWork", "takes longer than expected");
+  if (left < 20.0)
+    return QCoreApplication::translate("ImportWork", "about %1 s left").arg(std::max(1.0, std::ceil(left)), 0, 'f', 0);
+  if (left < 90.0)
+    return QCoreApplication::translate("ImportWork", "about %1 s left").arg(5.0 * std::ceil(left / 5.0), 0, 'f', 0);
+  return QCoreApplication::translate("ImportWork", "about %1 min left").arg(std::ceil(left / 60.0), 0, 'f', 0);
 }
 
 bool is_place(const std::string& landmark) { return landmark != "glottis_normal" && landmark != "operator_eye"; }

@@ -9,6 +9,7 @@
 
 #include "gui/import/import_work.h"
 #include "gui/import/structure_panel.h"
+#include "gui/session/words_from_below.h"
 #include "gui/views/slice_scene.h"
 #include "gui/views/theme.h"
 
@@ -24,16 +25,17 @@ QString place_text(const pipeline::Point& at) {
 LandmarkPanel::LandmarkPanel(SliceScene& scene, EditHistory& history, QWidget* parent)
     : QWidget(parent), scene_(scene), history_(history) {
   tree_ = new QTreeWidget(this);
-  tree_->setAccessibleName("Landmarks");
-  tree_->setHeaderLabels({"Landmark", "L, P, H (mm)", "Origin"});
+  tree_->setAccessibleName(tr("Landmarks"));
+  tree_->setHeaderLabels({tr("Landmark"), tr("L, P, H (mm)"), tr("Origin")});
   tree_->setRootIsDecorated(false);
   tree_->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
   how_ = new QLabel(this);
   how_->setWordWrap(true);
   how_->setMinimumHeight(36);
-  move_ = new QPushButton("Mo&ve it to the crosshair", this);
-  back_ = new QPushButton("Bac&k to where it was found", this);
-  auto* help = new QLabel("Choosing one takes all slices to it. Drag its ring in a slice, or its ball in 3D.", this);
+  move_ = new QPushButton(tr("Mo&ve it to the crosshair"), this);
+  back_ = new QPushButton(tr("Bac&k to where it was found"), this);
+  auto* help =
+      new QLabel(tr("Choosing one takes all slices to it. Drag its ring in a slice, or its ball in 3D."), this);
   help->setObjectName("faint");
   help->setWordWrap(true);
   auto* all = new QVBoxLayout(this);
@@ -55,10 +57,9 @@ LandmarkPanel::LandmarkPanel(SliceScene& scene, EditHistory& history, QWidget* p
       if (tree_->topLevelItem(i)->data(0, Qt::UserRole).toString() == name)
         tree_->topLevelItem(i)->setText(1, place_text(at));
   });
-  connect(&scene_, &SliceScene::landmark_dropped, this,
-          [this](const QString& name, const pipeline::Point& at) {
-            if (is_place(name.toStdString())) history_.set_landmark(name.toStdString(), at);
-          });
+  connect(&scene_, &SliceScene::landmark_dropped, this, [this](const QString& name, const pipeline::Point& at) {
+    if (is_place(name.toStdString())) history_.set_landmark(name.toStdString(), at);
+  });
   connect(&history_, &EditHistory::changed, this, &LandmarkPanel::show_state);
 }
 
@@ -91,12 +92,12 @@ void LandmarkPanel::show_state() {
     row->setText(1, place_text(mark.at));
     const auto finding = findings_.find(name);
     const QString origin = finding == findings_.end() ? QString() : pipeline::name_of(finding->second.origin);
-    row->setText(2, mark.given ? "moved" : origin);
+    row->setText(2, mark.given ? tr("moved") : in_words(origin.toStdString()));
     row->setForeground(2, mark.given || origin == "measured" ? theme::text() : theme::over());
   }
   const std::string name = selected();
   const auto finding = findings_.find(name);
-  how_->setText(moved.count(name) != 0       ? QString("moved by hand")
+  how_->setText(moved.count(name) != 0       ? tr("moved by hand")
                 : finding == findings_.end() ? QString()
                                              : finding_text(finding->second));
   move_->setEnabled(!name.empty());

@@ -1,8 +1,10 @@
 #include "gui/import/quality_list.h"
 
+#include <QCoreApplication>
 #include <map>
 
 #include "gui/import/window_message.h"
+#include "gui/session/words_from_below.h"
 #include "gui/views/theme.h"
 #include "pipeline/quality.h"
 
@@ -21,7 +23,7 @@ QString figure_of(const pipeline::QualityItem& item) {
 }  // namespace
 
 QualityList::QualityList(Remarks remarks, QWidget* parent) : QTextBrowser(parent), remarks_(remarks) {
-  setAccessibleName("Quality report");
+  setAccessibleName(tr("Quality report"));
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
 }
 
@@ -36,15 +38,15 @@ void QualityList::show_items(const std::vector<pipeline::QualityItem>& items,
     html += QString(
                 "<p style=\"font-size:12pt; font-weight:bold; margin:10px 4px 2px 4px\">%1 (%2)</p>"
                 "<table width=\"100%\" cellspacing=\"0\" cellpadding=\"3\">")
-                .arg(QString::fromStdString(group.title))
+                .arg(in_words(group.title))
                 .arg(group.items.size());
     for (const auto& item : group.items) {
       const bool check = item.judged && !item.ok;
       to_check_ += check ? 1 : 0;
-      QString name = QString::fromStdString(item.name).toHtmlEscaped(), figure = figure_of(item);
+      QString name = in_words(item.name).toHtmlEscaped(), figure = figure_of(item);
       const auto was = earlier.find(item.name);
       if (was != earlier.end() && was->second != figure)
-        figure += coloured(QString(" (was %1)").arg(was->second), theme::faint());
+        figure += coloured(tr(" (was %1)").arg(was->second), theme::faint());
       if (check) name = coloured(name, theme::over());
       const QString note = window_message(QString::fromStdString(item.note)).toHtmlEscaped();
       if (remarks_ == Remarks::beside) {

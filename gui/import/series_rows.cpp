@@ -1,5 +1,6 @@
 #include "gui/import/series_rows.h"
 
+#include <QCoreApplication>
 #include <cstring>
 
 #include "pipeline/dicom/read_series.h"
@@ -25,7 +26,8 @@ std::vector<SeriesRow> series_at(const std::filesystem::path& source, const std:
       rows.push_back({entry.number, QString::fromStdString(pipeline::described(entry)), entry.usable,
                       QString::fromStdString(entry.reason), picture_of(entry.thumbnail)});
   } catch (const pipeline::SeriesError& error) {
-    rows.push_back({0, "No series", false, QString::fromUtf8(error.what()), {}});
+    rows.push_back(
+        {0, QCoreApplication::translate("SeriesRows", "No series"), false, QString::fromUtf8(error.what()), {}});
   }
   return rows;
 }

@@ -1,6 +1,7 @@
 #include "gui/import/source_page.h"
 
 #include <QCheckBox>
+#include <QCoreApplication>
 #include <QFileDialog>
 #include <QFormLayout>
 #include <QFrame>
@@ -24,21 +25,24 @@ namespace {
 
 constexpr int kThumbnailHeight = 116;
 
-const char* const kAboutFace =
-    "Name, number, dates and all other text of the scan are left out of the new patient. The surface of the face is "
-    "the patient's own, though, and whoever knows the patient may recognise it: treat the package as patient data.";
+QString about_face() {
+  return QCoreApplication::translate(
+      "SourcePage",
+      "Name, number, dates and all other text of the scan are left out of the new patient. The surface of the face is "
+      "the patient's own, though, and whoever knows the patient may recognise it: treat the package as patient data.");
+}
 
 }  // namespace
 
 SourcePage::SourcePage(ImportWork& work, QWidget* parent) : QWidget(parent), work_(work) {
   source_ = new QLineEdit(this);
-  source_->setPlaceholderText("Folder with the CT's DICOM files");
-  source_->setAccessibleName("Where the CT is");
-  folder_ = new QPushButton("&Folder ...", this);
-  file_ = new QPushButton("F&ile ...", this);
+  source_->setPlaceholderText(tr("Folder with the CT's DICOM files"));
+  source_->setAccessibleName(tr("Where the CT is"));
+  folder_ = new QPushButton(tr("&Folder ..."), this);
+  file_ = new QPushButton(tr("F&ile ..."), this);
   table_ = new QTableWidget(0, 4, this);
-  table_->setAccessibleName("Series found");
-  table_->setHorizontalHeaderLabels({"No.", "Picture", "Series", "Remarks"});
+  table_->setAccessibleName(tr("Series found"));
+  table_->setHorizontalHeaderLabels({tr("No."), tr("Picture"), tr("Series"), tr("Remarks")});
   table_->verticalHeader()->hide();
   table_->verticalHeader()->setDefaultSectionSize(kThumbnailHeight + 8);
   table_->horizontalHeader()->setSectionResizeMode(3, QHeaderView::Stretch);
@@ -51,20 +55,20 @@ SourcePage::SourcePage(ImportWork& work, QWidget* parent) : QWidget(parent), wor
   table_->setTabKeyNavigation(false);
   table_->setWordWrap(true);
   name_ = new QLineEdit(this);
-  name_->setAccessibleName("Name of the new patient");
+  name_->setAccessibleName(tr("Name of the new patient"));
   name_->setMaximumWidth(320);
   name_problem_ = new QLabel(this);
   message_ = new QLabel(this);
   message_->setWordWrap(true);
   for (QLabel* label : {name_problem_, message_}) label->setStyleSheet(QString("color: %1;").arg(theme::over().name()));
-  generic_face_ = new QCheckBox("&Use the shipped generic face instead", this);
-  auto* about = new QLabel(kAboutFace, this);
+  generic_face_ = new QCheckBox(tr("&Use the shipped generic face instead"), this);
+  auto* about = new QLabel(about_face(), this);
   about->setWordWrap(true);
   about->setObjectName("faint");
-  go_ = new QPushButton("&Read and find the structures", this);
+  go_ = new QPushButton(tr("&Read and find the structures"), this);
   go_->setObjectName("primary");
   go_->setDefault(true);
-  auto* cancel = new QPushButton("&Back to the start", this);
+  auto* cancel = new QPushButton(tr("&Back to the start"), this);
   strip_ = new WorkStrip(work_, this);
 
   auto* where = new QHBoxLayout;
@@ -72,7 +76,7 @@ SourcePage::SourcePage(ImportWork& work, QWidget* parent) : QWidget(parent), wor
   where->addWidget(source_, 1);
   where->addWidget(folder_);
   where->addWidget(file_);
-  auto* name_name = new QLabel("&Name of the new patient", this);
+  auto* name_name = new QLabel(tr("&Name of the new patient"), this);
   name_name->setBuddy(name_);
   auto* naming = new QHBoxLayout;
   naming->setSpacing(10);
@@ -81,7 +85,7 @@ SourcePage::SourcePage(ImportWork& work, QWidget* parent) : QWidget(parent), wor
   naming->addWidget(name_problem_, 1);
   auto* form = new QFormLayout;
   form->setVerticalSpacing(10);
-  auto* where_name = new QLabel("&CT scan", this);
+  auto* where_name = new QLabel(tr("&CT scan"), this);
   where_name->setBuddy(source_);
   form->addRow(where_name, where);
   auto* panel = new QFrame(this);
@@ -107,11 +111,11 @@ SourcePage::SourcePage(ImportWork& work, QWidget* parent) : QWidget(parent), wor
   all->addLayout(foot);
 
   connect(folder_, &QPushButton::clicked, this, [this] {
-    const QString folder = QFileDialog::getExistingDirectory(this, "Choose the folder with the CT");
+    const QString folder = QFileDialog::getExistingDirectory(this, tr("Choose the folder with the CT"));
     if (!folder.isEmpty()) look_at(folder);
   });
   connect(file_, &QPushButton::clicked, this, [this] {
-    const QString file = QFileDialog::getOpenFileName(this, "Choose a file of the CT");
+    const QString file = QFileDialog::getOpenFileName(this, tr("Choose a file of the CT"));
     if (!file.isEmpty()) look_at(file);
   });
   // What was listed elsewhere says nothing of another place: its numbers would choose another patient's series.
@@ -157,7 +161,8 @@ void SourcePage::look_at(const QString& source) {
   if (work_.busy()) {
     wanted_ = source_->text();
     work_.cancel();
-  } else if (work_.list_series(source_->text().toStdString())) strip_->begin("Looking at what is there");
+  } else if (work_.list_series(source_->text().toStdString()))
+    strip_->begin(tr("Looking at what is there"));
   show_state();
 }
 
@@ -170,7 +175,7 @@ void SourcePage::show_rows(const std::vector<SeriesRow>& rows) {
   table_->setRowCount(static_cast<int>(rows.size()));
   for (int r = 0; r < table_->rowCount(); ++r) {
     const SeriesRow& row = rows_[static_cast<std::size_t>(r)];
-    auto* picture = new QTableWidgetItem(row.thumbnail.isNull() ? "no picture" : "");
+    auto* picture = new QTableWidgetItem(row.thumbnail.isNull() ? tr("no picture") : "");
     if (!row.thumbnail.isNull()) {
       auto* shown = new QLabel(table_);
       shown->setAlignment(Qt::AlignCenter);
@@ -182,7 +187,7 @@ void SourcePage::show_rows(const std::vector<SeriesRow>& rows) {
     const std::array<QTableWidgetItem*, 4> items = {
         new QTableWidgetItem(row.number > 0 ? QString::number(row.number) : QString()), picture,
         new QTableWidgetItem(row.description),
-        new QTableWidgetItem(row.usable && row.why.isEmpty() ? QString("can be imported") : window_sentence(row.why))};
+        new QTableWidgetItem(row.usable && row.why.isEmpty() ? tr("can be imported") : window_sentence(row.why))};
     for (int c = 0; c < 4; ++c) {
       QTableWidgetItem* item = items[static_cast<std::size_t>(c)];
       if (!row.usable) item->setForeground(theme::faint());

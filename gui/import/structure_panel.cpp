@@ -1,6 +1,7 @@
 #include "gui/import/structure_panel.h"
 
 #include <QCheckBox>
+#include <QCoreApplication>
 #include <QFrame>
 #include <QGridLayout>
 #include <QHBoxLayout>
@@ -11,6 +12,7 @@
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
+#include "gui/session/words_from_below.h"
 #include "gui/views/slice_scene.h"
 #include "gui/views/theme.h"
 #include "pipeline/package/label_map.h"
@@ -41,9 +43,9 @@ QString finding_text(const pipeline::Finding& finding) {
 StructurePanel::StructurePanel(SliceScene& scene, EditHistory& history, QWidget* parent)
     : QWidget(parent), scene_(scene), history_(history) {
   tree_ = new QTreeWidget(this);
-  tree_->setAccessibleName("Structures");
-  tree_->setAccessibleDescription("The tick shows or hides a structure in the pictures");
-  tree_->setHeaderLabels({"Show", "Origin", "Accepted"});
+  tree_->setAccessibleName(tr("Structures"));
+  tree_->setAccessibleDescription(tr("The tick shows or hides a structure in the pictures"));
+  tree_->setHeaderLabels({tr("Show"), tr("Origin"), tr("Accepted")});
   tree_->setRootIsDecorated(false);
   tree_->header()->setSectionResizeMode(kShown, QHeaderView::ResizeToContents);
   tree_->header()->setSectionResizeMode(kFound, QHeaderView::Stretch);
@@ -63,11 +65,11 @@ StructurePanel::StructurePanel(SliceScene& scene, EditHistory& history, QWidget*
   name_->setObjectName("heading");
   how_ = new QLabel(box);
   how_->setWordWrap(true);
-  accept_ = new QPushButton("&Accept", box);
+  accept_ = new QPushButton(tr("&Accept"), box);
   accept_->setCheckable(true);
-  accept_->setToolTip("It is as it should be");
-  seed_ = new QPushButton("Give a &seed ...", box);
-  seed_->setToolTip("Then click a point inside the structure, in any slice (or Enter at the crosshair)");
+  accept_->setToolTip(tr("It is as it should be"));
+  seed_ = new QPushButton(tr("Give a &seed ..."), box);
+  seed_->setToolTip(tr("Then click a point inside the structure, in any slice (or Enter at the crosshair)"));
   seed_->setCheckable(true);
   seed_at_ = new QLabel(box);
   seed_at_->setObjectName("faint");
@@ -75,20 +77,20 @@ StructurePanel::StructurePanel(SliceScene& scene, EditHistory& history, QWidget*
   high_ = new QSpinBox(box);
   for (QSpinBox* spin : {low_, high_}) {
     spin->setRange(kLowestHu, kHighestHu);
-    spin->setSuffix(" HU");
+    spin->setSuffix(tr(" HU"));
     spin->setSingleStep(10);
   }
-  low_->setToolTip("Lowest grey value of the structure, HU");
-  high_->setToolTip("Highest grey value of the structure, HU");
-  low_->setAccessibleName("Lowest HU of the structure");
-  high_->setAccessibleName("Highest HU of the structure");
-  preview_ = new QCheckBox("&Preview", box);
-  preview_->setToolTip("Tints in the slices what lies between the two (HU)");
-  use_ = new QPushButton("&Use the threshold", box);
-  load_ = new QPushButton("&Load a label map ...", box);
-  load_->setToolTip("Takes this structure from a label map made elsewhere (3D Slicer)");
-  drop_ = new QPushButton("&Drop edits", box);
-  drop_->setToolTip("Takes back seed, threshold and label map of this structure");
+  low_->setToolTip(tr("Lowest grey value of the structure, HU"));
+  high_->setToolTip(tr("Highest grey value of the structure, HU"));
+  low_->setAccessibleName(tr("Lowest HU of the structure"));
+  high_->setAccessibleName(tr("Highest HU of the structure"));
+  preview_ = new QCheckBox(tr("&Preview"), box);
+  preview_->setToolTip(tr("Tints in the slices what lies between the two (HU)"));
+  use_ = new QPushButton(tr("&Use the threshold"), box);
+  load_ = new QPushButton(tr("&Load a label map ..."), box);
+  load_->setToolTip(tr("Takes this structure from a label map made elsewhere (3D Slicer)"));
+  drop_ = new QPushButton(tr("&Drop edits"), box);
+  drop_->setToolTip(tr("Takes back seed, threshold and label map of this structure"));
 
   auto* grid = new QGridLayout(box);
   grid->setContentsMargins(12, 10, 12, 10);
@@ -100,9 +102,9 @@ StructurePanel::StructurePanel(SliceScene& scene, EditHistory& history, QWidget*
   grid->addWidget(seed_at_, 2, 1);
   auto* between = new QHBoxLayout;
   between->setSpacing(8);
-  between->addWidget(new QLabel("From", box));
+  between->addWidget(new QLabel(tr("From"), box));
   between->addWidget(low_, 1);
-  between->addWidget(new QLabel("to", box));
+  between->addWidget(new QLabel(tr("to"), box));
   between->addWidget(high_, 1);
   grid->addLayout(between, 3, 0, 1, 2);
   grid->addWidget(preview_, 4, 0);
@@ -162,8 +164,8 @@ void StructurePanel::show_findings(const std::map<std::string, pipeline::Finding
 
 QString StructurePanel::how(const std::string& structure) const {
   const auto found = findings_.find(structure);
-  if (findings_.empty()) return "not looked for yet";
-  return found == findings_.end() ? "not found" : pipeline::name_of(found->second.origin);
+  if (findings_.empty()) return tr("not looked for yet");
+  return found == findings_.end() ? tr("not found") : in_words(pipeline::name_of(found->second.origin));
 }
 
 void StructurePanel::show_state() {
@@ -174,16 +176,16 @@ void StructurePanel::show_state() {
     const std::string name = row->data(kShown, Qt::UserRole).toString().toStdString();
     const auto value = static_cast<std::uint8_t>(row->data(kFound, Qt::UserRole).toInt());
     QString text = how(name);
-    if (state.seeds.count(name) != 0) text += " + seed";
-    if (state.thresholds.count(name) != 0) text += " + threshold";
-    if (state.replaced.count(value) != 0) text += " + label map";
+    if (state.seeds.count(name) != 0) text += tr(" + seed");
+    if (state.thresholds.count(name) != 0) text += tr(" + threshold");
+    if (state.replaced.count(value) != 0) text += tr(" + label map");
     row->setText(kFound, text);
     const auto found = findings_.find(name);
     const bool doubtful = found == findings_.end() || found->second.origin == pipeline::Origin::inferred ||
                           found->second.origin == pipeline::Origin::from_model;
     row->setForeground(kFound, doubtful ? theme::over() : theme::text());
     if (found != findings_.end()) row->setToolTip(kFound, finding_text(found->second));
-    row->setText(kAccepted, state.accepted.count(name) != 0 ? "yes" : "");
+    row->setText(kAccepted, state.accepted.count(name) != 0 ? tr("yes") : QString());
     row->setForeground(kAccepted, theme::within());
   }
   filling_ = false;
@@ -196,8 +198,8 @@ void StructurePanel::show_selected() {
   const EditState& state = history_.state();
   const auto found = findings_.find(name);
   name_->setText(words_of(name));
-  how_->setText(findings_.empty()          ? "not looked for yet"
-                : found == findings_.end() ? "not found: give a seed, a threshold or a label map"
+  how_->setText(findings_.empty()          ? tr("not looked for yet")
+                : found == findings_.end() ? tr("not found: give a seed, a threshold or a label map")
                                            : finding_text(found->second));
   accept_->setEnabled(found != findings_.end());
   accept_->setChecked(state.accepted.count(name) != 0);
@@ -225,10 +227,9 @@ void StructurePanel::show_seed() {
   const auto seed = seeds.find(selected());
   QString text;
   if (scene_.tool() == SliceTool::seed)
-    text = "click inside it (Esc: no)";
+    text = tr("click inside it (Esc: no)");
   else if (seed != seeds.end())
-    text = QString("%1, %2, %3 mm")
-               .arg(tenths_of(seed->second[0]), tenths_of(seed->second[1]), tenths_of(seed->second[2]));
+    text = tr("%1, %2, %3 mm").arg(tenths_of(seed->second[0]), tenths_of(seed->second[1]), tenths_of(seed->second[2]));
   seed_at_->setText(text);
 }
 
@@ -236,7 +237,8 @@ void StructurePanel::preview() {
   if (filling_) return;
   const bool possible = low_->value() < high_->value();
   use_->setEnabled(possible);
-  use_->setToolTip(possible ? "Finds this structure anew between these two" : "The lowest must lie below the highest");
+  use_->setToolTip(possible ? tr("Finds this structure anew between these two")
+                            : tr("The lowest must lie below the highest"));
   if (preview_->isChecked() && possible)
     scene_.set_threshold_preview(
         std::array<double, 2>{static_cast<double>(low_->value()), static_cast<double>(high_->value())});

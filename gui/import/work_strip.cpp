@@ -18,10 +18,10 @@ WorkStrip::WorkStrip(ImportWork& work, QWidget* parent) : QWidget(parent), work_
   bar_ = new QProgressBar(this);
   bar_->setRange(0, 1000);
   bar_->setTextVisible(false);
-  bar_->setAccessibleName("Progress");
-  cancel_ = new QPushButton("Cancel", this);
+  bar_->setAccessibleName(tr("Progress"));
+  cancel_ = new QPushButton(tr("Cancel"), this);
   cancel_->setShortcut(Qt::Key_Escape);
-  cancel_->setToolTip("Ends it and leaves nothing behind (Esc)");
+  cancel_->setToolTip(tr("Ends it and leaves nothing behind (Esc)"));
   auto* grid = new QGridLayout(this);
   grid->setContentsMargins(0, 0, 0, 0);
   grid->addWidget(stage_, 0, 0);
@@ -32,7 +32,7 @@ WorkStrip::WorkStrip(ImportWork& work, QWidget* parent) : QWidget(parent), work_
   connect(cancel_, &QPushButton::clicked, this, [this] {
     work_.cancel();
     cancel_->setEnabled(false);
-    stage_->setText("Stopping ...");
+    stage_->setText(tr("Stopping ..."));
     tick_.stop();
     left_->clear();
   });

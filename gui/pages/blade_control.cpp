@@ -111,16 +111,16 @@ std::vector<KeyRow> BladeControl::keys() const {
 
 QString BladeControl::help() const {
   if (tool_ == Tool::tube)
-    return QString(
-               "Drag: move the tube   |   wheel or PgUp PgDn: in, out   |   Q E: turn it about its length   |   "
-               "Ctrl-drag, right-drag or W A S D: tilt it   |   Shift: fine   |   + -: gain, now %1")
+    return QString(tr("Drag: move the tube   |   wheel or PgUp PgDn: in, out   |   Q E: turn it about its length   |   "
+                      "Ctrl-drag, right-drag or W A S D: tilt it   |   Shift: fine   |   + -: gain, now %1"))
         .arg(gain_, 0, 'g', 3);
   return QString(
-             "Drag: move the blade   |   Ctrl-drag, right-drag or W A S D: turn it (Q E: roll)   |   wheel or PgUp "
-             "PgDn: "
-             "deeper, back   |   arrows: move (Shift: fine)   |   hold Space: lift along the handle, Backspace: lower  "
-             " |  "
-             " + -: gain, now %1")
+             tr("Drag: move the blade   |   Ctrl-drag, right-drag or W A S D: turn it (Q E: roll)   |   wheel or PgUp "
+                "PgDn: "
+                "deeper, back   |   arrows: move (Shift: fine)   |   hold Space: lift along the handle, Backspace: "
+                "lower  "
+                " |  "
+                " + -: gain, now %1"))
       .arg(gain_, 0, 'g', 3);
 }
 

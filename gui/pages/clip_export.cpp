@@ -20,8 +20,8 @@ constexpr double kUsual_s = 10.0;
 
 ClipExport::ClipExport(Picture picture, double from_s, double until_s, double step_s, QWidget* parent)
     : QDialog(parent), picture_(std::move(picture)), step_s_(step_s) {
-  setWindowTitle("Save a clip");
-  const auto second = [&](const char* name) {
+  setWindowTitle(tr("Save a clip"));
+  const auto second = [&](const QString& name) {
     auto* box = new QDoubleSpinBox(this);
     box->setRange(0.0, until_s);
     box->setDecimals(1);
@@ -29,21 +29,21 @@ ClipExport::ClipExport(Picture picture, double from_s, double until_s, double st
     box->setAccessibleName(name);
     return box;
   };
-  from_ = second("From");
-  to_ = second("To");
-  told_ = new QLabel("Both views as they are set now, as Ogg Theora (.ogv): browsers and VLC play it.", this);
+  from_ = second(tr("From"));
+  to_ = second(tr("To"));
+  told_ = new QLabel(tr("Both views as they are set now, as MP4 (H.264): slide programs, browsers and players show it."), this);
   told_->setObjectName("faint");
   told_->setWordWrap(true);
   bar_ = new QProgressBar(this);
   bar_->setTextVisible(false);
   bar_->setValue(0);
   auto* form = new QFormLayout(this);
-  form->addRow("From", from_);
-  form->addRow("To", to_);
+  form->addRow(tr("From"), from_);
+  form->addRow(tr("To"), to_);
   form->addRow(told_);
   form->addRow(bar_);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
-  save_ = buttons->addButton("Save ...", QDialogButtonBox::ActionRole);
+  save_ = buttons->addButton(tr("Save ..."), QDialogButtonBox::ActionRole);
   save_->setObjectName("primary");
   form->addRow(buttons);
   connect(save_, &QPushButton::clicked, this, &ClipExport::ask);
@@ -60,16 +60,16 @@ void ClipExport::set_span(double from_s, double to_s) {
 }
 
 void ClipExport::ask() {
-  QString file = QFileDialog::getSaveFileName(this, "Save a clip", "replay.ogv", "Clips (*.ogv)");
+  QString file = QFileDialog::getSaveFileName(this, tr("Save a clip"), "replay.mp4", tr("Clips (*.mp4)"));
   if (file.isEmpty()) return;
-  if (!file.endsWith(".ogv")) file += ".ogv";
+  if (!file.endsWith(".mp4")) file += ".mp4";
   start(file);
 }
 
 void ClipExport::start(const QString& file) {
   if (writer_) return;
   const double span_s = to_->value() - from_->value();
-  if (span_s <= 0.0) return stop("The clip ends before it begins: choose a later end.");
+  if (span_s <= 0.0) return stop(tr("The clip ends before it begins: choose a later end."));
   try {
     writer_ = std::make_unique<ClipWriter>(file.toStdString(), static_cast<int>(std::lround(1.0 / step_s_)));
   } catch (const std::exception& error) {
@@ -80,7 +80,7 @@ void ClipExport::start(const QString& file) {
   bar_->setRange(0, all_);
   for (QWidget* part : {static_cast<QWidget*>(from_), static_cast<QWidget*>(to_), static_cast<QWidget*>(save_)})
     part->setEnabled(false);
-  told_->setText("Drawing ...");
+  told_->setText(tr("Drawing ..."));
   timer_.start(0);  // a picture for each turn of the event loop: the window goes on
 }
 

@@ -26,7 +26,7 @@ class ClipExport : public QDialog {
   ClipExport(Picture picture, double from_s, double until_s, double step_s, QWidget* parent = nullptr);
   ~ClipExport() override;
   void set_span(double from_s, double to_s);
-  /// Makes FILE.ogv; accepted when it is whole. Cancel, or a failure (shown), leaves nothing.
+  /// Makes FILE.mp4; accepted when it is whole. Cancel, or a failure (shown), leaves nothing.
   void start(const QString& file);
   bool working() const { return writer_ != nullptr; }
 

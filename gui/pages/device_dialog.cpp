@@ -34,6 +34,8 @@ QDoubleSpinBox* number(QWidget* parent, const char* name, double low, double hig
 /// A row whose meaning can be read beside it.
 void add_row(QFormLayout& form, const QString& name, QWidget* field, const QString& meaning) {
   field->setMinimumWidth(150);
+  field->setAccessibleName(name);
+  field->setToolTip(meaning);
   auto* about = new QLabel(meaning, field->parentWidget());
   about->setObjectName("faint");
   auto* row = new QHBoxLayout;
@@ -46,7 +48,7 @@ void add_row(QFormLayout& form, const QString& name, QWidget* field, const QStri
 }  // namespace
 
 DeviceDialog::DeviceDialog(const device::DeviceInfo& info, QWidget* parent) : QDialog(parent) {
-  setWindowTitle("Device settings");
+  setWindowTitle(tr("Device settings"));
   auto* title = new QLabel(capitalised(QString::fromStdString(info.model)), this);
   title->setObjectName("heading");
   auto* form = new QFormLayout;
@@ -73,7 +75,7 @@ DeviceDialog::DeviceDialog(const device::DeviceInfo& info, QWidget* parent) : QD
 
 void DeviceDialog::set_mouse(QFormLayout& form) {
   auto* gain = number(this, "gain", kLeastMouseGain, kMostMouseGain, 0.25, mouse_gain());
-  add_row(form, "Blade's way", gain, "the mouse's way on the picture; + and - change it in a trial");
+  add_row(form, tr("Blade's way"), gain, tr("the mouse's way on the picture; + and - change it in a trial"));
   keep_ = [gain] { keep_mouse_gain(gain->value()); };
 }
 
@@ -84,26 +86,27 @@ void DeviceDialog::set_device(QFormLayout& form, const device::DeviceInfo& info)
   auto* turned = number(this, "turned", -180.0, 180.0, 5.0, kept.map.turned_rad / kDegree);
   turned->setSuffix(QString::fromUtf8(" \xc2\xb0"));
   turned->setDecimals(0);
-  auto* left = new QCheckBox("stands on the other side", this);
+  auto* left = new QCheckBox(tr("stands on the other side"), this);
   left->setObjectName("left_handed");
   left->setChecked(kept.map.left_handed);
   auto* clutch = new QSpinBox(this);
   clutch->setObjectName("clutch_button");
   clutch->setRange(0, 16);
-  clutch->setSpecialValueText("none");
+  clutch->setSpecialValueText(tr("none"));
   clutch->setValue(button_of(kept.clutch_button));
-  add_row(form, "Blade's way", scale, "your hand's way");
-  add_row(form, "Device turned", turned, "against you, anticlockwise seen from above");
-  add_row(form, "Left-handed", left, "turned the other way, first and second button exchanged");
-  add_row(form, "Clutch button", clutch, "held, it frees your hand: the blade stays where it is");
+  add_row(form, tr("Blade's way"), scale, tr("your hand's way"));
+  add_row(form, tr("Device turned"), turned, tr("against you, anticlockwise seen from above"));
+  add_row(form, tr("Left-handed"), left, tr("turned the other way, first and second button exchanged"));
+  add_row(form, tr("Clutch button"), clutch, tr("held, it frees your hand: the blade stays where it is"));
   QDoubleSpinBox* force = nullptr;
   if (info.peak_force_n > 0.0) {
     force = number(this, "force_scale", 0.0, 1.0, kLeastForceScale, kept.force_scale);
-    force->setSpecialValueText("automatic");
+    force->setSpecialValueText(tr("automatic"));
     connect(force, &QDoubleSpinBox::editingFinished, force, [force] {  // shown as it will be kept
       if (force->value() > 0.0) force->setValue(std::max(force->value(), kLeastForceScale));
     });
-    add_row(form, "Force felt", force, "the force in the patient; automatic: scaled to what the device can show");
+    add_row(form, tr("Force felt"), force,
+            tr("the force in the patient; automatic: scaled to what the device can show"));
   }
   keep_ = [=] {
     DeviceSettings chosen = kept;

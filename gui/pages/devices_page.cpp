@@ -10,6 +10,7 @@
 
 #include "gui/pages/background.h"
 #include "gui/session/device_rows.h"
+#include "gui/session/words_from_below.h"
 #include "gui/views/capitalised.h"
 #include "gui/views/theme.h"
 
@@ -26,20 +27,18 @@ bool same_device(const device::FoundDevice& a, const device::FoundDevice& b) {
 
 }  // namespace
 
-QString device_label(const device::FoundDevice& device) {
-  return capitalised(QString::fromStdString(device_row(device).model));
-}
+QString device_label(const device::FoundDevice& device) { return capitalised(in_words(device_row(device).model)); }
 
 DevicesPage::DevicesPage(QWidget* parent, Finder find) : QWidget(parent), find_(std::move(find)) {
-  auto* title = new QLabel("Devices", this);
+  auto* title = new QLabel(tr("Devices"), this);
   title->setObjectName("title");
-  auto* sub = new QLabel("What is plugged in. The list follows: plug a device in and it appears.", this);
+  auto* sub = new QLabel(tr("What is plugged in. The list follows: plug a device in and it appears."), this);
   sub->setObjectName("faint");
   table_ = new QTableWidget(0, static_cast<int>(kDeviceColumns.size()) + 1, this);
-  table_->setAccessibleName("Devices");
+  table_->setAccessibleName(tr("Devices"));
   QStringList headings;
-  for (const char* column : kDeviceColumns) headings << capitalised(column);
-  headings << "Needs";
+  for (const char* column : kDeviceColumns) headings << capitalised(in_words(column));
+  headings << tr("Needs");
   table_->setHorizontalHeaderLabels(headings);
   table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
   table_->setSelectionBehavior(QAbstractItemView::SelectRows);
@@ -48,14 +47,14 @@ DevicesPage::DevicesPage(QWidget* parent, Finder find) : QWidget(parent), find_(
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   table_->horizontalHeader()->setStretchLastSection(true);
   table_->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);  // what is needed is read whole
-  about_ = new QLabel("Looking for devices ...", this);
+  about_ = new QLabel(tr("Looking for devices ..."), this);
   about_->setWordWrap(true);
   about_->setMinimumHeight(3 * about_->fontMetrics().lineSpacing());
   about_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   about_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  auto* back = new QPushButton("Back", this);
+  auto* back = new QPushButton(tr("Back"), this);
   back->setShortcut(Qt::Key_Escape);
-  use_ = new QPushButton("Use this one", this);
+  use_ = new QPushButton(tr("Use this one"), this);
   use_->setObjectName("primary");
   use_->setEnabled(false);
   check_ = new QPushButton(tr("&Check this one ..."), this);
@@ -108,7 +107,7 @@ void DevicesPage::refresh() {
   if (worker_) return;  // the last answer is still to come
   worker_ = run_in_background<std::vector<device::FoundDevice>>(
       this, find_, [this](std::vector<device::FoundDevice> devices) { show_list(devices); },
-      [this](const QString& message) { about_->setText("The devices cannot be listed: " + message); });
+      [this](const QString& message) { about_->setText(tr("The devices cannot be listed: %1").arg(message)); });
 }
 
 void DevicesPage::show_list(const std::vector<device::FoundDevice>& devices) {
@@ -123,13 +122,14 @@ void DevicesPage::show_list(const std::vector<device::FoundDevice>& devices) {
     for (std::size_t r = 0; r < devices_.size(); ++r) {
       const DeviceRow row = device_row(devices_[r]);
       const auto known = cells_of(row);
-      std::vector<std::string> cells(known.begin(), known.end());
-      cells.push_back(row.trouble.empty() ? "nothing: ready" : row.trouble);
-      for (std::size_t c = 0; c < cells.size(); ++c) {
-        auto* item = new QTableWidgetItem(QString::fromStdString(cells[c]));
+      QStringList cells;
+      for (const std::string& cell : known) cells << in_words(cell);
+      cells << (row.trouble.empty() ? tr("nothing: ready") : in_words(row.trouble));
+      for (int c = 0; c < cells.size(); ++c) {
+        auto* item = new QTableWidgetItem(cells[c]);
         item->setToolTip(item->text());
         if (!usable(devices_[r])) item->setForeground(theme::faint());
-        table_->setItem(static_cast<int>(r), static_cast<int>(c), item);
+        table_->setItem(static_cast<int>(r), c, item);
       }
       if (had && same_device(devices_[r], kept)) row_of_kept = static_cast<int>(r);
     }
@@ -153,12 +153,12 @@ void DevicesPage::show_selected() {
   use_->setEnabled(device != nullptr && usable(*device));
   check_->setEnabled(use_->isEnabled());
   if (device == nullptr) {
-    about_->setText("Choose one to see what it needs.");
+    about_->setText(tr("Choose one to see what it needs."));
     return;
   }
   const std::string trouble = device_row(*device).trouble;
-  about_->setText(device_label(*device) + ": " +
-                  (trouble.empty() ? QString("ready.") : QString::fromStdString(trouble) + "."));
+  about_->setText(trouble.empty() ? tr("%1: ready.").arg(device_label(*device))
+                                  : QString("%1: %2.").arg(device_label(*device), in_words(trouble)));
 }
 
 }  // namespace vallecula::gui

@@ -1,5 +1,7 @@
 #include "gui/pages/hints.h"
 
+#include <QCoreApplication>
+
 #include "gui/views/monitor_panel.h"
 
 namespace vallecula::gui {
@@ -20,46 +22,78 @@ QString hint_for(const engine::Snapshot& snapshot, double sight_percent, bool bl
   const bool passed =
       now.place == TipPlace::trachea || now.place == TipPlace::main_bronchus || now.place == TipPlace::oesophagus;
   const bool something_in = blade_in || now.place != TipPlace::outside;
-  const QString take_tube = other_hand.isEmpty() ? QString("The tube") : other_hand + " takes the tube:";
   if (now.heart_per_min < kCompressions)
-    return "Heart rate below 60. Stop the attempt: blade and tube out, ventilate by mask (hold B); in life, "
-           "compressions.";
+    return QCoreApplication::translate(
+        "Hints",
+        "Heart rate below 60. Stop the attempt: blade and tube out, ventilate by mask (hold B); in life, "
+        "compressions.");
   if ((now.heart_per_min < kSlowHeart || now.spo2 < kLowSpo2) && !(passed && now.detector_yellow)) {
     if (something_in)
-      return "Stop this attempt: blade and tube out, then hold B to ventilate until the heart rate is above 100 and "
-             "SpO2 is back.";
-    return "Hold B to ventilate by mask until the heart rate is above 100 and SpO2 is back. SpO2 lags behind.";
+      return QCoreApplication::translate(
+          "Hints",
+          "Stop this attempt: blade and tube out, then hold B to ventilate until the heart rate is above 100 and "
+          "SpO2 is back.");
+    return QCoreApplication::translate(
+        "Hints", "Hold B to ventilate by mask until the heart rate is above 100 and SpO2 is back. SpO2 lags behind.");
   }
   if (now.in_hand == InHand::catheter)
-    return "Suction catheter: its tip into the secretions, then hold V. Out of the mouth, C gives the tube back.";
+    return QCoreApplication::translate(
+        "Hints",
+        "Suction catheter: its tip into the secretions, then hold V. Out of the mouth, C gives the tube back.");
   if (passed) {
     if (now.detector_yellow)
-      return "The detector is yellow: the tube is in the airway. Bring its tip to good depth and take the blade out; "
-             "then End.";
+      return QCoreApplication::translate(
+          "Hints",
+          "The detector is yellow: the tube is in the airway. Bring its tip to good depth and take the blade out; "
+          "then End.");
     if (now.breaths_given >= kBreathsToTell && now.given_per_min > 0.0)
-      return "No CO2 after these breaths: unless the heart rate rises, the tube is in the wrong place. Out, ventilate "
-             "by mask, again.";
+      return QCoreApplication::translate(
+          "Hints",
+          "No CO2 after these breaths: unless the heart rate rises, the tube is in the wrong place. Out, ventilate "
+          "by mask, again.");
     if (now.in_hand == InHand::tube_with_stylet)
-      return "Through: T draws the stylet. Then bring the cord mark to the cords.";
-    return "Cord mark at the cords? Hold B for 5 or 6 breaths; watch the heart rate and the CO2 detector.";
+      return QCoreApplication::translate("Hints",
+                                         "Through: T draws the stylet. Then bring the cord mark to the cords.");
+    return QCoreApplication::translate(
+        "Hints", "Cord mark at the cords? Hold B for 5 or 6 breaths; watch the heart rate and the CO2 detector.");
   }
   if (now.place == TipPlace::larynx || (now.place == TipPlace::mouth && now.tip_load_n > kResistanceN)) {
-    if (now.spasm) return "The cords stay shut: laryngospasm. Draw back, ventilate by mask (B) and wait; never push.";
-    if (now.glottis_opening < kClosed) return "The cords are closed. Wait for them to open; never push.";
-    if (now.tip_load_n > kResistanceN) return "Resistance. Draw back a little, turn the tube, try again; never push.";
-    return "Tip before the cords: on, between them, and keep them in sight until the mark has passed.";
+    if (now.spasm)
+      return QCoreApplication::translate(
+          "Hints", "The cords stay shut: laryngospasm. Draw back, ventilate by mask (B) and wait; never push.");
+    if (now.glottis_opening < kClosed)
+      return QCoreApplication::translate("Hints", "The cords are closed. Wait for them to open; never push.");
+    if (now.tip_load_n > kResistanceN)
+      return QCoreApplication::translate("Hints",
+                                         "Resistance. Draw back a little, turn the tube, try again; never push.");
+    return QCoreApplication::translate(
+        "Hints", "Tip before the cords: on, between them, and keep them in sight until the mark has passed.");
   }
   if (now.place == TipPlace::mouth)
-    return "Tube along the right side of the mouth, beside the blade, not down its channel; keep the cords in sight.";
+    return QCoreApplication::translate(
+        "Hints",
+        "Tube along the right side of the mouth, beside the blade, not down its channel; keep the cords in sight.");
   if (now.secretions_ml > kHidesMl)
-    return "Secretions hide the throat: C takes the suction catheter, V held draws them off.";
+    return QCoreApplication::translate(
+        "Hints", "Secretions hide the throat: C takes the suction catheter, V held draws them off.");
   if (100.0 * snapshot.glottis_visible >= sight_percent)
-    return "Glottis in sight. " + take_tube + " in at the right corner of the mouth. L held: pressure on the larynx.";
+    return other_hand.isEmpty()
+               ? QCoreApplication::translate(
+                     "Hints",
+                     "Glottis in sight. The tube in at the right corner of the mouth. L held: pressure on the larynx.")
+               : QCoreApplication::translate("Hints",
+                                             "Glottis in sight. %1 takes the tube: in at the right corner of the "
+                                             "mouth. L held: pressure on the larynx.")
+                     .arg(other_hand);
   if (blade_in)
-    return "Tongue to the left, tip into the vallecula, then lift along the handle; do not lever. L held: pressure on "
-           "the larynx.";
-  return "Ventilated? Blade in at the right corner of the mouth. An attempt lasts 30 s at most; B held gives breaths "
-         "between attempts.";
+    return QCoreApplication::translate(
+        "Hints",
+        "Tongue to the left, tip into the vallecula, then lift along the handle; do not lever. L held: pressure on "
+        "the larynx.");
+  return QCoreApplication::translate(
+      "Hints",
+      "Ventilated? Blade in at the right corner of the mouth. An attempt lasts 30 s at most; B held gives breaths "
+      "between attempts.");
 }
 
 }  // namespace vallecula::gui

@@ -11,7 +11,7 @@ namespace vallecula::gui {
 
 LinkedChart::LinkedChart(const QString& name, QWidget* parent) : QWidget(parent) {
   setAccessibleName(name);
-  setToolTip("Click to go there");
+  setToolTip(tr("Click to go there"));
   soon_.setSingleShot(true);
   soon_.setInterval(150);  // while a window is being drawn larger, once
   connect(&soon_, &QTimer::timeout, this, &LinkedChart::draw_now);
@@ -40,8 +40,7 @@ void LinkedChart::draw_soon() {
 void LinkedChart::draw_now() {
   if (drawing_) return soon_.start();  // one at a time
   drawing_ = run_in_background<QImage>(
-      this,
-      [draw = draw_, wide = std::max(300, width()), high = std::max(120, height())] { return draw(wide, high); },
+      this, [draw = draw_, wide = std::max(300, width()), high = std::max(120, height())] { return draw(wide, high); },
       [this, of = asked_](const QImage& picture) {
         if (of != asked_) return;
         picture_ = picture;
@@ -74,7 +73,7 @@ void LinkedChart::paintEvent(QPaintEvent*) {
   painter.fillRect(rect(), Qt::white);
   if (picture_.isNull()) {
     painter.setPen(chart::kGrey);
-    painter.drawText(rect(), Qt::AlignCenter, problem_.isEmpty() ? QString("Drawing ...") : problem_);
+    painter.drawText(rect(), Qt::AlignCenter, problem_.isEmpty() ? tr("Drawing ...") : problem_);
     return;
   }
   painter.drawImage(rect(), picture_);
@@ -82,7 +81,8 @@ void LinkedChart::paintEvent(QPaintEvent*) {
     painter.setPen(QPen(colour, wide));
     painter.drawLine(QPointF(x_of(at_s), 0.0), QPointF(x_of(at_s), height()));
   };
-  if (marked_s_ >= 0.0) line(marked_s_, QColor(chart::kOrange.red(), chart::kOrange.green(), chart::kOrange.blue(), 150), 7.0);
+  if (marked_s_ >= 0.0)
+    line(marked_s_, QColor(chart::kOrange.red(), chart::kOrange.green(), chart::kOrange.blue(), 150), 7.0);
   line(now_s_, Qt::black, 2.0);
 }
 

@@ -26,7 +26,7 @@ QTreeWidgetItem* row_in(QTreeWidgetItem* parent, const QString& title, const QSt
 }  // namespace
 
 ModuleTree::ModuleTree(QWidget* parent) : QTreeWidget(parent) {
-  setAccessibleName("Modules and scenarios");
+  setAccessibleName(tr("Modules and scenarios"));
   setColumnCount(2);
   setHeaderHidden(true);
   header()->setStretchLastSection(false);
@@ -48,7 +48,7 @@ void ModuleTree::show_course(const curricula::Curriculum* course, const std::vec
     progress_.clear();
     if (course_ != nullptr) progress_ = curricula::progress_of(*course_, past, hands);
     if (course_ != nullptr && !course_->goals.empty())
-      row_in(invisibleRootItem(), "About this course", kCourseKey)->setForeground(kTitle, theme::faint());
+      row_in(invisibleRootItem(), tr("About this course"), kCourseKey)->setForeground(kTitle, theme::faint());
     const bool alone = progress_.size() == 1;  // a course's only module needs no row of its own
     setRootIsDecorated(!alone);
     for (std::size_t m = 0; m < progress_.size(); ++m) {
@@ -80,7 +80,7 @@ void ModuleTree::show_course(const curricula::Curriculum* course, const std::vec
 void ModuleTree::add_scenario(QTreeWidgetItem* to, const std::string& id, bool passed) {
   const curricula::Scenario& scenario = *course_->find(id);
   QTreeWidgetItem* row = row_in(to, QString::fromStdString(scenario.title), QString::fromStdString(id));
-  row->setText(kState, passed ? "passed" : "");
+  row->setText(kState, passed ? tr("passed") : QString());
   row->setForeground(kState, theme::within().lighter(130));
   if (!why_closed(scenario).isEmpty()) row->setForeground(kTitle, theme::faint());
 }

@@ -1,5 +1,6 @@
 #include "gui/pages/module_words.h"
 
+#include <QCoreApplication>
 #include <QStringList>
 
 namespace vallecula::gui {
@@ -9,25 +10,30 @@ constexpr int kAnyNumber = 20;  // the most that a rule may allow says nothing
 
 QString within(int attempts) {
   if (attempts >= kAnyNumber) return {};
-  return attempts == 1 ? QString(" at the first attempt") : QString(" within %1 attempts").arg(attempts);
+  return attempts == 1 ? QCoreApplication::translate("ModuleWords", " at the first attempt")
+                       : QCoreApplication::translate("ModuleWords", " within %1 attempts").arg(attempts);
 }
 
 }  // namespace
 
 QString state_of(const curricula::ModuleProgress& progress) {
-  return progress.mastered ? "mastered" : progress.open ? "open" : "closed";
+  return progress.mastered ? QCoreApplication::translate("ModuleWords", "mastered")
+         : progress.open   ? QCoreApplication::translate("ModuleWords", "open")
+                           : QCoreApplication::translate("ModuleWords", "closed");
 }
 
 QString progress_line(const curricula::Module& module, const curricula::ModuleProgress& progress) {
-  QString line = "no trial yet";
+  QString line = QCoreApplication::translate("ModuleWords", "no trial yet");
   if (progress.trials > 0)
-    line = QString("%1 of %2 trials passed%3")
+    line = QCoreApplication::translate("ModuleWords", "%1 of %2 trials passed%3")
                .arg(progress.succeeded)
                .arg(progress.trials)
                .arg(within(module.mastery.attempts));
-  line += QString(", %1 of %2 scenarios done").arg(progress.scenarios_done).arg(module.scenarios.size());
+  line += QCoreApplication::translate("ModuleWords", ", %1 of %2 scenarios done")
+              .arg(progress.scenarios_done)
+              .arg(module.scenarios.size());
   if (module.mastery.by_cusum)
-    line += QString(", cumulative sum %1 (mastered at %2)")
+    line += QCoreApplication::translate("ModuleWords", ", cumulative sum %1 (mastered at %2)")
                 .arg(progress.cusum.empty() ? 0.0 : progress.cusum.back().sum, 0, 'f', 1)
                 .arg(curricula::cusum_lines(module.mastery.cusum).lower, 0, 'f', 1);
   return line;
@@ -35,16 +41,21 @@ QString progress_line(const curricula::Module& module, const curricula::ModulePr
 
 QString mastery_rule(const curricula::Module& module) {
   const curricula::MasteryRule& rule = module.mastery;
-  QString text = rule.by_cusum ? QString(
-                                     "Mastered when the cumulative sum (CUSUM) over all its trials reaches %1 and each "
-                                     "scenario has been passed")
-                                     .arg(curricula::cusum_lines(rule.cusum).lower, 0, 'f', 1)
-                 : rule.passes == 1
-                     ? QString("Mastered when each scenario has been passed")
-                     : QString("Mastered when each scenario has been passed %1 times running").arg(rule.passes);
+  QString text =
+      rule.by_cusum ? QString(QCoreApplication::translate(
+                                  "ModuleWords",
+                                  "Mastered when the cumulative sum (CUSUM) over all its trials reaches %1 and each "
+                                  "scenario has been passed"))
+                          .arg(curricula::cusum_lines(rule.cusum).lower, 0, 'f', 1)
+      : rule.passes == 1
+          ? QCoreApplication::translate("ModuleWords", "Mastered when each scenario has been passed")
+          : QCoreApplication::translate("ModuleWords", "Mastered when each scenario has been passed %1 times running")
+                .arg(rule.passes);
   text += within(rule.attempts);
-  text += rule.assessments_only ? "; only assessments count. " : ". ";
-  return text + QString("Source: %1. Not validated.").arg(QString::fromStdString(rule.source));
+  text +=
+      rule.assessments_only ? QCoreApplication::translate("ModuleWords", "; only assessments count. ") : QString(". ");
+  return text + QCoreApplication::translate("ModuleWords", "Source: %1. Not validated.")
+                    .arg(QString::fromStdString(rule.source));
 }
 
 QString why_closed(const curricula::Curriculum& curriculum, const std::vector<curricula::ModuleProgress>& progress,
@@ -59,7 +70,9 @@ QString why_closed(const curricula::Curriculum& curriculum, const std::vector<cu
   };
   if (const curricula::Module* module = curriculum.module_of(scenario_id)) ask_for(module->after);
   if (const curricula::Scenario* scenario = curriculum.find(scenario_id)) ask_for(scenario->after);
-  return missing.isEmpty() ? QString() : "Opens after " + missing.join(" and ") + " is mastered.";
+  return missing.isEmpty() ? QString()
+                           : QCoreApplication::translate("ModuleWords", "Opens after %1 is mastered.")
+                                 .arg(missing.join(QCoreApplication::translate("ModuleWords", " and ")));
 }
 
 }  // namespace vallecula::gui

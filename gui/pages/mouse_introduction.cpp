@@ -14,28 +14,43 @@ namespace {
 constexpr const char* kKey = "mouse/introduced";
 constexpr const char* kTubeKey = "mouse/introduced-tube";
 
-constexpr const char* kMoves =
+constexpr const char* kMoves = QT_TRANSLATE_NOOP(
+    "MouseIntroduction",
     "<tr><td><b>Drag, wheel</b></td><td>moves it in the picture; wheel forward: deeper into the mouth</td></tr>"
     "<tr><td><b>Ctrl-drag</b></td><td>turns it about its tip; so do a drag with the right button and W A S D (Q E: "
     "roll)</td></tr>"
     "<tr><td><b>Space</b></td><td>held: lifts the blade along its handle; Backspace lowers</td></tr>"
     "<tr><td><b>Shift, + and -</b></td><td>held: all of it finer; farther, or less far, for the same way</td></tr>"
-    "<tr><td><b>Arrows, PgUp, PgDn &nbsp;</b></td><td>move it without a mouse</td></tr>";
-constexpr const char* kTube =
+    "<tr><td><b>Arrows, PgUp, PgDn &nbsp;</b></td><td>move it without a mouse</td></tr>");
+constexpr const char* kTube = QT_TRANSLATE_NOOP(
+    "MouseIntroduction",
     "<tr><td><b>X</b> (or Tab)</td><td>the other hand: blade or tube; what you let go of stays where it is</td></tr>"
     "<tr><td><b>B, L</b></td><td>held: breaths, by mask, or by the tube once it is in; pressure on the larynx</td></tr>"
     "<tr><td><b>C, V</b></td><td>suction catheter instead of the tube, and back; V held sucks</td></tr>"
-    "<tr><td><b>T</b></td><td>draws the stylet out of the tube</td></tr>";
-constexpr const char* kTubeRules =
+    "<tr><td><b>T</b></td><td>draws the stylet out of the tube</td></tr>");
+constexpr const char* kTubeRules = QT_TRANSLATE_NOOP(
+    "MouseIntroduction",
     "<p>Tube in at the right corner, beside the blade; the black mark goes to the cords. Never push against "
     "resistance.<br>"
-    "Heart rate below 100: out, and ventilate. Five or six breaths tell by the CO2 detector.</p>";
+    "Heart rate below 100: out, and ventilate. Five or six breaths tell by the CO2 detector.</p>");
+
+QString words(const char* sentence) { return QCoreApplication::translate("MouseIntroduction", sentence); }
 
 QString blade_rules(const curricula::Assistance& helps) {
-  QString text = "<p>A mouse cannot push back";
-  if (helps.force_bar) text += ": the bars on the right show the force your blade puts on tongue and gum";
-  text += ".<br>Lift, do not lever. A solid grey blade is your hand, where the blade could not follow it.";
-  if (helps.ghost_path) text += "<br>The blade you can see through, which moves by itself, is an expert's.";
+  QString text =
+      "<p>" +
+      (helps.force_bar
+           ? QCoreApplication::translate(
+                 "MouseIntroduction",
+                 "A mouse cannot push back: the bars on the right show the force your blade puts on tongue and gum.")
+           : QCoreApplication::translate("MouseIntroduction", "A mouse cannot push back.")) +
+      "<br>" +
+      QCoreApplication::translate(
+          "MouseIntroduction",
+          "Lift, do not lever. A solid grey blade is your hand, where the blade could not follow it.");
+  if (helps.ghost_path)
+    text += "<br>" + QCoreApplication::translate(
+                         "MouseIntroduction", "The blade you can see through, which moves by itself, is an expert's.");
   return text + "</p>";
 }
 
@@ -49,8 +64,8 @@ MouseIntroduction::MouseIntroduction(QWidget* parent) : QFrame(parent) {
   text_->setTextFormat(Qt::RichText);
   text_->setWordWrap(true);  // a small window is narrower than the longest line
   text_->setMinimumWidth(540);
-  never_again_ = new QCheckBox("Don't show this again", this);
-  auto* known = new QPushButton("Got it", this);
+  never_again_ = new QCheckBox(tr("Don't show this again"), this);
+  auto* known = new QPushButton(tr("Got it"), this);
   never_again_->setFocusPolicy(Qt::NoFocus);  // keys are the blade's
   known->setFocusPolicy(Qt::NoFocus);
   connect(known, &QPushButton::clicked, this, &MouseIntroduction::dismiss);
@@ -67,13 +82,15 @@ MouseIntroduction::MouseIntroduction(QWidget* parent) : QFrame(parent) {
 
 void MouseIntroduction::show_if_wanted(bool with_tube, const curricula::Assistance& helps) {
   with_tube_ = with_tube;
-  title_->setText(with_tube ? "Your mouse holds the laryngoscope, then the tube" : "Your mouse holds the laryngoscope");
+  title_->setText(with_tube ? tr("Your mouse holds the laryngoscope, then the tube")
+                            : tr("Your mouse holds the laryngoscope"));
   text_->setText(
-      "<table cellspacing='" + QString(with_tube ? "2" : "4") + "'>" + kMoves + (with_tube ? kTube : "") +
-      "<tr><td><b>Enter, Esc, R, Z</b></td><td>start the trial, end it, begin again; change the view</td></tr>"
-      "</table>"
-      "<p>Enter closes this; Enter again starts the trial.</p>" +
-      (with_tube ? QString(kTubeRules) : blade_rules(helps)));
+      "<table cellspacing='" + QString(with_tube ? "2" : "4") + "'>" + words(kMoves) +
+      (with_tube ? words(kTube) : QString()) +
+      tr("<tr><td><b>Enter, Esc, R, Z</b></td><td>start the trial, end it, begin again; change the view</td></tr>"
+         "</table>"
+         "<p>Enter closes this; Enter again starts the trial.</p>") +
+      (with_tube ? words(kTubeRules) : blade_rules(helps)));
   setVisible(!user_settings()->value(with_tube ? kTubeKey : kKey, false).toBool());
   raise();
 }

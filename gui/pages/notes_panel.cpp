@@ -17,14 +17,14 @@
 namespace vallecula::gui {
 
 NotesPanel::NotesPanel(QWidget* parent) : QWidget(parent) {
-  list_ = new TimedList("Notes", this);
+  list_ = new TimedList(tr("Notes"), this);
   text_ = new QLineEdit(this);
   text_->setObjectName("note");
   text_->setMaxLength(1000);
-  text_->setAccessibleName("A note at this second");
-  add_ = new QPushButton("Add", this);
-  remove_ = new QPushButton("Take away", this);
-  remove_->setToolTip("Takes the chosen note away");
+  text_->setAccessibleName(tr("A note at this second"));
+  add_ = new QPushButton(tr("Add"), this);
+  remove_ = new QPushButton(tr("Take away"), this);
+  remove_->setToolTip(tr("Takes the chosen note away"));
   told_ = new QLabel(this);
   told_->setObjectName("faint");
   told_->setWordWrap(true);
@@ -71,7 +71,7 @@ void NotesPanel::show_time(double at_s) {
   now_s_ = at_s;
   if (!text_->text().isEmpty()) return;  // a note that was begun stays where it was begun
   at_s_ = at_s;
-  text_->setPlaceholderText("Note at " + clock_text(at_s));
+  text_->setPlaceholderText(tr("Note at %1").arg(clock_text(at_s)));
 }
 
 void NotesPanel::write() {
@@ -110,7 +110,7 @@ void NotesPanel::ask(std::function<void(curricula::Notes&, long long)> change) {
         if (of != opened_) return;
         allow(notes.has_value());
         told_->setText(notes ? QString()
-                             : QString("This trial is in no record of this station, so notes have no place to be kept."));
+                             : tr("This trial is in no record of this station, so notes have no place to be kept."));
         show_notes(notes.value_or(std::vector<curricula::Note>()));
         if (written) text_->clear();
         if (writing) text_->setFocus();  // the next one
@@ -127,7 +127,7 @@ void NotesPanel::show_notes(const std::vector<curricula::Note>& notes) {
   std::vector<double> at_s;
   for (const curricula::Note& note : notes) {
     list_->add(note.at_s, QString::fromStdString(note.text), theme::text(),
-               "Written " + QString::fromStdString(note.written_utc), note.id);
+               tr("Written %1").arg(QString::fromStdString(note.written_utc)), note.id);
     at_s.push_back(note.at_s);
   }
   emit listed(at_s);

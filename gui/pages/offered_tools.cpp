@@ -12,10 +12,10 @@ namespace vallecula::gui {
 OfferedTools::OfferedTools(QWidget* parent) : QWidget(parent) {
   auto* form = new QFormLayout(this);
   form->setContentsMargins(0, 0, 0, 0);
-  blade_label_ = new QLabel("Blade", this);
+  blade_label_ = new QLabel(tr("Blade"), this);
   blade_ = new QComboBox(this);
   blade_->setObjectName("blade");
-  tube_label_ = new QLabel("Tube", this);
+  tube_label_ = new QLabel(tr("Tube"), this);
   tube_ = new QComboBox(this);
   tube_->setObjectName("tube");
   form->addRow(blade_label_, blade_);
@@ -26,20 +26,20 @@ OfferedTools::OfferedTools(QWidget* parent) : QWidget(parent) {
 }
 
 void OfferedTools::offer(const curricula::Scenario& scenario) {
-  const auto fill = [](QComboBox* box, QLabel* label, const std::vector<std::string>& offered, const char* form) {
+  const auto fill = [](QComboBox* box, QLabel* label, const std::vector<std::string>& offered, const QString& form) {
     const QSignalBlocker quiet(box);
     box->clear();
-    box->addItem("Choose for this infant ...", QString());
+    box->addItem(tr("Choose for this infant ..."), QString());
     for (const std::string& one : offered) {
       const QString name = QString::fromStdString(one);
-      box->addItem(QString(form).arg(capitalised(QString(name).replace('-', ' '))), name);
+      box->addItem(form.arg(capitalised(QString(name).replace('-', ' '))), name);
     }
     box->setVisible(!offered.empty());
     label->setVisible(!offered.empty());
   };
   const auto tubes = scenario.intubation ? scenario.intubation->offered_tubes : std::vector<std::string>();
   fill(blade_, blade_label_, scenario.offered_blades, "%1");
-  fill(tube_, tube_label_, tubes, "%1 mm inner diameter");
+  fill(tube_, tube_label_, tubes, tr("%1 mm inner diameter"));
   setVisible(!scenario.offered_blades.empty() || !tubes.empty());
 }
 

@@ -16,7 +16,9 @@
 #include "gui/report/force_chart.h"
 #include "gui/report/monitor_chart.h"
 #include "gui/session/log_conversion.h"
+#include "gui/session/words_from_below.h"
 #include "gui/views/force_bars.h"
+#include "gui/views/heat_look.h"
 #include "gui/views/monitor_panel.h"
 #include "gui/views/operator_view.h"
 #include "gui/views/replay_marks.h"
@@ -54,24 +56,17 @@ void ReplayPage::open(std::shared_ptr<ReplayTrial> trial, double at_s, bool mark
   trial_ = std::move(trial);
   const engine::SceneDescription& scene = trial_->scene;
   const auto* intubation = scene.intubation ? &*scene.intubation : nullptr;
-  title_->setText("Replay: " + QString::fromStdString(trial_->scenario.title));
-  change_->setText(QString::fromStdString(what_to_change(trial_->score, trial_->scenario)));
+  title_->setText(tr("Replay: %1").arg(QString::fromStdString(trial_->scenario.title)));
+  change_->setText(in_words(what_to_change(trial_->score, trial_->scenario)));
   operator_view_->show_patient(trial_->look, scene.tool.surface, intubation);
   sagittal_view_->show_patient(trial_->look, scene.tool.surface, intubation);
-  operator_view_->add_marks(marks_->props());
   sagittal_view_->add_marks(cut_marks_->props());
-  for (const auto& marks : {marks_.get(), cut_marks_.get()})
-    marks->set_paths(trial_->path, trial_->expert_path, trial_->scenario.targets.tongue_force_n);
+  open_marks();
   const bool planned = !trial_->expert_path.tip_mm.empty();
   expert_->setEnabled(planned);
-  expert_->setToolTip(planned ? "X: the way a scripted expert's tip takes in this patient, in white"
-                              : "The scripted expert has no plan for this patient");
+  expert_->setToolTip(planned ? tr("X: the way a scripted expert's tip takes in this patient, in white")
+                              : tr("The scripted expert has no plan for this patient"));
   free_->setChecked(false);
-  legend_->setText(QString("Tip's path: <span style='color:%1'>&#9644;</span> below half the target force on the tongue "
-                           "<span style='color:%2'>&#9644;</span> up to it (%4 N) <span style='color:%3'>&#9644;</span> "
-                           "over it; in white the expert's")
-                       .arg(theme::device().name(), theme::target().name(), theme::bad().name())
-                       .arg(trial_->scenario.targets.tongue_force_n, 0, 'f', 1));
   bars_->set_marks({trial_->scenario.targets.tongue_force_n, trial_->scenario.targets.gum_force_n,
                     trial_->log->header.device_limit_n});
   monitor_->clear();
@@ -94,6 +89,7 @@ void ReplayPage::open(std::shared_ptr<ReplayTrial> trial, double at_s, bool mark
 void ReplayPage::close_replay() {
   play(false);
   timer_.stop();
+  heat_look_.reset();
   trial_.reset();
 }
 
@@ -104,18 +100,18 @@ void ReplayPage::show_lists() {
   for (const curricula::Criterion& criterion : trial_->score.criteria) {
     const auto points = std::find_if(trial_->points.begin(), trial_->points.end(),
                                      [&](const auto& p) { return p.mark == criterion.name; });
-    QString text = (criterion.met ? QString::fromUtf8("\u2713 ") : QString::fromUtf8("\u2717 ")) +
-                   QString::fromStdString(criterion.sentence);
+    QString text =
+        (criterion.met ? QString::fromUtf8("\u2713 ") : QString::fromUtf8("\u2717 ")) + in_words(criterion.sentence);
     QString source;
     if (points != trial_->points.end()) {
-      text += QString(" (%1 of %2 points)").arg(points->earned, 0, 'f', 0).arg(points->of, 0, 'f', 0);
-      source = "Pass mark: " + QString::fromStdString(points->source);
+      text += tr(" (%1 of %2 points)").arg(points->earned, 0, 'f', 0).arg(points->of, 0, 'f', 0);
+      source = tr("Pass mark: %1").arg(QString::fromStdString(points->source));
     }
     reasons_->add(criterion.at_s, text, criterion.met ? theme::text() : theme::over(), source);
   }
   events_->clear();
   for (const ReplayEvent& event : trial_->events)
-    if (!minor(event)) events_->add(event.at_s, QString::fromStdString(event.text), event_colour(event.kind));
+    if (!minor(event)) events_->add(event.at_s, in_words(event.text), event_colour(event.kind));
 }
 
 void ReplayPage::show_charts() {
@@ -139,7 +135,7 @@ void ReplayPage::play(bool on) {
   if (on && at_s_ >= trial_->end_s() - 1e-6) seek(0.0);  // from its end, anew
   playing_ = on;
   since_frame_.restart();
-  play_->setText(on ? "Pause" : "Play");
+  play_->setText(on ? tr("Pause") : tr("Play"));
   if (!on && trial_) {
     operator_view_->settle();
     dirty_ = true;
@@ -213,6 +209,7 @@ void ReplayPage::frame() {
                             (!trial_->film->finished() && since_cut_.elapsed() >= kWaitingMs))) {
       show_now(true);  // what was waited for, and on the way there how far it is
     }
+    follow_heat();
     draw_views(!playing_);
   } catch (const std::exception& error) {
     const QString message = QString::fromUtf8(error.what());
@@ -229,9 +226,9 @@ void ReplayPage::show_film_progress() {
   progress_->setVisible(!done);
   stop_->setVisible(!done);
   QStringList said;
-  if (waiting_ && !done) said << QString("Computing on to %1 ...").arg(clock_text(at_s_));
-  if (waiting_ && done) said << "The replay was stopped before this second.";
-  if (done && !film.remark().empty() && !waiting_) said << QString::fromStdString(film.remark());
+  if (waiting_ && !done) said << tr("Computing on to %1 ...").arg(clock_text(at_s_));
+  if (waiting_ && done) said << tr("The replay was stopped before this second.");
+  if (done && !film.remark().empty() && !waiting_) said << in_words(film.remark());
   for (const std::string& notice : trial_->notices) said << QString::fromStdString(notice);
   said.removeDuplicates();
   const QString text = said.join(". ");
@@ -255,6 +252,7 @@ void ReplayPage::show_now(bool jumped) {
     marks_->show(snapshot);
     cut_marks_->show(snapshot);
     if (jumped) operator_view_->settle();
+    show_heat();
     dirty_ = true;
   }
   show_figures();
@@ -277,15 +275,16 @@ void ReplayPage::show_figures() {
   clock_->setText(clock_text(at_s_) + " / " + clock_text(trial_->end_s()));
   QStringList figures;
   for (const auto& [from_s, to_s] : attempt_spans(trial_->score))
-    if (at_s_ >= from_s && at_s_ <= to_s) figures << QString("attempt %1 s").arg(at_s_ - from_s, 0, 'f', 1);
-  if (figures.isEmpty()) figures << "between attempts";
+    if (at_s_ >= from_s && at_s_ <= to_s) figures << tr("attempt %1 s").arg(at_s_ - from_s, 0, 'f', 1);
+  if (figures.isEmpty()) figures << tr("between attempts");
   if (shown_ >= 0 && !waiting_)  // else the picture is of another moment than the figures
-    figures << QString("glottis seen %1 %")
+    figures << tr("glottis seen %1 %")
                    .arg(100.0 * trial_->film->frame(static_cast<std::size_t>(shown_))->glottis_visible, 0, 'f', 0);
   if (tick.has_intubation && tick.intubation.at_mouth_m > 0.0)
-    figures << QString("tube %1 cm at the lips").arg(100.0 * tick.intubation.at_mouth_m, 0, 'f', 1);
+    figures << tr("tube %1 cm at the lips").arg(100.0 * tick.intubation.at_mouth_m, 0, 'f', 1);
   const StateWords words = words_for(static_cast<engine::HapticState>(tick.state), curricula::paused(tick));
-  if (tick.state != curricula::LoggedState::tracking || curricula::paused(tick)) figures << "device " + words.name;
+  if (tick.state != curricula::LoggedState::tracking || curricula::paused(tick))
+    figures << tr("device %1").arg(words.name);
   figures_->setText(figures.join(QString::fromUtf8("  \u00b7  ")));
 }
 

@@ -20,6 +20,7 @@ class QTabWidget;
 namespace vallecula::gui {
 
 class ForceBars;
+class HeatLook;
 class LinkedChart;
 class MonitorPanel;
 class NotesPanel;
@@ -58,6 +59,7 @@ class ReplayPage : public QWidget {
   /// The frame on the screen; -1: none yet.
   long long shown_frame() const { return shown_; }
   const ReplayFilm& film() const { return *trial_->film; }
+  ContactHeat& heat() { return *trial_->heat; }
   OperatorView& operator_view() { return *operator_view_; }
   ReplayMarks& operator_marks() { return *marks_; }
   /// Both views with the time and the figures below.
@@ -93,6 +95,10 @@ class ReplayPage : public QWidget {
   void show_monitor(bool jumped);
   void draw_views(bool all);
   void set_marked(double at_s);
+  void open_marks();
+  void show_heat();    ///< of the frame on the screen
+  void follow_heat();  ///< once more, when its pressures are there
+  void show_legend();
   void ask_for_picture();
   void ask_for_clip();
 
@@ -102,6 +108,9 @@ class ReplayPage : public QWidget {
   MonitorPanel* monitor_;
   ForceBars* bars_;
   std::unique_ptr<ReplayMarks> marks_, cut_marks_;
+  std::unique_ptr<HeatLook> heat_look_;
+  std::size_t heat_of_ = 0;     ///< frames whose pressures are drawn
+  double heat_scale_ = 1.0;     ///< kPa
   Timeline* timeline_;
   LinkedChart *force_chart_, *monitor_chart_;
   QTabWidget *charts_, *lists_;
@@ -111,7 +120,7 @@ class ReplayPage : public QWidget {
   QProgressBar* progress_;
   QPushButton *stop_, *play_;
   QComboBox* rate_;
-  QCheckBox *arrows_, *path_, *expert_, *free_, *half_;
+  QCheckBox *arrows_, *path_, *expert_, *heat_, *free_, *half_;
   QTimer timer_;
   QElapsedTimer since_frame_, since_cut_;
   double at_s_ = 0.0;

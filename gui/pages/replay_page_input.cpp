@@ -64,6 +64,8 @@ void ReplayPage::keyPressEvent(QKeyEvent* event) {
     case Qt::Key_X:
       if (expert_->isEnabled()) expert_->toggle();
       return;
+    case Qt::Key_C:
+      return heat_->toggle();
     case Qt::Key_F:
       return free_->toggle();
     case Qt::Key_H:
@@ -109,7 +111,7 @@ QImage ReplayPage::picture() {
   QString words = clock_text(at_s_) + QString::fromUtf8("  \u00b7  ") + figures_->text();
   if (trial_) {
     const curricula::LogTick& tick = trial_->tick_at(at_s_);
-    words += QString::fromUtf8("  \u00b7  tongue %1 N, gum %2 N")
+    words += tr("  \u00b7  tongue %1 N, gum %2 N")
                  .arg(ReplayTrial::load_n(tick, curricula::kTongue), 0, 'f', 1)
                  .arg(ReplayTrial::load_n(tick, curricula::kGum), 0, 'f', 1);
   }
@@ -122,7 +124,7 @@ void ReplayPage::save_picture(const QString& png) {
   QBuffer buffer(&bytes);
   buffer.open(QIODevice::WriteOnly);
   if (!picture().save(&buffer, "PNG"))
-    throw std::runtime_error(png.toStdString() + ": the picture could not be encoded as PNG");
+    throw std::runtime_error(tr("%1: the picture could not be encoded as PNG").arg(png).toStdString());
   write_file_whole(png.toStdString(), bytes.toStdString());
 }
 
@@ -150,13 +152,13 @@ void ReplayPage::ask_for_picture() {
   if (!trial_) return;
   play(false);
   const auto folder = trial_->log_file.parent_path() / ("replay-" + std::to_string(static_cast<int>(at_s_)) + "s.png");
-  const QString png =
-      QFileDialog::getSaveFileName(this, "Save a picture", QString::fromStdString(folder.string()), "Pictures (*.png)");
+  const QString png = QFileDialog::getSaveFileName(this, tr("Save a picture"), QString::fromStdString(folder.string()),
+                                                   tr("Pictures (*.png)"));
   if (png.isEmpty()) return;
   try {
     save_picture(png);
   } catch (const std::exception& error) {
-    QMessageBox::warning(this, "The picture was not saved", QString::fromUtf8(error.what()));
+    QMessageBox::warning(this, tr("The picture was not saved"), QString::fromUtf8(error.what()));
   }
 }
 

@@ -15,6 +15,7 @@
 #include "gui/pages/timed_list.h"
 #include "gui/pages/timeline.h"
 #include "gui/views/force_bars.h"
+#include "gui/views/heat_look.h"
 #include "gui/views/monitor_panel.h"
 #include "gui/views/operator_view.h"
 #include "gui/views/replay_marks.h"
@@ -71,7 +72,7 @@ QWidget* ReplayPage::make_head() {
   auto* row = new QHBoxLayout(head);
   row->setContentsMargins(0, 0, 0, 0);
   row->addWidget(title_, 1);
-  const auto box = [&](const char* text, const char* name, const char* tip, bool on) {
+  const auto box = [&](const QString& text, const char* name, const QString& tip, bool on) {
     auto* made = new QCheckBox(text, head);
     made->setObjectName(name);
     made->setToolTip(tip);
@@ -80,13 +81,24 @@ QWidget* ReplayPage::make_head() {
     row->addWidget(made);
     return made;
   };
-  arrows_ = box("Forces", "arrows", "A: arrows of the blade's push on the tissue, 5 mm a newton; blue on soft tissue, red "
-                                    "on gums, palate and teeth", true);
-  path_ = box("Tip's path", "path", "P: the way of the blade's tip until now, coloured by the force on the tongue", false);
-  expert_ = box("Expert's path", "expert", "", false);
-  free_ = box("Free camera", "free", "F: drag turns the view, Shift-drag moves it, the wheel goes nearer; Shift and arrow "
-                                     "keys turn it too", false);
-  half_ = box("Half head", "half", "H: with the free camera, without the skin of the patient's left half, for a look from the side", false);
+  arrows_ = box(tr("Forces"), "arrows",
+                tr("A: arrows of the blade's push on the tissue, 5 mm a newton; blue on soft tissue, red "
+                   "on gums, palate and teeth"),
+                true);
+  path_ = box(tr("Tip's path"), "path",
+              tr("P: the way of the blade's tip until now, coloured by the force on the tongue"), false);
+  expert_ = box(tr("Expert's path"), "expert", "", false);
+  heat_ = box(tr("Heat map"), "heat",
+              tr("C: where the blade pressed on tongue and epiglottis so far, and how hard (kPa): the highest "
+                 "pressure on each part"),
+              false);
+  free_ = box(tr("Free camera"), "free",
+              tr("F: drag turns the view, Shift-drag moves it, the wheel goes nearer; Shift and arrow "
+                 "keys turn it too"),
+              false);
+  half_ =
+      box(tr("Half head"), "half",
+          tr("H: with the free camera, without the skin of the patient's left half, for a look from the side"), false);
   half_->setEnabled(false);
   connect(arrows_, &QCheckBox::toggled, this, [this](bool on) {
     for (const auto& marks : {marks_.get(), cut_marks_.get()}) marks->show_arrows(on);
@@ -94,11 +106,18 @@ QWidget* ReplayPage::make_head() {
   });
   connect(path_, &QCheckBox::toggled, this, [this](bool on) {
     for (const auto& marks : {marks_.get(), cut_marks_.get()}) marks->show_path(on);
-    legend_->setVisible(on);
+    show_legend();
     dirty_ = true;
   });
   connect(expert_, &QCheckBox::toggled, this, [this](bool on) {
     for (const auto& marks : {marks_.get(), cut_marks_.get()}) marks->show_expert(on);
+    dirty_ = true;
+  });
+  connect(heat_, &QCheckBox::toggled, this, [this](bool on) {
+    if (!heat_look_) return;
+    heat_look_->actor()->SetVisibility(on);
+    show_heat();
+    show_legend();
     dirty_ = true;
   });
   connect(free_, &QCheckBox::toggled, this, [this](bool on) {
@@ -121,7 +140,7 @@ QWidget* ReplayPage::make_pictures() {
   operator_view_->setMinimumSize(400, 220);
   legend_ = new QLabel(top);
   legend_->setMargin(5);
-  legend_->setStyleSheet("background: rgba(16, 20, 25, 200);");
+  legend_->setStyleSheet("background: rgba(16, 20, 25, 200); color: white;");
   legend_->setAttribute(Qt::WA_TransparentForMouseEvents);
   legend_->hide();
   monitor_ = new MonitorPanel(top);
@@ -136,11 +155,11 @@ QWidget* ReplayPage::make_pictures() {
   charts_ = new QTabWidget(splitter);
   charts_->setObjectName("charts");
   charts_->setFocusPolicy(Qt::NoFocus);
-  force_chart_ = new LinkedChart("Force over time", charts_);
+  force_chart_ = new LinkedChart(tr("Force over time"), charts_);
   force_chart_->setObjectName("force_chart");
-  monitor_chart_ = new LinkedChart("Saturation and heart rate over time", charts_);
-  charts_->addTab(force_chart_, "Force");
-  charts_->addTab(monitor_chart_, "Monitor");
+  monitor_chart_ = new LinkedChart(tr("Saturation and heart rate over time"), charts_);
+  charts_->addTab(force_chart_, tr("Force"));
+  charts_->addTab(monitor_chart_, tr("Monitor"));
   charts_->setTabPosition(QTabWidget::West);
   splitter->addWidget(top);
   splitter->addWidget(charts_);
@@ -164,14 +183,14 @@ QWidget* ReplayPage::make_side() {
   (new QVBoxLayout(bars_panel))->addWidget(bars_);
   lists_ = new QTabWidget(side);
   lists_->setObjectName("lists");
-  reasons_ = new TimedList("What was judged", lists_);
-  events_ = new TimedList("What happened", lists_);
+  reasons_ = new TimedList(tr("What was judged"), lists_);
+  events_ = new TimedList(tr("What happened"), lists_);
   notes_ = new NotesPanel(lists_);
   reasons_->setObjectName("reasons");
   events_->setObjectName("events");
-  lists_->addTab(reasons_, "Score");
-  lists_->addTab(events_, "Events");
-  lists_->addTab(notes_, "Notes");
+  lists_->addTab(reasons_, tr("Score"));
+  lists_->addTab(events_, tr("Events"));
+  lists_->addTab(notes_, tr("Notes"));
   lists_->setMinimumHeight(150);
   column->addWidget(sagittal_view_, 3);
   column->addWidget(bars_panel);
@@ -209,16 +228,16 @@ QWidget* ReplayPage::make_foot() {
     row->addWidget(made);
     return made;
   };
-  auto* back = button(QString::fromUtf8("\u00ab Event"), "Previous event", "PgUp");
-  auto* frame_back = button(QString::fromUtf8("\u2039 Frame"), "A frame back", "Left");
-  play_ = button("Play", "Play or pause", "Space");
+  auto* back = button(tr("\u00ab Event"), tr("Previous event"), "PgUp");
+  auto* frame_back = button(tr("\u2039 Frame"), tr("A frame back"), "Left");
+  play_ = button(tr("Play"), tr("Play or pause"), "Space");
   play_->setObjectName("primary");
   play_->setMinimumWidth(84);
-  auto* frame_on = button(QString::fromUtf8("Frame \u203a"), "A frame on", "Right");
-  auto* on = button(QString::fromUtf8("Event \u00bb"), "Next event", "PgDn");
+  auto* frame_on = button(tr("Frame \u203a"), tr("A frame on"), "Right");
+  auto* on = button(tr("Event \u00bb"), tr("Next event"), "PgDn");
   rate_ = new QComboBox(foot);
-  rate_->setAccessibleName("Speed");
-  rate_->setToolTip("+ and -");
+  rate_->setAccessibleName(tr("Speed"));
+  rate_->setToolTip(tr("+ and -"));
   rate_->setFocusPolicy(Qt::TabFocus);
   for (const double rate : {0.25, 0.5, 1.0, 2.0, 4.0}) rate_->addItem(QString::fromUtf8("%1\u00d7").arg(rate), rate);
   rate_->setCurrentIndex(2);
@@ -228,14 +247,15 @@ QWidget* ReplayPage::make_foot() {
   progress_->setRange(0, 1000);
   progress_->setTextVisible(false);
   progress_->setFixedWidth(110);
-  progress_->setAccessibleName("Computing the tissue's shape");
-  progress_->setToolTip("The tissue's shape is not in the log and is computed anew; what is blue on the timeline is there");
+  progress_->setAccessibleName(tr("Computing the tissue's shape"));
+  progress_->setToolTip(
+      tr("The tissue's shape is not in the log and is computed anew; what is blue on the timeline is there"));
   row->addWidget(progress_);
-  stop_ = button("Stop", "Stop computing", "What is computed stays");
-  auto* picture = button("Picture ...", "Save a picture", "Ctrl+S: both views as a PNG");
-  auto* clip = button("Clip ...", "Save a clip", "Both views from one second to another");
+  stop_ = button(tr("Stop"), tr("Stop computing"), tr("What is computed stays"));
+  auto* picture = button(tr("Picture ..."), tr("Save a picture"), tr("Ctrl+S: both views as a PNG"));
+  auto* clip = button(tr("Clip ..."), tr("Save a clip"), tr("Both views from one second to another"));
   connect(clip, &QPushButton::clicked, this, &ReplayPage::ask_for_clip);
-  auto* leave = button("Back", "Back", "Esc");
+  auto* leave = button(tr("Back"), tr("Back"), "Esc");
   connect(back, &QPushButton::clicked, this, &ReplayPage::to_previous_event);
   connect(frame_back, &QPushButton::clicked, this, [this] { step(-1); });
   connect(play_, &QPushButton::clicked, this, [this] { play(!playing_); });

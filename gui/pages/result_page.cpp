@@ -1,5 +1,6 @@
 #include "gui/pages/result_page.h"
 
+#include <QCoreApplication>
 #include <QDesktopServices>
 #include <QGridLayout>
 #include <QHBoxLayout>
@@ -16,6 +17,7 @@
 #include "gui/pages/result_figures.h"
 #include "gui/report/monitor_chart.h"
 #include "gui/session/replay_trial.h"
+#include "gui/session/words_from_below.h"
 #include "gui/views/theme.h"
 
 namespace vallecula::gui {
@@ -24,10 +26,13 @@ namespace {
 
 /// A sentence of the score, as a link to its second where it has one and the trial may be replayed.
 QString linked(const std::string& sentence, const curricula::Score& score, bool replayed) {
-  const QString text = QString::fromStdString(sentence).toHtmlEscaped();
+  const QString text = in_words(sentence).toHtmlEscaped();
   for (const curricula::Criterion& criterion : score.criteria)
     if (replayed && criterion.sentence == sentence && criterion.at_s >= 0.0)
-      return QString("<a style='color:%1' href='%2'>%3</a>").arg(theme::device().name()).arg(criterion.at_s, 0, 'f', 3).arg(text);
+      return QString("<a style='color:%1' href='%2'>%3</a>")
+          .arg(theme::device().name())
+          .arg(criterion.at_s, 0, 'f', 3)
+          .arg(text);
   return text;
 }
 
@@ -53,8 +58,8 @@ ResultPage::ResultPage(QWidget* parent) : QWidget(parent) {
     plot->setAlignment(Qt::AlignCenter);
     plot->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Ignored);
   }
-  plot_->setAccessibleName("Force over time");
-  monitor_->setAccessibleName("Saturation and heart rate over time");
+  plot_->setAccessibleName(tr("Force over time"));
+  monitor_->setAccessibleName(tr("Saturation and heart rate over time"));
   reasons_ = new QLabel(this);
   reasons_->setWordWrap(true);
   reasons_->setTextFormat(Qt::RichText);
@@ -100,12 +105,12 @@ ResultPage::ResultPage(QWidget* parent) : QWidget(parent) {
   auto* foot = new QHBoxLayout;
   again_ = new QPushButton(this);
   again_->setObjectName("primary");
-  again_->setToolTip("Enter");
-  same_ = new QPushButton("Same attempt again", this);
-  auto* report = new QPushButton("Open the report", this);
-  auto* leave = new QPushButton("Other scenario", this);
+  again_->setToolTip(QCoreApplication::translate("ResultPage", "Enter"));
+  same_ = new QPushButton(QCoreApplication::translate("ResultPage", "Same attempt again"), this);
+  auto* report = new QPushButton(QCoreApplication::translate("ResultPage", "Open the report"), this);
+  auto* leave = new QPushButton(QCoreApplication::translate("ResultPage", "Other scenario"), this);
   foot->addWidget(where_, 1);
-  replay_ = new QPushButton("Replay", this);
+  replay_ = new QPushButton(QCoreApplication::translate("ResultPage", "Replay"), this);
   replay_->setObjectName("replay");
   connect(replay_, &QPushButton::clicked, this, [this] { emit replay_wanted(-1.0); });
   for (auto* button : {replay_, report, leave, same_, again_}) foot->addWidget(button);
@@ -133,37 +138,41 @@ void ResultPage::show_outcome(const TrialOutcome& outcome, const curricula::Scen
                               const std::filesystem::path& folder, const std::vector<std::string>& misfits) {
   const auto& score = outcome.score;
   title_->setText(QString::fromStdString(scenario.title));
-  verdict_->setText(score.passed ? "PASSED" : "NOT PASSED");
+  verdict_->setText(score.passed ? tr("PASSED") : tr("NOT PASSED"));
   verdict_->setStyleSheet(
       QString(
           "background: %1; color: white; font-size: 14pt; font-weight: bold; padding: 6px 14px; border-radius: 6px;")
           .arg((score.passed ? theme::within() : theme::bad()).name()));
   outcome_->setVisible(score.intubation.has_value());
-  if (score.intubation) outcome_->setText(QString::fromStdString(curricula::outcome_in_words(*score.intubation)) + ".");
-  const QString locked = QString::fromStdString(replay_refusal(scenario));
+  if (score.intubation) outcome_->setText(in_words(curricula::outcome_in_words(*score.intubation)) + ".");
+  const QString locked = in_words(replay_refusal(scenario));
   replay_->setEnabled(locked.isEmpty());
-  replay_->setToolTip(locked.isEmpty() ? QString("L: look at the trial again, at any second of it") : locked);
+  replay_->setToolTip(locked.isEmpty() ? tr("L: look at the trial again, at any second of it") : locked);
   tell("");
   change_->setText(QString::fromStdString(what_to_change(score, scenario)));
   show_figures(outcome, scenario);
   QString list;
   for (const auto& misfit : misfits)
-    list += "<li style='margin-bottom:5px'><b>" + QString::fromStdString(misfit).toHtmlEscaped() + "</b></li>";
+    list += "<li style='margin-bottom:5px'><b>" + in_words(misfit).toHtmlEscaped() + "</b></li>";
   if (!outcome.fault.empty())
-    list += "<li style='margin-bottom:5px'><b>A fault: " + QString::fromStdString(outcome.fault).toHtmlEscaped() +
+    list += "<li style='margin-bottom:5px'><b>" + tr("A fault: %1").arg(in_words(outcome.fault)).toHtmlEscaped() +
             "</b></li>";
   for (const auto& reason : score.reasons)
     list += "<li style='margin-bottom:5px'>" + linked(reason, score, locked.isEmpty()) + "</li>";
-  const QString how = !locked.isEmpty() ? locked : list.contains("href") ? "a link leads to its second in the replay" : "";
-  reasons_->setText(list.isEmpty() ? QString() : "<b>Reasons</b>" + (how.isEmpty() ? how : " (" + how + ")") + "<ul style='margin-left:-22px'>" + list + "</ul>");
+  const QString how = !locked.isEmpty()       ? locked
+                      : list.contains("href") ? tr("a link leads to its second in the replay")
+                                              : QString();
+  reasons_->setText(list.isEmpty() ? QString()
+                                   : "<b>" + tr("Reasons") + "</b>" + (how.isEmpty() ? how : " (" + how + ")") +
+                                         "<ul style='margin-left:-22px'>" + list + "</ul>");
   report_ = outcome.report;
   const auto& attempt = scenario.attempt;
   const bool drawn = attempt.seed != 0;
-  again_->setText(drawn ? "Next attempt" : "Again");
+  again_->setText(drawn ? tr("Next attempt") : tr("Again"));
   same_->setVisible(drawn);
-  QString where = "Results: " + QString::fromStdString(folder.string());
-  if (drawn) where += QString("\nAttempt seed %1: with it everything is the same once more.").arg(attempt.seed);
-  if (!outcome.replay_allowed) where += "\nAn assessment: its replay stays locked.";
+  QString where = tr("Results: %1").arg(QString::fromStdString(folder.string()));
+  if (drawn) where += '\n' + tr("Attempt seed %1: with it everything is the same once more.").arg(attempt.seed);
+  if (!outcome.replay_allowed) where += '\n' + tr("An assessment: its replay stays locked.");
   where_->setText(where);
   plot_picture_ = QPixmap(QString::fromStdString(outcome.force_plot.string()));
   draw_monitor(outcome, scenario);
@@ -181,7 +190,7 @@ void ResultPage::draw_monitor(const TrialOutcome& outcome, const curricula::Scen
   monitor_picture_ = QPixmap();
   monitor_->setVisible(outcome.score.intubation.has_value());
   if (!outcome.score.intubation) return;
-  monitor_->setText("Drawing saturation and heart rate ...");
+  monitor_->setText(tr("Drawing saturation and heart rate ..."));
   drawing_ = run_in_background<QImage>(
       this,
       [log = outcome.log, score = outcome.score, scenario] {
@@ -193,7 +202,7 @@ void ResultPage::draw_monitor(const TrialOutcome& outcome, const curricula::Scen
         fit_plots();
       },
       [this, of = shown_](const QString& message) {
-        if (of == shown_) monitor_->setText("Saturation and heart rate cannot be drawn: " + message);
+        if (of == shown_) monitor_->setText(tr("Saturation and heart rate cannot be drawn: %1").arg(message));
       });
 }
 
@@ -205,16 +214,17 @@ void ResultPage::show_figures(const TrialOutcome& outcome, const curricula::Scen
   const auto& score = outcome.score;
   int row = 0;
   for (const Row& line : result_figures(outcome, scenario)) {
-    auto* caption = new QLabel(QString::fromStdString(line.name));
+    auto* caption = new QLabel(in_words(line.name));
     caption->setObjectName("faint");
-    auto* figure = new QLabel(QString::fromStdString(line.value));
+    auto* figure = new QLabel(in_words(line.value));
     QFont font = figure->font();
     font.setPointSizeF(score.intubation ? 11.0 : 12.0);
     font.setBold(true);
     figure->setFont(font);
     if (line.verdict == "missed") figure->setStyleSheet(QString("color: %1").arg(theme::over().name()));
     auto* demand =
-        new QLabel(QString::fromStdString(line.verdict.empty() ? line.limit : line.verdict + ": " + line.limit));
+        new QLabel(line.verdict.empty() ? in_words(line.limit)
+                                        : QString("%1: %2").arg(in_words(line.verdict), in_words(line.limit)));
     demand->setObjectName("faint");
     demand->setWordWrap(true);  // the column is as wide as the window allows
     figures_->addWidget(caption, row, 0);
@@ -222,18 +232,18 @@ void ResultPage::show_figures(const TrialOutcome& outcome, const curricula::Scen
     figures_->addWidget(demand, row, 2);
     ++row;
   }
-  QString about = QString(
-                      "Of %1 ticks. Late: forces written more than 1 ms after they were due. Dropped: ticks whose "
-                      "simulation step was not finished in time.")
-                      .arg(score.ticks);
+  QString about =
+      QString(tr("Of %1 ticks. Late: forces written more than 1 ms after they were due. Dropped: ticks whose "
+                 "simulation step was not finished in time."))
+          .arg(score.ticks);
   if (!score.real_time_setup.empty())
-    about += "\nReal-time set-up: " + QString::fromStdString(score.real_time_setup) + ".";
+    about += '\n' + tr("Real-time set-up: %1.").arg(QString::fromStdString(score.real_time_setup));
   for (int column = 0; column < 3; ++column) figures_->itemAtPosition(row - 1, column)->widget()->setToolTip(about);
 }
 
 void ResultPage::fit_plots() {
   if (plot_picture_.isNull())
-    plot_->setText("The force plot could not be read.");
+    plot_->setText(tr("The force plot could not be read."));
   else
     plot_->setPixmap(plot_picture_.scaled(plot_->size(), Qt::KeepAspectRatio, Qt::SmoothTransformation));
   if (!monitor_picture_.isNull())

@@ -22,9 +22,9 @@ SelfRatingPage::SelfRatingPage(QWidget* parent) : QWidget(parent) {
   setFocusPolicy(Qt::StrongFocus);
   title_ = new QLabel(this);
   title_->setObjectName("title");
-  auto* before = new QLabel(
-      "Before you see the score: what do you think yourself? Your answer is kept with the trial and cannot be changed.",
-      this);
+  auto* before = new QLabel(tr("Before you see the score: what do you think yourself? Your answer is kept with the "
+                               "trial and cannot be changed."),
+                            this);
   before->setObjectName("faint");
   before->setWordWrap(true);
   global_ = new QButtonGroup(this);
@@ -48,7 +48,7 @@ SelfRatingPage::SelfRatingPage(QWidget* parent) : QWidget(parent) {
     connect(button, &QRadioButton::toggled, this, &SelfRatingPage::show_button);
     return button;
   };
-  heading("How did you do, all in all?  (keys 1 to 5)", panel, column);
+  heading(tr("How did you do, all in all?  (keys 1 to 5)"), panel, column);
   // The instructor's scale: the two are read beside each other.
   for (std::size_t i = 0; i < curricula::kGlobalRatingWords.size(); ++i) {
     const int value = static_cast<int>(i) + 1;
@@ -59,25 +59,25 @@ SelfRatingPage::SelfRatingPage(QWidget* parent) : QWidget(parent) {
   auto* tube = new QVBoxLayout(of_tube_);
   tube->setContentsMargins(0, 10, 0, 0);
   tube->setSpacing(10);
-  heading("Did the tube go into the trachea, and is it still there?  (Y, N)", of_tube_, tube);
+  heading(tr("Did the tube go into the trachea, and is it still there?  (Y, N)"), of_tube_, tube);
   auto* place = new QHBoxLayout;
-  place->addWidget(choice("Yes", place_, kYes, of_tube_));
-  place->addWidget(choice("No", place_, kNo, of_tube_));
+  place->addWidget(choice(tr("Yes"), place_, kYes, of_tube_));
+  place->addWidget(choice(tr("No"), place_, kNo, of_tube_));
   place->addStretch(1);
   tube->addLayout(place);
-  heading("Are you sure of that?  (S, U)", of_tube_, tube);
+  heading(tr("Are you sure of that?  (S, U)"), of_tube_, tube);
   auto* sure = new QHBoxLayout;
-  sure->addWidget(choice("Sure", sure_, kYes, of_tube_));
-  sure->addWidget(choice("Unsure", sure_, kNo, of_tube_));
+  sure->addWidget(choice(tr("Sure"), sure_, kYes, of_tube_));
+  sure->addWidget(choice(tr("Unsure"), sure_, kNo, of_tube_));
   sure->addStretch(1);
   tube->addLayout(sure);
   column->addWidget(of_tube_);
   message_ = new QLabel(this);
   message_->setWordWrap(true);
   message_->setProperty("role", "warning");
-  done_ = new QPushButton("Show the score", this);
+  done_ = new QPushButton(tr("Show the score"), this);
   done_->setObjectName("primary");
-  done_->setToolTip("Enter");
+  done_->setToolTip(tr("Enter"));
   connect(done_, &QPushButton::clicked, this, [this] {
     keeping_ = true;
     show_button();
@@ -117,13 +117,16 @@ void SelfRatingPage::set_message(const QString& message) {
 bool SelfRatingPage::may_close() {
   if (keeping_ || asked_to_stay_) return !keeping_;
   asked_to_stay_ = true;
-  set_message("The trial is over and counts. Your own rating is still missing: give it now. After closing the window once more, "
-              "Records asks whose trial it is for it before anything of the trial is shown.");
+  set_message(
+      tr("The trial is over and counts. Your own rating is still missing: give it now. After closing the window once "
+         "more, "
+         "Records asks whose trial it is for it before anything of the trial is shown."));
   return false;
 }
 
 void SelfRatingPage::show_button() {
-  done_->setEnabled(!keeping_ && global_->checkedId() > 0 && (!with_tube_ || (place_->checkedId() > 0 && sure_->checkedId() > 0)));
+  done_->setEnabled(!keeping_ && global_->checkedId() > 0 &&
+                    (!with_tube_ || (place_->checkedId() > 0 && sure_->checkedId() > 0)));
 }
 
 SelfRating SelfRatingPage::answer() const {

@@ -1,6 +1,7 @@
 #include "gui/pages/start_page.h"
 
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QFileDialog>
 #include <QFormLayout>
 #include <QHBoxLayout>
@@ -24,6 +25,7 @@
 #include "gui/report/markdown.h"
 #include "gui/session/device_choice.h"
 #include "gui/session/device_rows.h"
+#include "gui/session/words_from_below.h"
 #include "gui/views/capitalised.h"
 #include "gui/views/theme.h"
 
@@ -36,7 +38,7 @@ constexpr const char *kWatchExpert = "scripted:expert", *kWatchNovice = "scripte
 constexpr int kPluggedIn = Qt::UserRole + 1;
 
 QString course_text(const curricula::Curriculum& curriculum) {
-  QString text = "<p>Whoever has finished this course can:</p><ul>";
+  QString text = "<p>" + QCoreApplication::translate("StartPage", "Whoever has finished this course can:") + "</p><ul>";
   for (const auto& goal : curriculum.goals) text += "<li>" + plain_of(goal).toHtmlEscaped() + "</li>";
   return text + "</ul>";
 }
@@ -52,44 +54,45 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
   home->setShortcut(Qt::Key_Escape);
   connect(home, &QPushButton::clicked, this, &StartPage::home_wanted);
   auto* sub = new QLabel(
-      "Practise neonatal intubation, and see what your hands did. A training tool, not a medical device.", this);
+      tr("Practise neonatal intubation, and see what your hands did. A training tool, not a medical device."), this);
   sub->setObjectName("faint");
   curriculum_ = new QComboBox(this);
   curriculum_->setObjectName("curriculum");
-  curriculum_->setAccessibleName("Curriculum");
+  curriculum_->setAccessibleName(tr("Curriculum"));
   tree_ = new ModuleTree(this);
   briefing_ = new QLabel(this);
   briefing_->setWordWrap(true);
   briefing_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   mode_ = new QComboBox(this);
   mode_->setObjectName("mode");
-  mode_->addItem("Practice", static_cast<int>(curricula::Mode::practice));
-  mode_->addItem("Assessment: no helps, own rating first, no replay", static_cast<int>(curricula::Mode::assessment));
+  mode_->addItem(tr("Practice"), static_cast<int>(curricula::Mode::practice));
+  mode_->addItem(tr("Assessment: no helps, own rating first, no replay"),
+                 static_cast<int>(curricula::Mode::assessment));
   patient_ = new QComboBox(this);
-  patient_->addItem("Built-in manikin, made for the scenario", QString());
+  patient_->addItem(tr("Built-in manikin, made for the scenario"), QString());
   device_ = new QComboBox(this);
   device_->setObjectName("device");
   for (const device::DeviceKind& kind : device::device_kinds()) {
     if (!kind.argument.empty() || kind.hardware) continue;  // asks for more than a choice; offered when it is found
-    device_->addItem(capitalised(QString::fromStdString(kind.description)), QString::fromStdString(kind.kind));
+    device_->addItem(capitalised(in_words(kind.description)), QString::fromStdString(kind.kind));
   }
-  device_->addItem("Watch a scripted expert", kWatchExpert);
-  device_->addItem("Watch a scripted novice", kWatchNovice);
+  device_->addItem(tr("Watch a scripted expert"), kWatchExpert);
+  device_->addItem(tr("Watch a scripted novice"), kWatchNovice);
   second_ = new QComboBox(this);
   second_->setObjectName("second");
-  second_->addItem("The same device, blade and tube in turn (X changes)", QString());
-  second_->addItem("The mouse", "mouse");
+  second_->addItem(tr("The same device, blade and tube in turn (X changes)"), QString());
+  second_->addItem(tr("The mouse"), "mouse");
   mode_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);  // a small window cuts it short
   mode_->setMinimumContentsLength(20);
   connect(mode_, qOverload<int>(&QComboBox::activated), this,
           [this] { mode_wanted_ = static_cast<curricula::Mode>(mode_->currentData().toInt()); });
-  auto* browse = new QPushButton("Other patient ...", this);
+  auto* browse = new QPushButton(tr("Other patient ..."), this);
   connect(browse, &QPushButton::clicked, this, &StartPage::browse);
-  auto* from_ct = new QPushButton("New patient from a CT ...", this);
+  auto* from_ct = new QPushButton(tr("New patient from a CT ..."), this);
   connect(from_ct, &QPushButton::clicked, this, &StartPage::import_wanted);
-  auto* devices = new QPushButton("Devices ...", this);
+  auto* devices = new QPushButton(tr("Devices ..."), this);
   connect(devices, &QPushButton::clicked, this, &StartPage::devices_wanted);
-  go_ = new QPushButton("Prepare the trial", this);
+  go_ = new QPushButton(tr("Prepare the trial"), this);
   go_->setObjectName("primary");
   go_->setDefault(true);
   message_ = new QLabel(this);
@@ -100,9 +103,9 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
   auto* left = new QVBoxLayout;
   left->addWidget(curriculum_);
   left->addWidget(tree_, 1);
-  auto* courses = new QPushButton("&Write a course ...", this);
+  auto* courses = new QPushButton(QCoreApplication::translate("StartPage", "&Write a course ..."), this);
   courses->setObjectName("courses");
-  courses->setToolTip("Create, change, try, compare and share courses");
+  courses->setToolTip(QCoreApplication::translate("StartPage", "Create, change, try, compare and share courses"));
   connect(courses, &QPushButton::clicked, this, &StartPage::courses_wanted);
   left->addWidget(courses);
   auto* patient_row = new QHBoxLayout;
@@ -112,20 +115,20 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
   patient_row->addWidget(from_ct);
   auto* form = new QFormLayout;
   form->setVerticalSpacing(12);
-  form->addRow("Patient", patient_row);
+  form->addRow(QCoreApplication::translate("StartPage", "Patient"), patient_row);
   auto* device_row = new QHBoxLayout;
   device_row->setSpacing(8);
-  auto* set_up = new QPushButton("Device settings ...", this);
+  auto* set_up = new QPushButton(QCoreApplication::translate("StartPage", "Device settings ..."), this);
   connect(set_up, &QPushButton::clicked, this, [this] {
     if (const auto dialog = device_settings()) dialog->exec();
   });
   device_row->addWidget(device_, 1);
   device_row->addWidget(devices);
   device_row->addWidget(set_up);
-  form->addRow("Device", device_row);
-  second_label_ = new QLabel("Tube's hand", this);
+  form->addRow(QCoreApplication::translate("StartPage", "Device"), device_row);
+  second_label_ = new QLabel(QCoreApplication::translate("StartPage", "Tube's hand"), this);
   form->addRow(second_label_, second_);
-  mode_label_ = new QLabel("Mode", this);
+  mode_label_ = new QLabel(QCoreApplication::translate("StartPage", "Mode"), this);
   form->addRow(mode_label_, mode_);
   offered_ = new OfferedTools(this);
   form->addRow(offered_);
@@ -241,8 +244,8 @@ void StartPage::show_chosen() {
     heading_->setText(QString::fromStdString(module->title));
     briefing_->setText(html_of(module->goal) + "<p><b>" + capitalised(state_of(progress)) +
                        "</b>: " + progress_line(*module, progress).toHtmlEscaped() + ". " + closed.toHtmlEscaped() +
-                       "</p><p>" + mastery_rule(*module).toHtmlEscaped() +
-                       " Trials with another kind of device do not count here.</p>");
+                       "</p><p>" + mastery_rule(*module).toHtmlEscaped() + ' ' +
+                       tr("Trials with another kind of device do not count here.") + "</p>");
   } else {
     heading_->setText(QString::fromStdString(curriculum()->title));
     briefing_->setText(course_text(*curriculum()));
@@ -268,7 +271,7 @@ void StartPage::show_scenario(const curricula::Scenario& scenario) {
   }
   briefing_->setText(text);
   const QString closed = tree_->why_closed(scenario);
-  why_->setText(closed + (closed.isEmpty() ? "" : " A scripted hand can be watched at it before."));
+  why_->setText(closed + (closed.isEmpty() ? QString() : ' ' + tr("A scripted hand can be watched at it before.")));
   why_->setVisible(!closed.isEmpty());
   mode_->setVisible(!watching());
   mode_label_->setVisible(!watching());
@@ -287,7 +290,7 @@ void StartPage::show_scenario(const curricula::Scenario& scenario) {
 void StartPage::allow_start() {
   const curricula::Scenario* scenario = tree_->scenario();
   go_->setEnabled(scenario != nullptr && tree_->why_closed(*scenario).isEmpty() && !offered_->open());
-  go_->setToolTip(offered_->open() ? "Choose blade and tube first: they count in the score" : "");
+  go_->setToolTip(offered_->open() ? tr("Choose blade and tube first: they count in the score") : "");
   emit changed();
 }
 
@@ -349,17 +352,20 @@ std::unique_ptr<QDialog> StartPage::device_settings() {
       return std::make_unique<DeviceDialog>(found.info, this);
     }
   }
-  set_message(is_scripted(name) ? "A scripted hand has nothing to set."
-                                : "This device was not found when devices were last looked for: plug it in, and look "
-                                  "again with Devices ...");
+  set_message(is_scripted(name)
+                  ? tr("A scripted hand has nothing to set.")
+                  : tr("This device was not found when devices were last looked for: plug it in, and look "
+                       "again with Devices ..."));
   return nullptr;
 }
 
 void StartPage::browse() {
-  const QString folder = QFileDialog::getExistingDirectory(this, "Choose a patient package (a folder NAME.patient)");
+  const QString folder =
+      QFileDialog::getExistingDirectory(this, tr("Choose a patient package (a folder NAME.patient)"));
   if (folder.isEmpty()) return;
   if (!std::filesystem::exists(std::filesystem::path(folder.toStdString()) / "patient.yaml")) {
-    set_message(folder + " is not a patient package (it holds no patient.yaml); make one with `vallecula import`.");
+    set_message(
+        tr("%1 is not a patient package (it holds no patient.yaml); make one with `vallecula import`.").arg(folder));
     return;
   }
   set_message("");

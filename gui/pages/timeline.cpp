@@ -21,8 +21,7 @@ constexpr double kSide = 12.0, kTrackTop = 22.0, kTrackHeight = 16.0;  // pixels
 constexpr double kNear = 6.0;
 
 bool lasts(Kind kind) {
-  return kind == Kind::attempt_begins || kind == Kind::pause || kind == Kind::device_limit ||
-         kind == Kind::over_target;
+  return kind == Kind::attempt_begins || kind == Kind::pause || kind == Kind::device_limit || kind == Kind::over_target;
 }
 
 /// Steps of 1, 2, 5, 10, 15, 30, 60 s ...: about a label every 90 pixels.
@@ -69,7 +68,7 @@ QColor event_colour(Kind kind) {
 
 Timeline::Timeline(QWidget* parent) : QSlider(Qt::Horizontal, parent) {
   setObjectName("timeline");
-  setAccessibleName("Time in the trial");
+  setAccessibleName(tr("Time in the trial"));
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(true);
 }
@@ -105,7 +104,7 @@ void Timeline::mark(double at_s) {
 void Timeline::show_time(double at_s) {
   const QSignalBlocker quiet(this);
   setValue(static_cast<int>(std::lround(1e3 * at_s)));
-  setAccessibleDescription(clock_text(at_s) + " of " + clock_text(end_s_));
+  setAccessibleDescription(tr("%1 of %2").arg(clock_text(at_s), clock_text(end_s_)));
 }
 
 double Timeline::x_of(double at_s) const {
@@ -161,8 +160,8 @@ void Timeline::paintEvent(QPaintEvent*) {
       painter.drawPolygon(QPolygonF({QPointF(x, 6.0), QPointF(x + way, 10.0), QPointF(x, 14.0)}));
     } else if (event.kind == Kind::peak) {
       painter.setPen(Qt::NoPen);
-      painter.drawPolygon(QPolygonF({QPointF(x, track.top() - 1.0), QPointF(x - 5.0, track.top() - 10.0),
-                                    QPointF(x + 5.0, track.top() - 10.0)}));
+      painter.drawPolygon(QPolygonF(
+          {QPointF(x, track.top() - 1.0), QPointF(x - 5.0, track.top() - 10.0), QPointF(x + 5.0, track.top() - 10.0)}));
     } else if (!lasts(event.kind)) {
       painter.drawLine(QPointF(x, track.top() - 6.0), QPointF(x, track.bottom()));
       painter.setPen(Qt::NoPen);

@@ -1,6 +1,7 @@
 #include "gui/records_pages/account_tab.h"
 
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QFileDialog>
 #include <QFormLayout>
 #include <QHBoxLayout>
@@ -26,8 +27,10 @@ using curricula::Who;
 
 namespace {
 
-constexpr char kNobodyYet[] =
-    "Nobody is registered here yet: register as a trainee, or set up the first instructor.";
+QString nobody_yet() {
+  return QCoreApplication::translate(
+      "AccountTab", "Nobody is registered here yet: register as a trainee, or set up the first instructor.");
+}
 
 struct Names {
   std::vector<Person> people;
@@ -50,29 +53,29 @@ AccountTab::AccountTab(RecordsDesk& desk, QWidget* parent) : QWidget(parent), de
 
 QWidget* AccountTab::make_sign_in() {
   auto* half = new QWidget(this);
-  auto* say = new QLabel(
-      "Sign in to have your trials counted as yours. Nobody needs to: without signing in one practises all the same, "
-      "and "
-      "the trials belong to nobody.",
-      half);
+  auto* say = new QLabel(tr("Sign in to have your trials counted as yours. Nobody needs to: without signing in one "
+                            "practises all the same, "
+                            "and "
+                            "the trials belong to nobody."),
+                         half);
   say->setWordWrap(true);
   name_ = new QComboBox(half);
-  name_->setAccessibleName("Name");
+  name_->setAccessibleName(tr("Name"));
   pin_ = new QLineEdit(half);
   pin_->setEchoMode(QLineEdit::Password);
   pin_->setMaxLength(100);
-  pin_->setAccessibleName("PIN");
+  pin_->setAccessibleName(tr("PIN"));
   message_ = new QLabel(half);
   message_->setObjectName("sign_in_message");
   message_->setWordWrap(true);
   message_->setProperty("role", "warning");
-  sign_in_button_ = new QPushButton("Sign in", half);
+  sign_in_button_ = new QPushButton(tr("Sign in"), half);
   sign_in_button_->setObjectName("primary");
   auto* form = new QFormLayout;
-  form->addRow("&Name", name_);
-  form->addRow("&PIN", pin_);
-  auto* new_trainee = new QPushButton("Register as a &trainee ...", half);
-  first_instructor_ = new QPushButton("Set up the first &instructor ...", half);
+  form->addRow(tr("&Name"), name_);
+  form->addRow(tr("&PIN"), pin_);
+  auto* new_trainee = new QPushButton(tr("Register as a &trainee ..."), half);
+  first_instructor_ = new QPushButton(tr("Set up the first &instructor ..."), half);
   first_instructor_->hide();
   auto* others = new QHBoxLayout;
   others->addWidget(new_trainee);
@@ -106,16 +109,16 @@ QWidget* AccountTab::make_account() {
   auto* half = new QWidget(this);
   who_ = new QLabel(half);
   who_->setObjectName("heading");
-  auto* say = new QLabel(
-      "Trials from now on are yours. Sign out when somebody else takes the blade. All that is kept of you you can take "
-      "along as a folder of open files, or have deleted whole.",
-      half);
+  auto* say = new QLabel(tr("Trials from now on are yours. Sign out when somebody else takes the blade. All that is "
+                            "kept of you you can take "
+                            "along as a folder of open files, or have deleted whole."),
+                         half);
   say->setWordWrap(true);
-  auto* out = new QPushButton("Sign &out", half);
+  auto* out = new QPushButton(tr("Sign &out"), half);
   out->setObjectName("primary");
-  auto* pin = new QPushButton("Change &PIN ...", half);
-  auto* take = new QPushButton("&Export all my data ...", half);
-  auto* gone = new QPushButton("&Delete me ...", half);
+  auto* pin = new QPushButton(tr("Change &PIN ..."), half);
+  auto* take = new QPushButton(tr("&Export all my data ..."), half);
+  auto* gone = new QPushButton(tr("&Delete me ..."), half);
   done_ = new QLabel(half);
   done_->setObjectName("account_message");
   done_->setWordWrap(true);
@@ -133,7 +136,7 @@ QWidget* AccountTab::make_account() {
   connect(out, &QPushButton::clicked, this, [this] { desk_.sign_out(); });
   connect(pin, &QPushButton::clicked, this, &AccountTab::change_pin);
   connect(take, &QPushButton::clicked, this, [this] {
-    const QString folder = QFileDialog::getExistingDirectory(this, "Choose where the export's folder is made");
+    const QString folder = QFileDialog::getExistingDirectory(this, tr("Choose where the export's folder is made"));
     if (!folder.isEmpty()) export_own(folder);
   });
   connect(gone, &QPushButton::clicked, this, &AccountTab::delete_own);
@@ -167,8 +170,8 @@ void AccountTab::refresh() {
         name_->setCurrentIndex(std::max(0, name_->findData(before)));
         if (people_.empty()) {
           name_->setCurrentIndex(-1);
-          if (message_->text().isEmpty()) message_->setText(kNobodyYet);
-        } else if (message_->text() == kNobodyYet) {
+          if (message_->text().isEmpty()) message_->setText(nobody_yet());
+        } else if (message_->text() == nobody_yet()) {
           message_->clear();
         }
         first_instructor_->setVisible(!names.has_instructor);
@@ -181,12 +184,12 @@ void AccountTab::show_wait() {
   const qint64 left_ms = found == waits_.end() ? 0 : found->second.remainingTime();
   const bool open = !people_.empty() && left_ms == 0;
   if (left_ms > 0) {
-    message_->setText(QString("Too many wrong PINs: wait %1 s, or ask an instructor for a new PIN.")
+    message_->setText(tr("Too many wrong PINs: wait %1 s, or ask an instructor for a new PIN.")
                           .arg(static_cast<int>(std::ceil(1e-3 * static_cast<double>(left_ms)))));
     clock_.start();
   } else if (clock_.isActive()) {
     clock_.stop();
-    message_->setText("Try the PIN again.");
+    message_->setText(tr("Try the PIN again."));
   }
   const bool was_open = pin_->isEnabled();
   pin_->setEnabled(open);
@@ -198,7 +201,7 @@ void AccountTab::sign_in() { sign_in_as(chosen(), pin_->text().toStdString()); }
 
 void AccountTab::sign_in_as(long long id, const std::string& pin) {
   pin_->clear();
-  message_->setText("Looking at the PIN ...");
+  message_->setText(tr("Looking at the PIN ..."));
   sign_in_button_->setEnabled(false);
   desk_.ask<PinTry>(
       this, [id, pin](Records& records) { return try_pin(records, id, pin); },
@@ -224,11 +227,12 @@ void AccountTab::sign_in_as(long long id, const std::string& pin) {
 
 void AccountTab::register_somebody(bool first_instructor) {
   auto* dialog = new PersonDialog(
-      this, first_instructor ? "Set up the instructor" : "Register",
-      first_instructor ? "An instructor sees everybody's progress, rates and notes, gives new PINs and deletes people. "
-                         "There is no way in without this PIN: keep it."
-                       : "A name or a pseudonym, as you like to be seen in the list. Nobody else can see your PIN; an "
-                         "instructor can give you a new one.",
+      this, first_instructor ? tr("Set up the instructor") : tr("Register"),
+      first_instructor
+          ? tr("An instructor sees everybody's progress, rates and notes, gives new PINs and deletes people. "
+               "There is no way in without this PIN: keep it.")
+          : tr("A name or a pseudonym, as you like to be seen in the list. Nobody else can see your PIN; an "
+               "instructor can give you a new one."),
       PersonDialog::kName | PersonDialog::kNewPin);
   connect(dialog, &PersonDialog::given, this, [this, dialog, first_instructor] {
     const std::string name = dialog->name(), pin = dialog->new_pin();
@@ -257,8 +261,9 @@ void AccountTab::register_somebody(bool first_instructor) {
 }
 
 void AccountTab::change_pin() {
-  auto* dialog = new PersonDialog(this, "Change PIN", "The old one first, so that nobody does it in your place.",
-                                  PersonDialog::kOldPin | PersonDialog::kNewPin);
+  auto* dialog =
+      new PersonDialog(this, tr("Change PIN"), tr("The old one first, so that nobody does it in your place."),
+                       PersonDialog::kOldPin | PersonDialog::kNewPin);
   connect(dialog, &PersonDialog::given, this, [this, dialog] {
     const curricula::SignedIn who = *desk_.who();
     const std::string old_pin = dialog->old_pin(), new_pin = dialog->new_pin();
@@ -270,7 +275,7 @@ void AccountTab::change_pin() {
         },
         [this, dialog](bool) {
           dialog->accept();
-          done_->setText("The PIN is changed.");
+          done_->setText(tr("The PIN is changed."));
         },
         [dialog](const QString& message) { dialog->refuse(message); });
   });
@@ -280,19 +285,21 @@ void AccountTab::change_pin() {
 void AccountTab::export_own(const QString& folder) {
   const curricula::SignedIn who = *desk_.who();
   const QString name = new_export_name(), made = folder + "/" + name;
-  done_->setText("Exporting ...");
+  done_->setText(tr("Exporting ..."));
   desk_.ask<bool>(
       this,
       [who, made](Records& records) {
         curricula::export_person(records, who, who.id(), made.toStdString());
         return true;
       },
-      [this, name](bool) { done_->setText("All that is kept of you is in " + name + ", in the folder you chose."); },
+      [this, name](bool) {
+        done_->setText(tr("All that is kept of you is in %1, in the folder you chose.").arg(name));
+      },
       [this](const QString& message) { done_->setText(message); });
 }
 
 void AccountTab::delete_own() {
-  warn_before_deleting(this, "Delete yourself?", "you", [this] {
+  warn_before_deleting(this, tr("Delete yourself?"), tr("This deletes you"), [this] {
     const curricula::SignedIn who = *desk_.who();
     desk_.ask<curricula::Deletion>(
         this, [who](Records& records) { return curricula::delete_person(records, who, who.id()); },

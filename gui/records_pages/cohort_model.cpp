@@ -1,5 +1,7 @@
 #include "gui/records_pages/cohort_model.h"
 
+#include <QCoreApplication>
+
 #include "gui/records_pages/curve_reading.h"
 #include "gui/records_pages/tables.h"
 
@@ -11,18 +13,21 @@ struct Heading {
   const char* tip;
 };
 constexpr Heading kHeadings[CohortModel::kColumns] = {
-    {"Trainee", ""},
-    {"Course", ""},
-    {"Scenario", ""},
-    {"Device", "kinds of device are never pooled"},
-    {"Trials", "whole ones"},
-    {"Passed", "within two attempts; no pass mark is validated"},
-    {"In a row", "successes up to the last trial"},
-    {"CUSUM",
-     "the last verdict of the cumulative sum by the published rule: 80 % success within two attempts "
-     "(PMC8290971), its other numbers assumed"},
-    {"Cut off", "interrupted trials: in no other figure"},
-    {"Last", "when the last trial ended"}};
+    {QT_TRANSLATE_NOOP("CohortModel", "Trainee"), ""},
+    {QT_TRANSLATE_NOOP("CohortModel", "Course"), ""},
+    {QT_TRANSLATE_NOOP("CohortModel", "Scenario"), ""},
+    {QT_TRANSLATE_NOOP("CohortModel", "Device"), QT_TRANSLATE_NOOP("CohortModel", "kinds of device are never pooled")},
+    {QT_TRANSLATE_NOOP("CohortModel", "Trials"), QT_TRANSLATE_NOOP("CohortModel", "whole ones")},
+    {QT_TRANSLATE_NOOP("CohortModel", "Passed"),
+     QT_TRANSLATE_NOOP("CohortModel", "within two attempts; no pass mark is validated")},
+    {QT_TRANSLATE_NOOP("CohortModel", "In a row"), QT_TRANSLATE_NOOP("CohortModel", "successes up to the last trial")},
+    {QT_TRANSLATE_NOOP("CohortModel", "CUSUM"),
+     QT_TRANSLATE_NOOP("CohortModel",
+                       "the last verdict of the cumulative sum by the published rule: 80 % success within two attempts "
+                       "(PMC8290971), its other numbers assumed")},
+    {QT_TRANSLATE_NOOP("CohortModel", "Cut off"),
+     QT_TRANSLATE_NOOP("CohortModel", "interrupted trials: in no other figure")},
+    {QT_TRANSLATE_NOOP("CohortModel", "Last"), QT_TRANSLATE_NOOP("CohortModel", "when the last trial ended")}};
 
 }  // namespace
 
@@ -69,8 +74,10 @@ QVariant CohortModel::data(const QModelIndex& index, int role) const {
 
 QVariant CohortModel::headerData(int section, Qt::Orientation orientation, int role) const {
   if (orientation != Qt::Horizontal) return {};
-  if (role == Qt::DisplayRole) return QString(kHeadings[section].text);
-  if (role == Qt::ToolTipRole) return QString(kHeadings[section].tip);
+  if (role == Qt::DisplayRole) return QCoreApplication::translate("CohortModel", kHeadings[section].text);
+  if (role == Qt::ToolTipRole)
+    return kHeadings[section].tip[0] == '\0' ? QString()
+                                             : QCoreApplication::translate("CohortModel", kHeadings[section].tip);
   return {};
 }
 

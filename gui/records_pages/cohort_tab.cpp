@@ -34,30 +34,30 @@ CohortTab::CohortTab(RecordsDesk& desk, const KnownCourses& courses, QWidget* pa
   shown_->setSourceModel(model_);
   auto* row = new QHBoxLayout;
   name_ = new QLineEdit(this);
-  name_->setPlaceholderText("Name");
-  name_->setAccessibleName("Part of the trainee's name");
+  name_->setPlaceholderText(tr("Name"));
+  name_->setAccessibleName(tr("Part of the trainee's name"));
   name_->setClearButtonEnabled(true);
   row->addWidget(name_, 2);
   for (const auto& [name, column] :
-       {std::pair("Any course", CohortModel::kCourse), std::pair("Any scenario", CohortModel::kScenario),
-        std::pair("Any device", CohortModel::kDevice)})
+       {std::pair(tr("Any course"), CohortModel::kCourse), std::pair(tr("Any scenario"), CohortModel::kScenario),
+        std::pair(tr("Any device"), CohortModel::kDevice)})
     row->addWidget(filter(name, column), 2);
   period_ = new QComboBox(this);
-  period_->setAccessibleName("Period");
-  for (const auto& [name, days] : {std::pair("All time", 0), std::pair("Last 7 days", 7), std::pair("Last 30 days", 30),
-                                   std::pair("Last 365 days", 365)})
+  period_->setAccessibleName(tr("Period"));
+  for (const auto& [name, days] : {std::pair(tr("All time"), 0), std::pair(tr("Last 7 days"), 7),
+                                   std::pair(tr("Last 30 days"), 30), std::pair(tr("Last 365 days"), 365)})
     period_->addItem(name, days);
   row->addWidget(period_, 1);
   table_ = new QTableView(this);
   table_->setModel(shown_);
-  make_readable(table_, "Cohort");
+  make_readable(table_, tr("Cohort"));
   table_->setSortingEnabled(true);
   table_->sortByColumn(CohortModel::kTrainee, Qt::AscendingOrder);
   count_ = new QLabel(this);
   count_->setObjectName("faint");
   count_->setWordWrap(true);
-  open_ = new QPushButton("&Open", this);
-  open_->setToolTip("Enter, or a double click on the curve");
+  open_ = new QPushButton(tr("&Open"), this);
+  open_->setToolTip(tr("Enter, or a double click on the curve"));
   auto* all = new QVBoxLayout(this);
   all->addLayout(row);
   all->addWidget(table_, 1);
@@ -144,17 +144,17 @@ void CohortTab::fill_filters() {
 
 void CohortTab::show_count() {
   if (model_->rowCount() == 0) {
-    count_->setText(period_->currentData().toInt() > 0
-                        ? "Nobody who is signed in while practising has a trial in this time; choose a longer one."
-                        : "No trainee has a trial yet. Trainees sign in before they practise; trials without a sign-in "
-                          "belong to nobody and are not shown here.");
+    count_->setText(
+        period_->currentData().toInt() > 0
+            ? tr("Nobody who is signed in while practising has a trial in this time; choose a longer one.")
+            : tr("No trainee has a trial yet. Trainees sign in before they practise; trials without a sign-in "
+                 "belong to nobody and are not shown here."));
     return;
   }
-  count_->setText(
-      QString("%1 of %2 curves. Enter or a double click opens one. Kinds of device are never pooled; no pass "
-              "mark is validated.")
-          .arg(shown_->rowCount())
-          .arg(model_->rowCount()));
+  count_->setText(tr("%1 of %2 curves. Enter or a double click opens one. Kinds of device are never pooled; no pass "
+                     "mark is validated.")
+                      .arg(shown_->rowCount())
+                      .arg(model_->rowCount()));
 }
 
 }  // namespace vallecula::gui

@@ -1,6 +1,9 @@
 #include "gui/records_pages/curve_charts.h"
 
+#include <QCoreApplication>
+
 #include "gui/records_pages/tables.h"
+#include "gui/session/words_from_below.h"
 #include "gui/views/theme.h"
 
 namespace vallecula::gui {
@@ -9,7 +12,7 @@ using curricula::Figure;
 using curricula::RecordRow;
 
 QString with_unit(const Figure& figure) {
-  return QString(figure.label) + (*figure.unit == '\0' ? QString() : QString(" (%1)").arg(figure.unit));
+  return in_words(figure.label) + (*figure.unit == '\0' ? QString() : QString(" (%1)").arg(figure.unit));
 }
 
 std::optional<double> value_of(const RecordRow& row, const Figure& figure) {
@@ -18,12 +21,15 @@ std::optional<double> value_of(const RecordRow& row, const Figure& figure) {
 }
 
 QString result_of(const RecordRow& row) {
-  return !row.score.complete ? "interrupted" : !row.score.counts() ? "set aside" : row.score.passed ? "passed" : "not passed";
+  return !row.score.complete   ? QCoreApplication::translate("CurveCharts", "interrupted")
+         : !row.score.counts() ? QCoreApplication::translate("CurveCharts", "set aside")
+         : row.score.passed    ? QCoreApplication::translate("CurveCharts", "passed")
+                               : QCoreApplication::translate("CurveCharts", "not passed");
 }
 
 TrialChart::Content learning_chart(const std::vector<RecordRow>& rows, const Figure& figure,
                                    const curricula::Scenario* scenario) {
-  TrialChart::Content content{with_unit(figure), {}, {}, "No trial yet."};
+  TrialChart::Content content{with_unit(figure), {}, {}, QCoreApplication::translate("CurveCharts", "No trial yet.")};
   int number = 0;
   for (const RecordRow& row : rows) {
     TrialChart::Point point;
@@ -32,7 +38,7 @@ TrialChart::Content learning_chart(const std::vector<RecordRow>& rows, const Fig
                  : row.score.passed  ? TrialChart::Mark::good
                                      : TrialChart::Mark::bad;
     if (!row.score.counts()) point.value.reset();  // of a part of a trial: comparable with nothing
-    point.tip = QString("trial %1, %2: %3%4")
+    point.tip = QCoreApplication::translate("CurveCharts", "trial %1, %2: %3%4")
                     .arg(++number)
                     .arg(for_people(row.finished_utc), result_of(row),
                          point.value ? QString(", %1 %2").arg(*point.value, 0, 'g', 4).arg(figure.unit) : QString());
@@ -41,16 +47,23 @@ TrialChart::Content learning_chart(const std::vector<RecordRow>& rows, const Fig
   if (scenario != nullptr) {
     const bool more = figure.better > 0;
     if (const auto target = training_target(*scenario, figure.name))
-      content.levels.push_back({*target, theme::target().darker(130), "target", true});
+      content.levels.push_back(
+          {*target, theme::target().darker(130), QCoreApplication::translate("CurveCharts", "target"), true});
     if (const auto limit = pass_limit(*scenario, figure.name))
-      content.levels.push_back({*limit, theme::over(), more ? "passed from here up" : "passed up to here", more});
+      content.levels.push_back({*limit, theme::over(),
+                                more ? QCoreApplication::translate("CurveCharts", "passed from here up")
+                                     : QCoreApplication::translate("CurveCharts", "passed up to here"),
+                                more});
   }
   return content;
 }
 
 TrialChart::Content cusum_chart(const CurveReading& reading) {
   const curricula::CusumLines lines = curricula::cusum_lines(reading.rule);
-  TrialChart::Content sum{"Cumulative sum (CUSUM) over whole trials", {}, {}, "No whole trial yet."};
+  TrialChart::Content sum{QCoreApplication::translate("CurveCharts", "Cumulative sum (CUSUM) over whole trials"),
+                          {},
+                          {},
+                          QCoreApplication::translate("CurveCharts", "No whole trial yet.")};
   for (std::size_t i = 0; i < reading.cusum.size(); ++i) {
     const curricula::CusumPoint& point = reading.cusum[i];
     const bool begins = i == 0 || reading.cusum[i - 1].verdict != curricula::CusumVerdict::undecided;
@@ -58,15 +71,17 @@ TrialChart::Content cusum_chart(const CurveReading& reading) {
                       : point.verdict == curricula::CusumVerdict::deficient ? TrialChart::Mark::bad
                                                                             : TrialChart::Mark::neutral;
     sum.points.push_back({point.sum, mark, begins,
-                          QString("trial %1: %2, sum %3, %4")
+                          QCoreApplication::translate("CurveCharts", "trial %1: %2, sum %3, %4")
                               .arg(i + 1)
-                              .arg(reading.successes[i] ? "success" : "failure")
+                              .arg(reading.successes[i] ? QCoreApplication::translate("CurveCharts", "success")
+                                                        : QCoreApplication::translate("CurveCharts", "failure"))
                               .arg(point.sum, 0, 'f', 2)
-                              .arg(name_of(point.verdict))});
+                              .arg(in_words(name_of(point.verdict)))});
   }
   if (!sum.points.empty())
-    sum.levels = {{lines.lower, theme::within(), "competent below", true},
-                  {lines.upper, theme::over(), "not competent above", false}};
+    sum.levels = {
+        {lines.lower, theme::within(), QCoreApplication::translate("CurveCharts", "competent below"), true},
+        {lines.upper, theme::over(), QCoreApplication::translate("CurveCharts", "not competent above"), false}};
   return sum;
 }
 

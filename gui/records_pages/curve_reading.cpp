@@ -1,7 +1,10 @@
 #include "gui/records_pages/curve_reading.h"
 
+#include <QCoreApplication>
 #include <cstdio>
 #include <map>
+
+#include "gui/session/words_from_below.h"
 
 namespace vallecula::gui {
 namespace {
@@ -45,13 +48,22 @@ CurveReading read_curve(const std::vector<curricula::RecordRow>& rows, const cur
     reading.rule = module->mastery.cusum;
     reading.attempts = module->mastery.attempts;
     reading.assessments_only = module->mastery.assessments_only;
-    reading.rule_in_words = "By the rule of the module \"" + module->title + "\" (" + module->mastery.source +
-                            "), on this scenario alone" +
-                            (reading.assessments_only ? ", and on assessments alone." : ".");
+    reading.rule_in_words =
+        (reading.assessments_only
+             ? QCoreApplication::translate(
+                   "CurveReading",
+                   "By the rule of the module \"%1\" (%2), on this scenario alone, and on assessments alone.")
+             : QCoreApplication::translate("CurveReading",
+                                           "By the rule of the module \"%1\" (%2), on this scenario alone."))
+            .arg(QString::fromStdString(module->title), QString::fromStdString(module->mastery.source))
+            .toStdString();
   } else {
     reading.rule_in_words =
-        "By the published rule: 80 % success within two attempts (PMC8290971); unacceptable rate and risks are "
-        "assumed.";
+        QCoreApplication::translate(
+            "CurveReading",
+            "By the published rule: 80 % success within two attempts (PMC8290971); unacceptable rate and risks are "
+            "assumed.")
+            .toStdString();
   }
   for (const curricula::RecordRow& row : rows) {
     if (!row.score.counts()) {
@@ -89,8 +101,11 @@ const char* name_of(CusumVerdict verdict) {
 std::string verdict_in_words(const std::vector<curricula::CusumPoint>& cusum) {
   for (std::size_t i = cusum.size(); i-- > 0;)
     if (cusum[i].verdict != CusumVerdict::undecided)
-      return std::string(name_of(cusum[i].verdict)) + " (trial " + std::to_string(i + 1) + ")";
-  return "undecided";
+      return QCoreApplication::translate("CurveReading", "%1 (trial %2)")
+          .arg(in_words(name_of(cusum[i].verdict)))
+          .arg(i + 1)
+          .toStdString();
+  return in_words(name_of(CusumVerdict::undecided)).toStdString();
 }
 
 }  // namespace vallecula::gui

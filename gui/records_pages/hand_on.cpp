@@ -18,13 +18,13 @@ namespace vallecula::gui {
 using curricula::ExportTrial;
 
 HandOn::HandOn(RecordsDesk& desk, std::function<Shown()> shown, QWidget* parent)
-    : QPushButton("&Hand on ...", parent), desk_(desk), shown_(std::move(shown)) {
+    : QPushButton(tr("&Hand on ..."), parent), desk_(desk), shown_(std::move(shown)) {
   auto* menu = new QMenu(this);
-  table_ = menu->addAction("&Table (CSV) ...");
-  trial_ = menu->addAction("Report of the &chosen trial (PDF) ...");
-  trainee_ = menu->addAction("&Report of this trainee (PDF) ...");
+  table_ = menu->addAction(tr("&Table (CSV) ..."));
+  trial_ = menu->addAction(tr("Report of the &chosen trial (PDF) ..."));
+  trainee_ = menu->addAction(tr("&Report of this trainee (PDF) ..."));
   menu->addSeparator();
-  names_ = menu->addAction("With the trainees' &names");
+  names_ = menu->addAction(tr("With the trainees' &names"));
   names_->setCheckable(true);
   setMenu(menu);
   connect(menu, &QMenu::aboutToShow, this, &HandOn::update_menu);
@@ -36,8 +36,8 @@ HandOn::HandOn(RecordsDesk& desk, std::function<Shown()> shown, QWidget* parent)
 
 void HandOn::update_menu() {
   const Shown shown = shown_();
-  table_->setText(shown.filter.trainee_id ? "&Table of all trials of this trainee (CSV) ..."
-                                          : "&Table of the trials behind the curves shown (CSV) ...");
+  table_->setText(shown.filter.trainee_id ? tr("&Table of all trials of this trainee (CSV) ...")
+                                          : tr("&Table of the trials behind the curves shown (CSV) ..."));
   trial_->setVisible(shown.filter.trainee_id.has_value());
   trial_->setEnabled(shown.trial.has_value());
   trainee_->setVisible(shown.filter.trainee_id.has_value());
@@ -48,7 +48,7 @@ void HandOn::update_menu() {
 void HandOn::ask_where(const QString& kind, const QString& ending, void (HandOn::*write)(const QString&)) {
   const QString name =
       "vallecula-" + kind + "-" + QDateTime::currentDateTime().toString("yyyyMMdd-HHmmss") + "." + ending;
-  QString file = QFileDialog::getSaveFileName(this, "Hand on", QDir::home().filePath(name), "*." + ending);
+  QString file = QFileDialog::getSaveFileName(this, tr("Hand on"), QDir::home().filePath(name), "*." + ending);
   if (file.isEmpty()) return;
   if (QFileInfo(file).suffix().isEmpty()) file += "." + ending;
   (this->*write)(file);
@@ -57,7 +57,7 @@ void HandOn::ask_where(const QString& kind, const QString& ending, void (HandOn:
 void HandOn::hand_on(Shown shown, const QString& file, std::function<void(const Trials&, bool)> write) {
   const bool names = desk_.instructor() && names_->isChecked();
   shown.filter.names = names;
-  emit told("Writing " + QFileInfo(file).fileName() + " ...");
+  emit told(tr("Writing %1 ...").arg(QFileInfo(file).fileName()));
   desk_.ask<int>(
       this,
       [who = desk_.who(), shown, names, write](curricula::Records& records) {
@@ -77,12 +77,10 @@ void HandOn::hand_on(Shown shown, const QString& file, std::function<void(const 
         return static_cast<int>(trials.size());
       },
       [this, file](int count) {
-        emit told(
-            QString("Written: %1, %2.")
-                .arg(QFileInfo(file).fileName(), count == 1 ? QString("1 trial") : QString("%1 trials").arg(count)));
+        emit told(tr("Written: %1, %n trial(s).", "", count).arg(QFileInfo(file).fileName()));
       },
       [this, file](QString message) {  // a folder may name a person
-        emit told("Not handed on. " + message.remove(QFileInfo(file).path() + "/"));
+        emit told(tr("Not handed on. %1").arg(message.remove(QFileInfo(file).path() + "/")));
       });
 }
 

@@ -1,5 +1,6 @@
 #include "gui/records_pages/people_tab.h"
 
+#include <QCoreApplication>
 #include <QFileDialog>
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -14,6 +15,7 @@
 #include "gui/records_pages/person_words.h"
 #include "gui/records_pages/records_desk.h"
 #include "gui/records_pages/tables.h"
+#include "gui/session/words_from_below.h"
 #include "gui/views/capitalised.h"
 
 namespace vallecula::gui {
@@ -35,12 +37,12 @@ struct Everybody {
 }  // namespace
 
 PeopleTab::PeopleTab(RecordsDesk& desk, QWidget* parent) : QWidget(parent), desk_(desk) {
-  table_ = new_table(this, "People", {"Name", "Role", "Since"});
-  audit_ = new_table(this, "Audit trail", {"When", "Who", "Did", "With"});
-  auto* heading = new QLabel("Audit trail", this);
+  table_ = new_table(this, tr("People"), {tr("Name"), tr("Role"), tr("Since")});
+  audit_ = new_table(this, tr("Audit trail"), {tr("When"), tr("Who"), tr("Did"), tr("With")});
+  auto* heading = new QLabel(tr("Audit trail"), this);
   heading->setObjectName("heading");
   auto* about = new QLabel(
-      "Kept by numbers; a name is shown where the person is still here. Nothing in it can be changed.", this);
+      tr("Kept by numbers; a name is shown where the person is still here. Nothing in it can be changed."), this);
   about->setObjectName("faint");
   message_ = new QLabel(this);
   message_->setObjectName("people_message");
@@ -54,15 +56,15 @@ PeopleTab::PeopleTab(RecordsDesk& desk, QWidget* parent) : QWidget(parent), desk
     buttons->addWidget(made);
     if (needs_one) for_one_.push_back(made);
   };
-  button("&Add ...", false, [this] { add(); });
-  button("Re&name ...", true, [this] { rename(); });
-  button("New &PIN ...", true, [this] { reset_pin(); });
-  button("&Export ...", true, [this] {
-    const QString folder = QFileDialog::getExistingDirectory(this, "Choose where the export's folder is made");
+  button(tr("&Add ..."), false, [this] { add(); });
+  button(tr("Re&name ..."), true, [this] { rename(); });
+  button(tr("New &PIN ..."), true, [this] { reset_pin(); });
+  button(tr("&Export ..."), true, [this] {
+    const QString folder = QFileDialog::getExistingDirectory(this, tr("Choose where the export's folder is made"));
     if (!folder.isEmpty()) export_chosen(folder);
   });
-  button("&Delete ...", true, [this] { delete_chosen(); });
-  button("Pro&gress", true, [this] {
+  button(tr("&Delete ..."), true, [this] { delete_chosen(); });
+  button(tr("Pro&gress"), true, [this] {
     if (const Person* person = chosen()) emit progress_wanted(person->id);
   });
   buttons->addStretch(1);
@@ -109,14 +111,14 @@ void PeopleTab::show_people(std::vector<Person> people, const std::vector<curric
     if (person.id == kept) table_->selectRow(static_cast<int>(i));
   }
   const auto name_of = [&names](long long id) {
-    if (id == 0) return QString("nobody signed in");
+    if (id == 0) return tr("nobody signed in");
     const auto found = names.find(id);
-    return found == names.end() ? QString("number %1, deleted").arg(id) : found->second;
+    return found == names.end() ? tr("number %1, deleted").arg(id) : found->second;
   };
   audit_->setRowCount(static_cast<int>(audit.size()));
   for (std::size_t i = 0; i < audit.size(); ++i)
     fill_row(audit_, static_cast<int>(i),
-             {for_people(audit[i].at_utc), name_of(audit[i].actor_id), QString::fromStdString(audit[i].action),
+             {for_people(audit[i].at_utc), name_of(audit[i].actor_id), in_words(audit[i].action),
               audit[i].subject_id == 0 ? QString() : name_of(audit[i].subject_id)});
   for (QPushButton* one : for_one_) one->setEnabled(chosen() != nullptr);
 }
@@ -133,8 +135,9 @@ void PeopleTab::done(const QString& message) {
 }
 
 void PeopleTab::add() {
-  auto* dialog = new PersonDialog(this, "Add", "The PIN is the person's own from then on: have it typed by them.",
-                                  PersonDialog::kName | PersonDialog::kRole | PersonDialog::kNewPin);
+  auto* dialog =
+      new PersonDialog(this, tr("Add"), tr("The PIN is the person's own from then on: have it typed by them."),
+                       PersonDialog::kName | PersonDialog::kRole | PersonDialog::kNewPin);
   connect(dialog, &PersonDialog::given, this, [this, dialog] {
     const curricula::SignedIn who = *desk_.who();
     const std::string name = dialog->name(), pin = dialog->new_pin();
@@ -147,7 +150,7 @@ void PeopleTab::add() {
         },
         [this, dialog](long long) {
           dialog->accept();
-          done("Added.");
+          done(tr("Added."));
         },
         [dialog](const QString& message) { dialog->refuse(message); });
   });
@@ -156,7 +159,7 @@ void PeopleTab::add() {
 
 void PeopleTab::rename() {
   const long long id = chosen()->id;
-  auto* dialog = new PersonDialog(this, "Rename", "The name everywhere from now on; trials stay the person's.",
+  auto* dialog = new PersonDialog(this, tr("Rename"), tr("The name everywhere from now on; trials stay the person's."),
                                   PersonDialog::kName);
   dialog->set_name(QString::fromStdString(chosen()->name));
   connect(dialog, &PersonDialog::given, this, [this, dialog, id] {
@@ -171,7 +174,7 @@ void PeopleTab::rename() {
         [this, dialog, id, name](bool) {
           dialog->accept();
           if (id == desk_.person().id) desk_.renamed(name);
-          done("Renamed.");
+          done(tr("Renamed."));
         },
         [dialog](const QString& message) { dialog->refuse(message); });
   });
@@ -180,8 +183,8 @@ void PeopleTab::rename() {
 
 void PeopleTab::reset_pin() {
   const long long id = chosen()->id;
-  auto* dialog = new PersonDialog(this, "New PIN", "In place of one that was forgotten; it ends a wait as well.",
-                                  PersonDialog::kNewPin);
+  auto* dialog = new PersonDialog(
+      this, tr("New PIN"), tr("In place of one that was forgotten; it ends a wait as well."), PersonDialog::kNewPin);
   connect(dialog, &PersonDialog::given, this, [this, dialog, id] {
     const curricula::SignedIn who = *desk_.who();
     const std::string pin = dialog->new_pin();
@@ -193,7 +196,7 @@ void PeopleTab::reset_pin() {
         },
         [this, dialog](bool) {
           dialog->accept();
-          done("The new PIN is set.");
+          done(tr("The new PIN is set."));
         },
         [dialog](const QString& message) { dialog->refuse(message); });
   });
@@ -206,21 +209,21 @@ void PeopleTab::export_chosen(const QString& folder) {
   const curricula::SignedIn who = *desk_.who();
   const long long id = person->id;
   const QString name = new_export_name(), made = folder + "/" + name;
-  message_->setText("Exporting ...");
+  message_->setText(tr("Exporting ..."));
   desk_.ask<bool>(
       this,
       [=](Records& records) {
         curricula::export_person(records, who, id, made.toStdString());
         return true;
       },
-      [this, name](bool) { done("All that is kept of this person is in " + name + ", in the folder you chose."); },
+      [this, name](bool) { done(tr("All that is kept of this person is in %1, in the folder you chose.").arg(name)); },
       [this](const QString& message) { message_->setText(message); });
 }
 
 void PeopleTab::delete_chosen() {
   const long long id = chosen()->id;
   const QString name = QString::fromStdString(chosen()->name);
-  warn_before_deleting(this, "Delete " + name + "?", name, [this, id] {
+  warn_before_deleting(this, tr("Delete %1?").arg(name), tr("This deletes %1").arg(name), [this, id] {
     const curricula::SignedIn who = *desk_.who();
     desk_.ask<curricula::Deletion>(
         this, [=](Records& records) { return curricula::delete_person(records, who, id); },

@@ -19,23 +19,23 @@ PersonDialog::PersonDialog(QWidget* parent, const QString& title, const QString&
   about->setWordWrap(true);
   about->setObjectName("faint");
   auto* form = new QFormLayout;
-  if ((fields & kName) != 0) name_ = line(form, "&Name or pseudonym", false);
+  if ((fields & kName) != 0) name_ = line(form, tr("&Name or pseudonym"), false);
   if ((fields & kRole) != 0) {
     role_ = new QComboBox(this);
-    role_->addItems({"Trainee", "Instructor"});
-    form->addRow("&Role", role_);
+    role_->addItems({tr("Trainee"), tr("Instructor")});
+    form->addRow(tr("&Role"), role_);
   }
-  if ((fields & kOldPin) != 0) old_pin_ = line(form, "&Old PIN", true);
+  if ((fields & kOldPin) != 0) old_pin_ = line(form, tr("&Old PIN"), true);
   if ((fields & kNewPin) != 0) {
-    new_pin_ = line(form, (fields & kOldPin) != 0 ? "New &PIN" : "&PIN", true);
-    new_pin_->setPlaceholderText("4 to 64 characters");
-    again_ = line(form, "PIN &again", true);
+    new_pin_ = line(form, (fields & kOldPin) != 0 ? tr("New &PIN") : tr("&PIN"), true);
+    new_pin_->setPlaceholderText(tr("4 to 64 characters"));
+    again_ = line(form, tr("PIN &again"), true);
   }
   message_ = new QLabel(this);
   message_->setObjectName("dialog_message");
   message_->setWordWrap(true);
   message_->setProperty("role", "warning");
-  auto* cancel = new QPushButton("Cancel", this);
+  auto* cancel = new QPushButton(tr("Cancel"), this);
   cancel->setAutoDefault(false);
   take_ = new QPushButton(title, this);
   take_->setObjectName("primary");
@@ -68,11 +68,11 @@ QLineEdit* PersonDialog::line(QFormLayout* form, const QString& label, bool secr
 void PersonDialog::take() {
   const bool named = name_ == nullptr || !name_->text().trimmed().isEmpty();
   if (!named) {
-    refuse("Give a name or a pseudonym.");
+    refuse(tr("Give a name or a pseudonym."));
   } else if (new_pin_ != nullptr && new_pin_->text().size() < 4) {
-    refuse("A PIN has at least 4 characters.");
+    refuse(tr("A PIN has at least 4 characters."));
   } else if (new_pin_ != nullptr && new_pin_->text() != again_->text()) {
-    refuse("The two PINs are not the same.");
+    refuse(tr("The two PINs are not the same."));
   } else {
     message_->clear();
     take_->setEnabled(false);

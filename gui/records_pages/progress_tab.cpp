@@ -2,6 +2,7 @@
 
 #include <QCalendarWidget>
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QListWidget>
@@ -34,9 +35,13 @@ bool same(const CurveKey& a, const CurveKey& b) {
          a.device_kind == b.device_kind;
 }
 
-QString so_many(int trials) { return trials == 1 ? QString("1 trial") : QString("%1 trials").arg(trials); }
-QString after_trials(int trials) { return trials < 0 ? QString("not yet") : "after " + so_many(trials); }
-QString words_of(const curricula::Day& day) { return so_many(day.trials) + QString(", %1 passed").arg(day.passed); }
+QString after_trials(int trials) {
+  return trials < 0 ? QCoreApplication::translate("ProgressTab", "not yet")
+                    : QCoreApplication::translate("ProgressTab", "after %n trial(s)", "", trials);
+}
+QString words_of(const curricula::Day& day) {
+  return QCoreApplication::translate("ProgressTab", "%n trial(s), %1 passed", "", day.trials).arg(day.passed);
+}
 
 }  // namespace
 
@@ -55,12 +60,12 @@ QWidget* ProgressTab::make_left() {
   whose_label_ = new QLabel(left);
   whose_label_->setWordWrap(true);
   whose_ = new QComboBox(left);
-  whose_->setAccessibleName("Whose progress");
+  whose_->setAccessibleName(tr("Whose progress"));
   list_ = new QListWidget(left);
-  list_->setAccessibleName("Learning curves");
+  list_->setAccessibleName(tr("Learning curves"));
   list_->setWordWrap(true);
   calendar_ = new QCalendarWidget(left);
-  calendar_->setAccessibleName("Days with trials");
+  calendar_->setAccessibleName(tr("Days with trials"));
   calendar_->setVerticalHeaderFormat(QCalendarWidget::NoVerticalHeader);
   calendar_->setFirstDayOfWeek(Qt::Monday);
   calendar_->setFixedHeight(190);
@@ -88,7 +93,7 @@ QWidget* ProgressTab::make_left() {
 QWidget* ProgressTab::make_right() {
   auto* right = new QWidget(this);
   figure_ = new QComboBox(right);
-  figure_->setAccessibleName("Figure of the learning curve");
+  figure_->setAccessibleName(tr("Figure of the learning curve"));
   for (const Figure& figure : curricula::figures())
     if (!figure.for_researchers) figure_->addItem(with_unit(figure), QString(figure.name));
   figure_->setCurrentIndex(std::max(0, figure_->findData(QString(kFirstFigure))));
@@ -187,14 +192,14 @@ ProgressTab::Subject ProgressTab::ask_subject(curricula::Records& records, const
 void ProgressTab::fill_people(const std::vector<curricula::Person>& people) {
   whose_->setVisible(desk_.instructor());
   if (!desk_.instructor()) {
-    whose_label_->setText(desk_.who() ? "Progress of " + words_of(desk_.person())
-                                      : QString("Nobody is signed in. These trials belong to nobody; sign in to have "
-                                                "progress of your own."));
+    whose_label_->setText(desk_.who() ? tr("Progress of %1").arg(words_of(desk_.person()))
+                                      : tr("Nobody is signed in. These trials belong to nobody; sign in to have "
+                                           "progress of your own."));
     return;
   }
-  whose_label_->setText("Progress of");
+  whose_label_->setText(tr("Progress of"));
   whose_->clear();
-  whose_->addItem("trials that belong to nobody", QVariant::fromValue(0LL));
+  whose_->addItem(tr("trials that belong to nobody"), QVariant::fromValue(0LL));
   for (const curricula::Person& person : people) whose_->addItem(words_of(person), QVariant::fromValue(person.id));
   whose_->setCurrentIndex(std::max(0, whose_->findData(QVariant::fromValue(wanted_.trainee_id))));
 }
@@ -215,12 +220,12 @@ void ProgressTab::show_subject(Subject subject) {
     for (std::size_t i = 0; i < curves_.size(); ++i) {
       const CurveSummary& curve = curves_[i];
       list_->addItem(courses_.title(curve.key.curriculum_id, curve.key.scenario_id) + "\n" +
-                     QString("%1 · %2 of %3 passed")
+                     tr("%1 · %2 of %3 passed")
                          .arg(QString::fromStdString(curve.key.device_kind))
                          .arg(curve.passed)
                          .arg(curve.trials) +
-                     (curve.interrupted > 0 ? QString(" · %1 cut off").arg(curve.interrupted) : QString()) +
-                     (subject.to_rate[i] > 0 ? QString(" · %1 to rate").arg(subject.to_rate[i]) : QString()));
+                     (curve.interrupted > 0 ? tr(" · %1 cut off").arg(curve.interrupted) : QString()) +
+                     (subject.to_rate[i] > 0 ? tr(" · %1 to rate").arg(subject.to_rate[i]) : QString()));
       list_->item(static_cast<int>(i))->setToolTip(courses_.title(curve.key.curriculum_id));
       if (same(curve.key, wanted_)) row = static_cast<int>(i);
     }
@@ -241,16 +246,16 @@ void ProgressTab::show_subject(Subject subject) {
     calendar_->setSelectedDate(QDate::fromString(QString::fromStdString(days_.back().date), Qt::ISODate));
   show_days();
   if (row < 0)
-    empty_curve("No trial yet. Choose a scenario on the first page and practise it: each trial is a point here.");
+    empty_curve(tr("No trial yet. Choose a scenario on the first page and practise it: each trial is a point here."));
   else
     ask_curve();
 }
 
 void ProgressTab::show_days() {
   const std::string chosen = calendar_->selectedDate().toString(Qt::ISODate).toStdString();
-  QString text = "no trial on this day";
+  QString text = tr("no trial on this day");
   for (const curricula::Day& day : days_)
-    if (day.date == chosen) text = words_of(day) + " on this day";
+    if (day.date == chosen) text = tr("%1 on this day").arg(words_of(day));
   day_->setText(text);
 }
 
@@ -280,8 +285,8 @@ void ProgressTab::ask_curve() {
 void ProgressTab::empty_curve(const QString& say) {
   rows_.clear();
   reading_ = {};
-  learning_->show_content({"Learning curve", {}, {}, say});
-  sum_->show_content({"Cumulative sum (CUSUM)", {}, {}, say});
+  learning_->show_content({tr("Learning curve"), {}, {}, say});
+  sum_->show_content({tr("Cumulative sum (CUSUM)"), {}, {}, say});
   mastery_->clear();
   rule_->clear();
   trials_->show_trials(subject(), {}, {}, figure());
@@ -290,20 +295,20 @@ void ProgressTab::empty_curve(const QString& say) {
 void ProgressTab::show_curve(std::vector<RecordRow> to_rate) {
   const long long whose = subject();
   if (rows_.empty()) {
-    empty_curve("Rate the assessment in the table below first: then it is a point here.");
+    empty_curve(tr("Rate the assessment in the table below first: then it is a point here."));
     trials_->show_trials(whose, {}, std::move(to_rate), figure());
     return;
   }
   reading_ = read_curve(rows_, courses_.find(rows_.front().curriculum_id));
   sum_->show_content(cusum_chart(reading_));
-  mastery_->setText(QString("Three in a row: %1.  CUSUM competent: %2.  Now: %3, %4 in a row.%5")
+  mastery_->setText(tr("Three in a row: %1.  CUSUM competent: %2.  Now: %3, %4 in a row.%5")
                         .arg(after_trials(reading_.to_three_in_a_row), after_trials(reading_.to_competent),
                              QString::fromStdString(verdict_in_words(reading_.cusum)))
                         .arg(reading_.in_a_row)
                         .arg(reading_.interrupted == 0
                                  ? QString()
-                                 : QString("  Interrupted: %1, counted in nothing.").arg(reading_.interrupted)));
-  rule_->setText(QString::fromStdString(reading_.rule_in_words) + " No pass mark is validated.");
+                                 : tr("  Interrupted: %1, counted in nothing.").arg(reading_.interrupted)));
+  rule_->setText(QString::fromStdString(reading_.rule_in_words) + ' ' + tr("No pass mark is validated."));
   show_figure();
   trials_->show_trials(whose, rows_, std::move(to_rate), figure());
 }

@@ -27,20 +27,20 @@ QLabel* heading(const QString& text, QWidget* parent) {
 RatingDialog::RatingDialog(QWidget* parent, const QString& trial, const std::vector<Item>& items,
                            const std::map<std::string, double>& before, const QString& remark)
     : QDialog(parent) {
-  setWindowTitle("Rate a trial");
+  setWindowTitle(tr("Rate a trial"));
   setAttribute(Qt::WA_DeleteOnClose);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(22, 18, 22, 16);
   column->setSpacing(8);
   column->addWidget(heading(trial, this));
-  auto* say = new QLabel("The trainee sees your rating beside the figures. A newer one takes its place.", this);
+  auto* say = new QLabel(tr("The trainee sees your rating beside the figures. A newer one takes its place."), this);
   say->setObjectName("faint");
   say->setWordWrap(true);
   column->addWidget(say);
   add_global(column, before);
   if (!items.empty()) add_items(column, items, before);
   if (!remark.isEmpty()) {
-    auto* why = new QLabel("Without the checklist: " + remark, this);
+    auto* why = new QLabel(tr("Without the checklist: %1").arg(remark), this);
     why->setObjectName("faint");
     why->setWordWrap(true);
     column->addSpacing(8);
@@ -51,9 +51,9 @@ RatingDialog::RatingDialog(QWidget* parent, const QString& trial, const std::vec
   message_->setWordWrap(true);
   message_->setProperty("role", "warning");
   column->addWidget(message_);
-  auto* cancel = new QPushButton("Cancel", this);
+  auto* cancel = new QPushButton(tr("Cancel"), this);
   cancel->setAutoDefault(false);
-  take_ = new QPushButton("&Keep the rating", this);
+  take_ = new QPushButton(tr("&Keep the rating"), this);
   take_->setObjectName("primary");
   take_->setDefault(true);
   auto* buttons = new QHBoxLayout;
@@ -64,7 +64,7 @@ RatingDialog::RatingDialog(QWidget* parent, const QString& trial, const std::vec
   setMinimumWidth(620);
   connect(cancel, &QPushButton::clicked, this, &QDialog::reject);
   connect(take_, &QPushButton::clicked, this, [this] {
-    if (ratings().empty()) return refuse("Nothing is judged yet: choose one of the five steps, or yes or no.");
+    if (ratings().empty()) return refuse(tr("Nothing is judged yet: choose one of the five steps, or yes or no."));
     message_->clear();
     take_->setEnabled(false);
     emit given();
@@ -74,7 +74,7 @@ RatingDialog::RatingDialog(QWidget* parent, const QString& trial, const std::vec
 void RatingDialog::add_global(QVBoxLayout* column, const std::map<std::string, double>& before) {
   global_ = new QButtonGroup(this);
   column->addSpacing(8);
-  column->addWidget(heading("How was it, all in all?  (Alt+1 to Alt+5)", this));
+  column->addWidget(heading(tr("How was it, all in all?  (Alt+1 to Alt+5)"), this));
   for (int step = 1; step <= 5; ++step) {
     auto* button = new QRadioButton(QString("&%1  %2").arg(step).arg(curricula::kGlobalRatingWords[step - 1]), this);
     global_->addButton(button, step);
@@ -87,7 +87,7 @@ void RatingDialog::add_global(QVBoxLayout* column, const std::map<std::string, d
 void RatingDialog::add_items(QVBoxLayout* column, const std::vector<Item>& items,
                              const std::map<std::string, double>& before) {
   column->addSpacing(8);
-  column->addWidget(heading("What the recording could not tell", this));
+  column->addWidget(heading(tr("What the recording could not tell"), this));
   auto* grid = new QGridLayout;
   grid->setColumnStretch(0, 1);
   for (const Item& item : items) {
@@ -99,7 +99,8 @@ void RatingDialog::add_items(QVBoxLayout* column, const std::vector<Item>& items
     const auto found = before.find(item.id);
     const int chosen = found == before.end() ? kNotJudged : found->second != 0.0 ? 1 : 0;
     int place = 1;
-    for (const auto& [words, id] : {std::pair("Yes", 1), std::pair("No", 0), std::pair("Not judged", kNotJudged)}) {
+    for (const auto& [words, id] :
+         {std::pair(tr("Yes"), 1), std::pair(tr("No"), 0), std::pair(tr("Not judged"), kNotJudged)}) {
       auto* button = new QRadioButton(words, this);
       button->setAccessibleName(item.text + ": " + words);
       button->setChecked(id == chosen);

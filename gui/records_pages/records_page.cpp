@@ -1,5 +1,6 @@
 #include "gui/records_pages/records_page.h"
 
+#include <QCoreApplication>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -18,11 +19,11 @@
 namespace vallecula::gui {
 
 RecordsPage::RecordsPage(QWidget* parent) : QWidget(parent) {
-  auto* title = new QLabel("Records", this);
+  auto* title = new QLabel(tr("Records"), this);
   title->setObjectName("title");
   who_ = new QLabel(this);
   who_->setObjectName("faint");
-  waiting_ = new QLabel("Asking the records ...", this);
+  waiting_ = new QLabel(tr("Asking the records ..."), this);
   waiting_->setObjectName("faint");
   waiting_->hide();
   trouble_ = new QLabel(this);
@@ -31,7 +32,7 @@ RecordsPage::RecordsPage(QWidget* parent) : QWidget(parent) {
   trouble_->setProperty("role", "warning");
   trouble_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   trouble_->hide();
-  again_ = new QPushButton("Try a&gain", this);
+  again_ = new QPushButton(tr("Try a&gain"), this);
   again_->hide();
   tabs_ = new QTabWidget(this);
   account_ = new AccountTab(desk_, tabs_);
@@ -40,9 +41,9 @@ RecordsPage::RecordsPage(QWidget* parent) : QWidget(parent) {
   people_ = new PeopleTab(desk_, tabs_);
   for (QWidget* tab : {static_cast<QWidget*>(cohort_), static_cast<QWidget*>(people_)})
     tab->hide();  // no tab until an instructor signs in: else it would lie over the others
-  tabs_->addTab(progress_, "Progress");
-  tabs_->addTab(account_, "Sign in");
-  auto* back = new QPushButton("Back", this);
+  tabs_->addTab(progress_, tr("Progress"));
+  tabs_->addTab(account_, tr("Sign in"));
+  auto* back = new QPushButton(tr("Back"), this);
   back->setShortcut(Qt::Key_Escape);
 
   auto* head = new QHBoxLayout;
@@ -65,7 +66,7 @@ RecordsPage::RecordsPage(QWidget* parent) : QWidget(parent) {
 
   connect(back, &QPushButton::clicked, this, &RecordsPage::left);
   connect(again_, &QPushButton::clicked, this, [this] {
-    trouble_->setText("Trying again ...");
+    trouble_->setText(tr("Trying again ..."));
     desk_.ask_again();
   });
   connect(tabs_, &QTabWidget::currentChanged, this, &RecordsPage::refresh);
@@ -92,10 +93,10 @@ RecordsPage::RecordsPage(QWidget* parent) : QWidget(parent) {
 
 void RecordsPage::show_tabs() {
   const bool signed_in = desk_.who().has_value();
-  who_->setText(signed_in ? words_of(desk_.person()) : QString("nobody is signed in"));
-  tabs_->setTabText(tabs_->indexOf(account_), signed_in ? "My account" : "Sign in");
+  who_->setText(signed_in ? words_of(desk_.person()) : tr("nobody is signed in"));
+  tabs_->setTabText(tabs_->indexOf(account_), signed_in ? tr("My account") : tr("Sign in"));
   const QSignalBlocker quiet(tabs_);
-  for (const auto& [tab, title] : {std::pair<QWidget*, const char*>(cohort_, "Cohort"), {people_, "People"}}) {
+  for (const auto& [tab, title] : {std::pair<QWidget*, QString>(cohort_, tr("Cohort")), {people_, tr("People")}}) {
     const int index = tabs_->indexOf(tab);
     if (desk_.instructor() && index < 0) tabs_->addTab(tab, title);
     if (!desk_.instructor() && index >= 0) tabs_->removeTab(index);
@@ -138,8 +139,8 @@ void RecordsPage::tell(const QString& message) {
 WhoStrip::WhoStrip(RecordsDesk& desk, QWidget* parent) : QWidget(parent), desk_(desk) {
   who_ = new QLabel(this);
   who_->setObjectName("who_is_signed_in");
-  out_ = new QPushButton("Sign out", this);
-  auto* records = new QPushButton("&Records ...", this);
+  out_ = new QPushButton(tr("Sign out"), this);
+  auto* records = new QPushButton(tr("&Records ..."), this);
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(26, 8, 26, 0);
   row->addWidget(who_, 1);
@@ -160,8 +161,8 @@ void WhoStrip::offer(QAction* action) {
 
 void WhoStrip::show_who() {
   const bool signed_in = desk_.who().has_value();
-  who_->setText(signed_in ? "Signed in: " + words_of(desk_.person())
-                          : QString("Nobody is signed in: trials belong to nobody. Records ... is where to sign in."));
+  who_->setText(signed_in ? tr("Signed in: %1").arg(words_of(desk_.person()))
+                          : tr("Nobody is signed in: trials belong to nobody. Records ... is where to sign in."));
   out_->setVisible(signed_in);
 }
 

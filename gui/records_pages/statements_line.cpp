@@ -1,5 +1,6 @@
 #include "gui/records_pages/statements_line.h"
 
+#include <QCoreApplication>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -14,14 +15,14 @@
 namespace vallecula::gui {
 namespace {
 
-QString trials(int count) { return count == 1 ? QString("1 trial") : QString("%1 trials").arg(count); }
-
 QString words_of(const curricula::Waiting& waiting) {
-  QString text = "Learning record store: ";
-  text += waiting.waiting == 0 ? QString("nothing waits to be sent")
-                               : trials(waiting.waiting) + (waiting.waiting == 1 ? " waits" : " wait") + " to be sent";
+  QString text = waiting.waiting == 0
+                     ? QCoreApplication::translate("StatementsLine", "Learning record store: nothing waits to be sent")
+                     : QCoreApplication::translate(
+                           "StatementsLine", "Learning record store: %n trial(s) wait to be sent", "", waiting.waiting);
   if (waiting.refused > 0)
-    text += ", " + trials(waiting.refused) + " refused (" + QString::fromStdString(waiting.last_refusal) + ")";
+    text += ", " + QCoreApplication::translate("StatementsLine", "%n trial(s) refused (%1)", "", waiting.refused)
+                       .arg(QString::fromStdString(waiting.last_refusal));
   return text + ".";
 }
 
@@ -38,7 +39,7 @@ StatementsLine::StatementsLine(RecordsDesk& desk, QWidget* parent) : QWidget(par
   };
   waiting_ = line("statements_waiting");
   told_ = line("statements");
-  send_ = new QPushButton("&Send now", this);
+  send_ = new QPushButton(tr("&Send now"), this);
   send_->hide();
   auto* lines = new QVBoxLayout;
   lines->addWidget(waiting_);
@@ -77,7 +78,7 @@ void StatementsLine::tell(const QString& line) {
 
 void StatementsLine::send() {
   send_->setEnabled(false);
-  tell("Sending ...");
+  tell(tr("Sending ..."));
   sending_ = run_in_background<curricula::Delivery>(
       this,
       [stop = stop_] {
@@ -90,10 +91,11 @@ void StatementsLine::send() {
       },
       [this](curricula::Delivery delivery) {
         sending_.clear();
-        QString text = trials(delivery.sent) + " sent";
-        if (delivery.refused > 0) text += ", " + trials(delivery.refused) + " refused";
+        QString text = tr("%n trial(s) sent", "", delivery.sent);
+        if (delivery.refused > 0) text += ", " + tr("%n trial(s) refused", "", delivery.refused);
         if (!delivery.problem.empty())
-          text += ", " + trials(delivery.left) + " not sent yet: " + QString::fromStdString(delivery.problem);
+          text += ", " +
+                  tr("%n trial(s) not sent yet: %1", "", delivery.left).arg(QString::fromStdString(delivery.problem));
         tell(text);
       },
       [this](const QString& message) {

@@ -117,7 +117,7 @@ void TrialChart::draw_scales(QPainter& painter) const {
                      Qt::AlignHCenter | Qt::AlignTop, QString::number(number));
   }
   painter.setPen(theme::faint());
-  painter.drawText(QRectF(2, in.bottom() + 2, kLeft - 6, kBottom - 2), Qt::AlignLeft | Qt::AlignTop, "trial");
+  painter.drawText(QRectF(2, in.bottom() + 2, kLeft - 6, kBottom - 2), Qt::AlignLeft | Qt::AlignTop, tr("trial"));
   for (const Level& level : content_.levels) {
     painter.setPen(QPen(level.colour, 1.4, Qt::DashLine));
     painter.drawLine(QPointF(in.left(), y(level.value)), QPointF(in.right(), y(level.value)));

@@ -17,6 +17,7 @@
 #include "gui/records_pages/records_desk.h"
 #include "gui/records_pages/tables.h"
 #include "gui/records_pages/trial_log_here.h"
+#include "gui/session/words_from_below.h"
 
 namespace vallecula::gui {
 
@@ -26,7 +27,9 @@ using curricula::RecordRow;
 
 TrialsPanel::TrialsPanel(RecordsDesk& desk, const KnownCourses& courses, QWidget* parent)
     : QWidget(parent), desk_(desk), courses_(courses) {
-  table_ = new_table(this, "Trials", {"Trial", "Ended", "Mode", "Result", "Figure", "Attempts", "Length (s)"});
+  table_ =
+      new_table(this, tr("Trials"),
+                {tr("Trial"), tr("Ended"), tr("Mode"), tr("Result"), tr("Figure"), tr("Attempts"), tr("Length (s)")});
   ratings_ = new QLabel(this);
   ratings_->setObjectName("ratings");
   ratings_->setWordWrap(true);
@@ -34,8 +37,8 @@ TrialsPanel::TrialsPanel(RecordsDesk& desk, const KnownCourses& courses, QWidget
   message_->setObjectName("trials_message");
   message_->setWordWrap(true);
   message_->setProperty("role", "faint");
-  open_ = new QPushButton("&Open", this);
-  rate_ = new QPushButton("Ra&te ...", this);
+  open_ = new QPushButton(tr("&Open"), this);
+  rate_ = new QPushButton(tr("Ra&te ..."), this);
   hand_on_ = new HandOn(
       desk_,
       [this] {
@@ -81,7 +84,7 @@ void TrialsPanel::show_trials(long long trainee_id, std::vector<RecordRow> seen,
   for (int row = 0; row < rows(); ++row)
     if (at(row)->id == chosen_before && chosen_before != 0) table_->setCurrentCell(row, 0);
   row_chosen(table_->currentRow());
-  message_->setText(rows() == 0 ? QString() : "Squares were interrupted, crosses not passed, discs passed.");
+  message_->setText(rows() == 0 ? QString() : tr("Squares were interrupted, crosses not passed, discs passed."));
 }
 
 void TrialsPanel::show_figure(const Figure* figure) {
@@ -92,13 +95,14 @@ void TrialsPanel::show_figure(const Figure* figure) {
     const RecordRow& row = *at(i);
     if (hidden(i)) {
       fill_row(table_, i,
-               {"-", for_people(row.finished_utc), curricula::name_of(row.mode), "rate it first", "-", "-", "-"});
+               {"-", for_people(row.finished_utc), in_words(curricula::name_of(row.mode)), tr("rate it first"), "-",
+                "-", "-"});
       continue;
     }
     const auto value = figure == nullptr ? std::nullopt : value_of(row, *figure);
     fill_row(table_, i,
-             {QString::number(rows() - i), for_people(row.finished_utc), curricula::name_of(row.mode), result_of(row),
-              value ? QString::number(*value, 'g', 4) : QString("-"),
+             {QString::number(rows() - i), for_people(row.finished_utc), in_words(curricula::name_of(row.mode)),
+              result_of(row), value ? QString::number(*value, 'g', 4) : QString("-"),
               row.attempts > 0 ? QString::number(row.attempts) : QString("-"),
               row.duration_s ? QString::number(*row.duration_s, 'f', 1) : QString("-")});
   }
@@ -114,15 +118,16 @@ void TrialsPanel::open(int index) { open_row(rows() - 1 - index); }
 void TrialsPanel::row_chosen(int table_row) {
   const bool any = at(table_row) != nullptr, first = hidden(table_row);
   open_->setEnabled(any);
-  open_->setText(first ? "Rate it &first ..." : "&Open");
-  open_->setToolTip("Enter, or a double click on the trial");
+  open_->setText(first ? tr("Rate it &first ...") : tr("&Open"));
+  open_->setToolTip(tr("Enter, or a double click on the trial"));
   rate_->setVisible(desk_.instructor());
   rate_->setEnabled(any && !first);
   ratings_->clear();
   ratings_->setVisible(any);
   emit chosen(any && !first ? rows() - 1 - table_row : -1);
   if (first)
-    ratings_->setText("This assessment shows its figures, its result and its report once you have rated it yourself.");
+    ratings_->setText(
+        tr("This assessment shows its figures, its result and its report once you have rated it yourself."));
   else if (any)
     ask_ratings();
 }
@@ -136,7 +141,7 @@ void TrialsPanel::ask_ratings() {
         const RecordRow* now = at(table_->currentRow());
         if (now == nullptr || now->id != trial || desk_.person().id != asker) return;  // another was chosen meanwhile
         const QString words = words_of(ratings, asker);
-        ratings_->setText(words.isEmpty() ? "Nobody has rated this trial." : words);
+        ratings_->setText(words.isEmpty() ? tr("Nobody has rated this trial.") : words);
       });
 }
 
@@ -151,13 +156,13 @@ void TrialsPanel::open_row(int table_row) {
     return;
   }
   message_->setText(
-      "This trial's files are not on this computer: they are on the station it was done at, or were moved.");
+      tr("This trial's files are not on this computer: they are on the station it was done at, or were moved."));
 }
 
 void TrialsPanel::rate_own(const RecordRow& row) {
   auto* dialog = new QDialog(this);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setWindowTitle("Rate it first: " + for_people(row.finished_utc));
+  dialog->setWindowTitle(tr("Rate it first: %1").arg(for_people(row.finished_utc)));
   dialog->setMinimumWidth(560);
   auto* page = new SelfRatingPage(dialog);
   page->layout()->setContentsMargins(10, 10, 10, 10);
@@ -190,7 +195,7 @@ void TrialsPanel::ask_checklist() {
   const RecordRow* trial = at(table_->currentRow());
   if (trial == nullptr || !desk_.instructor()) return;
   rate_->setEnabled(false);
-  message_->setText("Reading the trial ...");
+  message_->setText(tr("Reading the trial ..."));
   desk_.ask<Checklist>(
       this,
       [row = *trial, who = desk_.who()](curricula::Records& records) {
@@ -230,7 +235,7 @@ void TrialsPanel::rate(const RecordRow& row, const Checklist& checklist) {
         desk_, dialog, trial, dialog->ratings(),
         [this, dialog] {
           dialog->accept();
-          message_->setText("The rating is kept.");
+          message_->setText(tr("The rating is kept."));
           row_chosen(table_->currentRow());
         },
         [dialog](const QString& message) { dialog->refuse(message); });

@@ -1,5 +1,6 @@
 #include "gui/report/chart_panel.h"
 
+#include <QCoreApplication>
 #include <QPainterPath>
 #include <algorithm>
 #include <cmath>
@@ -49,7 +50,8 @@ void Panel::axes(const QString& title, int value_ticks, bool times) {
                         Qt::AlignHCenter | Qt::AlignTop, QString::number(t));
     }
     painter_.drawText(QRectF(frame_.left(), frame_.bottom() + 1.7 * em_, frame_.width(), 1.6 * em_),
-                      Qt::AlignHCenter | Qt::AlignTop, QStringLiteral("time since the trial began (s)"));
+                      Qt::AlignHCenter | Qt::AlignTop,
+                      QCoreApplication::translate("Charts", "time since the trial began (s)"));
   }
   painter_.save();
   painter_.translate(frame_.left() - 5.2 * em_, frame_.center().y());

@@ -1,13 +1,8 @@
 #include "gui/report/clip_writer.h"
 
-#include <vtkErrorCode.h>
-#include <vtkImageData.h>
-#include <vtkNew.h>
-#include <vtkOggTheoraWriter.h>
-
 #include <algorithm>
-#include <cstring>
 #include <fstream>
+#include <opencv2/videoio.hpp>
 #include <stdexcept>
 #include <system_error>
 
@@ -17,37 +12,26 @@ namespace fs = std::filesystem;
 
 struct ClipWriter::Impl {
   fs::path file, part;
-  vtkNew<vtkOggTheoraWriter> writer;
-  vtkNew<vtkImageData> image;
+  cv::VideoWriter writer;
   QSize size;
-  bool open = false;
+  int rate = 30, pictures = 0;
 
   [[noreturn]] void fail() {
     throw std::runtime_error(file.string() +
                              ": the clip could not be written; is the folder there, and is there room on the disk?");
   }
-  void check() {
-    if (writer->GetErrorCode() != vtkErrorCode::NoError || writer->GetError() != 0) fail();
-  }
-  void close() {
-    if (open) writer->End();
-    open = false;
-  }
 };
 
 ClipWriter::ClipWriter(const fs::path& file, int frames_per_second) : impl_(std::make_unique<Impl>()) {
   impl_->file = file;
-  impl_->part = file.string() + ".part";
-  impl_->writer->SetRate(std::clamp(frames_per_second, 1, 60));
-  impl_->writer->SetQuality(2);
-  impl_->writer->SubsamplingOff();  // thin coloured lines and small letters
-  impl_->writer->SetFileName(impl_->part.string().c_str());
-  // VTK would only say so on stderr.
+  impl_->part = file.string() + ".part.mp4";  // OpenCV takes the container from the name
+  impl_->rate = std::clamp(frames_per_second, 1, 60);
+  // OpenCV would only say so on stderr.
   if (!std::ofstream(impl_->part, std::ios::binary)) impl_->fail();
 }
 
 ClipWriter::~ClipWriter() {
-  impl_->close();
+  impl_->writer.release();
   std::error_code ignored;
   fs::remove(impl_->part, ignored);
 }
@@ -56,33 +40,29 @@ void ClipWriter::add(const QImage& picture) {
   Impl& m = *impl_;
   if (picture.isNull()) throw std::logic_error("a clip needs pictures");
   if (m.size.isEmpty()) {
-    m.size = picture.size();
-    m.image->SetDimensions(m.size.width(), m.size.height(), 1);
-    m.image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+    m.size = QSize(picture.width() & ~1, picture.height() & ~1);  // colours have half the resolution: no odd sides
+    if (!m.writer.open(m.part.string(), cv::CAP_FFMPEG, cv::VideoWriter::fourcc('a', 'v', 'c', '1'), m.rate,
+                       cv::Size(m.size.width(), m.size.height())))
+      m.fail();
   }
-  const QImage rgb = (picture.size() == m.size
-                          ? picture
-                          : picture.scaled(m.size, Qt::IgnoreAspectRatio, Qt::SmoothTransformation))
-                         .convertToFormat(QImage::Format_RGB888);
-  for (int y = 0; y < m.size.height(); ++y)  // VTK's first row is the lowest
-    std::memcpy(m.image->GetScalarPointer(0, m.size.height() - 1 - y, 0), rgb.constScanLine(y),
-                3 * static_cast<std::size_t>(m.size.width()));
-  m.image->Modified();
-  if (!m.open) {
-    m.writer->SetInputData(m.image);
-    m.writer->Start();
-    m.open = true;
-    m.check();
-  }
-  m.writer->Write();
-  m.check();
+  QImage bgr = (picture.width() / 2 == m.size.width() / 2 && picture.height() / 2 == m.size.height() / 2
+                    ? picture.copy(QRect(QPoint(0, 0), m.size))
+                    : picture.scaled(m.size, Qt::IgnoreAspectRatio, Qt::SmoothTransformation))
+                   .convertToFormat(QImage::Format_BGR888);
+  m.writer.write(cv::Mat(bgr.height(), bgr.width(), CV_8UC3, bgr.bits(), static_cast<std::size_t>(bgr.bytesPerLine())));
+  ++m.pictures;
 }
 
 void ClipWriter::finish() {
   Impl& m = *impl_;
-  if (!m.open) throw std::runtime_error(m.file.string() + ": no picture was added, so there is no clip");
-  m.close();
-  m.check();
+  if (m.pictures == 0) throw std::runtime_error(m.file.string() + ": no picture was added, so there is no clip");
+  m.writer.release();
+  // A full disk is not reported while it is written: what can be read back tells.
+  cv::VideoCapture back;
+  if (!back.open(m.part.string(), cv::CAP_FFMPEG) ||
+      static_cast<int>(back.get(cv::CAP_PROP_FRAME_COUNT)) != m.pictures)
+    m.fail();
+  back.release();
   std::error_code error;
   fs::rename(m.part, m.file, error);
   if (error) m.fail();

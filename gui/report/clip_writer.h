@@ -1,4 +1,4 @@
-// Pictures of one size as a clip that browsers and VLC play: Ogg Theora, by VTK's own writer.
+// Pictures of one size as a clip that slide programs, browsers and players show: H.264 in MP4, by OpenCV.
 #pragma once
 
 #include <QImage>
@@ -9,12 +9,12 @@ namespace vallecula::gui {
 
 class ClipWriter {
  public:
-  /// FILE is written aside (FILE.part) until finish(). `frames_per_second`: 1 to 60.
+  /// FILE is written aside (FILE.part.mp4) until finish(). `frames_per_second`: 1 to 60.
   ClipWriter(const std::filesystem::path& file, int frames_per_second);
   ~ClipWriter();  ///< not finished: nothing is left behind
   ClipWriter(const ClipWriter&) = delete;
   ClipWriter& operator=(const ClipWriter&) = delete;
-  /// The first picture says the clip's size; later ones are brought to it. Throws std::runtime_error naming the file.
+  /// The first picture says the clip's size (an odd side loses a pixel); later ones are brought to it. Throws std::runtime_error naming the file.
   void add(const QImage& picture);
   /// Throws std::runtime_error: nothing was added, the disk is full.
   void finish();

@@ -1,5 +1,6 @@
 #include "gui/report/curve_chart.h"
 
+#include <QCoreApplication>
 #include <QPainter>
 #include <QPainterPath>
 #include <algorithm>
@@ -36,7 +37,7 @@ struct Frame {
       painter.drawText(QRectF(x(trial) - 2 * em, box.bottom() + 0.2 * em, 4 * em, 1.5 * em), Qt::AlignHCenter,
                        QString::number(trial));
     painter.drawText(QRectF(box.left(), box.bottom() + 1.5 * em, box.width(), 1.6 * em), Qt::AlignRight,
-                     QStringLiteral("trial"));
+                     QCoreApplication::translate("Charts", "trial"));
   }
   void level(double value, const QColor& colour, const QString& text) {
     painter.setPen(QPen(colour, 0.12 * em, Qt::DashLine));
@@ -71,7 +72,7 @@ QImage draw_curve_chart(const std::vector<curricula::RecordRow>& trials, const C
   };
 
   Frame force{painter, box(0.0), count, 0.0, std::ceil(1.15 * highest), em};
-  force.axes(QStringLiteral("peak force on the tongue (N); \u25cf passed, \u25cb not"), 1);
+  force.axes(QCoreApplication::translate("Charts", "peak force on the tongue (N); \u25cf passed, \u25cb not"), 1);
   for (std::size_t i = 0; i < whole.size(); ++i) {
     const QPointF at(force.x(static_cast<double>(i) + 1.0), force.y(whole[i]->score.peak_tongue_force_n));
     const bool success = succeeded(*whole[i], reading);
@@ -92,9 +93,9 @@ QImage draw_curve_chart(const std::vector<curricula::RecordRow>& trials, const C
   const double room = 0.12 * (high - low);
   const double counted = std::max(1.0, static_cast<double>(sums.size()));  // practice may count in nothing
   Frame cusum{painter, box(half), counted, low - room, high + room, em};
-  cusum.axes(QStringLiteral("cumulative sum; down is success"), 1);
-  cusum.level(lines.lower, chart::kGreen, QStringLiteral("competent"));
-  cusum.level(lines.upper, chart::kVermillion, QStringLiteral("deficient"));
+  cusum.axes(QCoreApplication::translate("Charts", "cumulative sum; down is success"), 1);
+  cusum.level(lines.lower, chart::kGreen, QCoreApplication::translate("Charts", "competent"));
+  cusum.level(lines.upper, chart::kVermillion, QCoreApplication::translate("Charts", "deficient"));
   QPainterPath path;
   bool anew = true;  // a verdict ends a test, and the next begins at 0
   for (std::size_t i = 0; i < sums.size(); ++i) {

@@ -3,6 +3,8 @@
 #include <QString>
 #include <cstdio>
 
+#include "gui/session/words_from_below.h"
+
 namespace vallecula::gui {
 
 const char* verdict(const curricula::Score& score) {
@@ -10,6 +12,8 @@ const char* verdict(const curricula::Score& score) {
 }
 
 std::string escaped(const std::string& text) { return QString::fromStdString(text).toHtmlEscaped().toStdString(); }
+
+std::string in_page(const std::string& text) { return in_words(text).toHtmlEscaped().toStdString(); }
 
 std::string number(double value, int digits) {
   char text[64];

@@ -17,6 +17,7 @@ Row row(const curricula::Score& score, const std::string& name, const std::strin
 
 const char* verdict(const curricula::Score& score);  ///< "Passed", "Not passed", or "Set aside" where it counts neither way
 std::string escaped(const std::string& text);  ///< for HTML
+std::string in_page(const std::string& text);  ///< in the window's language (in_words), for HTML
 std::string number(double value, int digits);
 std::string force(double peak_n, double at_s);  ///< "1.50 N, at 3.2 s"
 

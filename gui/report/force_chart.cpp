@@ -1,6 +1,7 @@
 #include "gui/report/force_chart.h"
 
 #include <QBuffer>
+#include <QCoreApplication>
 #include <QGuiApplication>
 #include <QPainter>
 #include <algorithm>
@@ -64,11 +65,13 @@ QImage draw_force_chart(const curricula::TrialLog& log, const curricula::Scenari
   const QRectF force_frame(left, 4.6 * em, right - left, height - 4.6 * em - sight_height - 5.8 * em);
   const QRectF sight_frame(left, force_frame.bottom() + 1.6 * em, right - left, sight_height);
 
-  begin_chart(painter, em, left, right, QStringLiteral("Force over time: ") + QString::fromStdString(scenario.title));
-  draw_legend(painter, QRectF(left, 2.6 * em, right - left, 1.4 * em), em,
-              {{QStringLiteral("tongue"), QPen(kTongue, em * 0.18)},
-               {QStringLiteral("gum"), QPen(kGum, em * 0.18)},
-               {QStringLiteral("shown by the device"), QPen(kDisplayed, em * 0.1, Qt::DotLine)}});
+  begin_chart(painter, em, left, right,
+              QCoreApplication::translate("Charts", "Force over time: %1").arg(QString::fromStdString(scenario.title)));
+  draw_legend(
+      painter, QRectF(left, 2.6 * em, right - left, 1.4 * em), em,
+      {{QCoreApplication::translate("Charts", "tongue"), QPen(kTongue, em * 0.18)},
+       {QCoreApplication::translate("Charts", "gum"), QPen(kGum, em * 0.18)},
+       {QCoreApplication::translate("Charts", "shown by the device"), QPen(kDisplayed, em * 0.1, Qt::DotLine)}});
 
   Panel force(painter, force_frame, end_s, highest * 1.15, em);
   Panel view(painter, sight_frame, end_s, 100.0, em);
@@ -76,37 +79,44 @@ QImage draw_force_chart(const curricula::TrialLog& log, const curricula::Scenari
     force.span(from_s, to_s, chart::kAttempt);
     view.span(from_s, to_s, chart::kAttempt);
   }
-  force.axes(QStringLiteral("force (N)"), 8, false);
-  view.axes(sight_height < 8.0 * em ? QStringLiteral("seen (%)") : QStringLiteral("glottis seen (%)"), 2, true);
+  force.axes(QCoreApplication::translate("Charts", "force (N)"), 8, false);
+  view.axes(sight_height < 8.0 * em ? QCoreApplication::translate("Charts", "seen (%)")
+                                    : QCoreApplication::translate("Charts", "glottis seen (%)"),
+            2, true);
 
   force.line(gum, QPen(kGum, em * 0.16));
   force.line(tongue, QPen(kTongue, em * 0.18));
   force.line(displayed, QPen(kDisplayed, em * 0.1, Qt::DotLine));
   view.line(sight, QPen(kSight.darker(130), em * 0.16));
   for (const curricula::Pause& pause : score.pauses) {
-    force.pause(pause.at_s, pause.at_s + pause.for_s, QStringLiteral("paused"));
+    force.pause(pause.at_s, pause.at_s + pause.for_s, QCoreApplication::translate("Charts", "paused"));
     view.pause(pause.at_s, pause.at_s + pause.for_s, QString());
   }
   const double limit_n = log.header.device_limit_n, target_n = scenario.targets.tongue_force_n;
-  force.level(limit_n, kLimit, Qt::DashLine, QStringLiteral("device limit %1 N").arg(chart::number(limit_n, 1)),
+  force.level(limit_n, kLimit, Qt::DashLine,
+              QCoreApplication::translate("Charts", "device limit %1 N").arg(chart::number(limit_n, 1)),
               limit_n >= target_n);
   force.level(target_n, kTarget, Qt::DashDotLine,
-              QStringLiteral("training target, tongue %1 N").arg(chart::number(target_n, 1)), target_n > limit_n);
+              QCoreApplication::translate("Charts", "training target, tongue %1 N").arg(chart::number(target_n, 1)),
+              target_n > limit_n);
   view.level(scenario.sight_percent, kSight, Qt::DashLine,
-             QStringLiteral("counts as in sight from %1 %").arg(chart::number(scenario.sight_percent, 0)), true);
+             QCoreApplication::translate("Charts", "counts as in sight from %1 %")
+                 .arg(chart::number(scenario.sight_percent, 0)),
+             true);
   if (score.time_to_trachea_visible_s >= 0.0) {
-    force.moment(
-        score.time_of_first_sight_s, kSight,
-        QStringLiteral("first sight, %1 s into the attempt").arg(chart::number(score.time_to_trachea_visible_s, 1)));
+    force.moment(score.time_of_first_sight_s, kSight,
+                 QCoreApplication::translate("Charts", "first sight, %1 s into the attempt")
+                     .arg(chart::number(score.time_to_trachea_visible_s, 1)));
     view.moment(score.time_of_first_sight_s, kSight, QString());
   }
   if (score.peak_gum_force_n > 0.0) {
     force.peak(score.time_of_peak_gum_force_s, score.peak_gum_force_n, kGum,
-               QStringLiteral("gum peak %1 N").arg(chart::number(score.peak_gum_force_n, 2)));
+               QCoreApplication::translate("Charts", "gum peak %1 N").arg(chart::number(score.peak_gum_force_n, 2)));
   }
   if (score.peak_tongue_force_n > 0.0) {
-    force.peak(score.time_of_peak_tongue_force_s, score.peak_tongue_force_n, kTongue,
-               QStringLiteral("tongue peak %1 N").arg(chart::number(score.peak_tongue_force_n, 2)));
+    force.peak(
+        score.time_of_peak_tongue_force_s, score.peak_tongue_force_n, kTongue,
+        QCoreApplication::translate("Charts", "tongue peak %1 N").arg(chart::number(score.peak_tongue_force_n, 2)));
   }
   return image;
 }

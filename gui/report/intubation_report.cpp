@@ -1,5 +1,7 @@
 #include "gui/report/intubation_report.h"
 
+#include "gui/session/words_from_below.h"
+
 namespace vallecula::gui {
 
 namespace {
@@ -57,16 +59,19 @@ Row outcome(const curricula::Score& score, const curricula::Scenario& scenario) 
 
 std::string intubation_sentence(const curricula::Score& score, const curricula::Scenario& scenario) {
   const curricula::IntubationScore& i = *score.intubation;
-  std::string text =
-      std::string(verdict(score)) + " (" + scenario.title + "): " + outcome_in_words(i) + ". ";
-  if (i.attempts.empty()) return text + "The blade never entered the mouth.";
-  text += count(i.attempts.size(), "attempt") + (i.attempts.size() == 1 ? " of " : ", the longest of ") +
-          number(score.attempt_time_s, 1) + " s";
+  std::string text = in_words(verdict(score)).toStdString() + " (" + scenario.title + "): " + in_words(outcome_in_words(i)).toStdString() + ". ";
+  if (i.attempts.empty()) return text + in_words("The blade never entered the mouth.").toStdString();
+  text += in_words(count(i.attempts.size(), "attempt") + (i.attempts.size() == 1 ? " of " : ", the longest of ") +
+                   number(score.attempt_time_s, 1) + " s")
+              .toStdString();
   if (i.lowest_spo2_percent && i.lowest_heart_per_min)
-    text += ", saturation down to " + number(*i.lowest_spo2_percent, 0) + " %, heart to " +
-            number(*i.lowest_heart_per_min, 0) + " per minute";
-  return text + ", with at most " + number(score.peak_tongue_force_n, 1) + " N on the tongue and " +
-         number(i.tip_load_n.value, 1) + " N along the tube.";
+    text += ", " + in_words("saturation down to " + number(*i.lowest_spo2_percent, 0) + " %, heart to " +
+                            number(*i.lowest_heart_per_min, 0) + " per minute")
+                       .toStdString();
+  return text + ", " +
+         in_words("with at most " + number(score.peak_tongue_force_n, 1) + " N on the tongue and " +
+                  number(i.tip_load_n.value, 1) + " N along the tube.")
+             .toStdString();
 }
 
 std::vector<Row> intubation_rows(const curricula::Score& score, const curricula::Scenario& scenario) {
@@ -115,23 +120,29 @@ std::vector<Row> intubation_rows(const curricula::Score& score, const curricula:
 std::string attempts_html(const curricula::Score& score) {
   const std::vector<curricula::Attempt>& attempts = score.intubation->attempts;
   if (attempts.empty()) return "";
-  std::string html =
-      "<h2>Attempts</h2>\n<table>\n<tr><th></th><th>From, to (s)</th><th>Took</th><th>Breaths before</th><th>To "
-      "view</th><th>To pass</th><th>Saturation, before and lowest</th><th>Lowest heart</th></tr>\n";
+  std::string html = "<h2>" + in_page("Attempts") + "</h2>\n<table>\n<tr><th></th>";
+  for (const char* column : {"From, to (s)", "Took", "Breaths before", "To view", "To pass",
+                             "Saturation, before and lowest", "Lowest heart"})
+    html += "<th>" + in_page(column) + "</th>";
+  html += "</tr>\n";
   for (std::size_t n = 0; n < attempts.size(); ++n) {
     const curricula::Attempt& a = attempts[n];
     html += "<tr><td>" + std::to_string(n + 1) + "</td><td>" + number(a.start_s, 1) + ", " + number(a.end_s, 1) +
             "</td><td class=\"figure\">" + number(a.time_s, 1) + " s</td><td>" + std::to_string(a.breaths_before) +
-            "</td><td>" + seconds_or(a.time_to_view_s, "never") + "</td><td>" + seconds_or(a.time_to_pass_s, "never") +
-            "</td><td>" + number(a.highest_spo2_before_percent, 0) + " %, " + number(a.lowest_spo2_percent, 0) + " %" +
-            (a.desaturated ? ": severe desaturation" : "") + "</td><td>" + number(a.lowest_heart_per_min, 0) +
-            " per minute" + (a.bradycardia ? ": bradycardia" : "") + "</td></tr>\n";
+            "</td><td>" + in_page(seconds_or(a.time_to_view_s, "never")) + "</td><td>" +
+            in_page(seconds_or(a.time_to_pass_s, "never")) + "</td><td>" + number(a.highest_spo2_before_percent, 0) +
+            " %, " + number(a.lowest_spo2_percent, 0) + " %" +
+            (a.desaturated ? ": " + in_page("severe desaturation") : "") + "</td><td>" +
+            in_page(number(a.lowest_heart_per_min, 0) + " per minute") +
+            (a.bradycardia ? ": " + in_page("bradycardia") : "") + "</td></tr>\n";
   }
-  return html +
-         "</table>\n<p class=\"foot\">An attempt is one way of the blade into the mouth and out. Its lowest values "
-         "count until the next one begins, for the display is late. Severe desaturation: " +
-         number(curricula::kSevereDesaturation, 0) + " points or more. Bradycardia: below " +
-         number(curricula::kBradycardia, 0) + " per minute (both NEAR4NEOS).</p>\n";
+  return html + "</table>\n<p class=\"foot\">" +
+         in_page(
+             "An attempt is one way of the blade into the mouth and out. Its lowest values count until the next one "
+             "begins, for the display is late. Severe desaturation: " +
+             number(curricula::kSevereDesaturation, 0) + " points or more. Bradycardia: below " +
+             number(curricula::kBradycardia, 0) + " per minute (both NEAR4NEOS).") +
+         "</p>\n";
 }
 
 }  // namespace vallecula::gui

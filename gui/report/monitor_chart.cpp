@@ -1,5 +1,6 @@
 #include "gui/report/monitor_chart.h"
 
+#include <QCoreApplication>
 #include <QGuiApplication>
 #include <QPainter>
 #include <algorithm>
@@ -68,13 +69,15 @@ QImage draw_monitor_chart(const curricula::TrialLog& log, const curricula::Scena
   const double em = chart_em(width, height);
   const TimeAxis axis = chart_time_axis(width, height, log.ticks.empty() ? 0.0 : log.ticks.back().time_s);
   const double left = axis.left, right = axis.right, gap = 1.6 * em;
-  begin_chart(painter, em, left, right, QStringLiteral("The monitor: ") + QString::fromStdString(scenario.title));
+  begin_chart(painter, em, left, right,
+              QCoreApplication::translate("Charts", "The monitor: %1").arg(QString::fromStdString(scenario.title)));
   draw_legend(painter, QRectF(left, 2.6 * em, right - left, 1.4 * em), em,
-              {{QStringLiteral("saturation as displayed"), QPen(kSpo2, em * 0.18)},
-               {QStringLiteral("as it really was"), QPen(kSao2, em * 0.1, Qt::DotLine)},
-               {QStringLiteral("heart"), QPen(kHeart, em * 0.18)},
-               {QStringLiteral("a breath given"), QPen(chart::kInk, em * 0.12)},
-               {QStringLiteral("tip in the oesophagus"), QPen(kOesophagus, em * 0.9, Qt::SolidLine, Qt::FlatCap)}});
+              {{QCoreApplication::translate("Charts", "saturation as displayed"), QPen(kSpo2, em * 0.18)},
+               {QCoreApplication::translate("Charts", "as it really was"), QPen(kSao2, em * 0.1, Qt::DotLine)},
+               {QCoreApplication::translate("Charts", "heart"), QPen(kHeart, em * 0.18)},
+               {QCoreApplication::translate("Charts", "a breath given"), QPen(chart::kInk, em * 0.12)},
+               {QCoreApplication::translate("Charts", "tip in the oesophagus"),
+                QPen(kOesophagus, em * 0.9, Qt::SolidLine, Qt::FlatCap)}});
 
   const double room = height - 4.6 * em - 4.2 * em - 2.0 * gap;
   const QRectF top(left, 4.6 * em, right - left, 0.45 * room);
@@ -89,8 +92,12 @@ QImage draw_monitor_chart(const curricula::TrialLog& log, const curricula::Scena
   }
   saturation.axes(QStringLiteral("SpO2 (%)"), bottom.height() < 8.0 * em ? 2 : 6, false);
   const bool small = bottom.height() < 8.0 * em;  // on a page of a small window
-  heart.axes(small ? QStringLiteral("heart") : QStringLiteral("heart (per minute)"), small ? 2 : 5, false);
-  view.axes(small ? QStringLiteral("seen (%)") : QStringLiteral("glottis seen (%)"), small ? 1 : 2, true);
+  heart.axes(small ? QCoreApplication::translate("Charts", "heart")
+                   : QCoreApplication::translate("Charts", "heart (per minute)"),
+             small ? 2 : 5, false);
+  view.axes(small ? QCoreApplication::translate("Charts", "seen (%)")
+                  : QCoreApplication::translate("Charts", "glottis seen (%)"),
+            small ? 1 : 2, true);
 
   saturation.line(recorded.sao2, QPen(kSao2, em * 0.1, Qt::DotLine));
   saturation.line(recorded.spo2, QPen(kSpo2, em * 0.18));
@@ -100,31 +107,40 @@ QImage draw_monitor_chart(const curricula::TrialLog& log, const curricula::Scena
   for (const double at_s : recorded.breaths_s)
     painter.drawLine(QPointF(saturation.x(at_s), top.bottom() - 0.9 * em), QPointF(saturation.x(at_s), top.bottom()));
   for (const curricula::Pause& pause : score.pauses) {
-    saturation.pause(pause.at_s, pause.at_s + pause.for_s, QStringLiteral("paused"));
+    saturation.pause(pause.at_s, pause.at_s + pause.for_s, QCoreApplication::translate("Charts", "paused"));
     heart.pause(pause.at_s, pause.at_s + pause.for_s, QString());
     view.pause(pause.at_s, pause.at_s + pause.for_s, QString());
   }
 
   const curricula::IntubationPass& pass = scenario.intubation ? scenario.intubation->pass : curricula::IntubationPass{};
   if (pass.lowest_spo2_percent)
-    saturation.level(*pass.lowest_spo2_percent, chart::kVermillion, Qt::DashLine,
-                     QStringLiteral("not below %1 %").arg(chart::number(*pass.lowest_spo2_percent, 0)), false);
-  heart.level(curricula::kBradycardia, chart::kVermillion, Qt::DashLine,
-              QStringLiteral("bradycardia below %1").arg(chart::number(curricula::kBradycardia, 0)), false);
+    saturation.level(
+        *pass.lowest_spo2_percent, chart::kVermillion, Qt::DashLine,
+        QCoreApplication::translate("Charts", "not below %1 %").arg(chart::number(*pass.lowest_spo2_percent, 0)),
+        false);
+  heart.level(
+      curricula::kBradycardia, chart::kVermillion, Qt::DashLine,
+      QCoreApplication::translate("Charts", "bradycardia below %1").arg(chart::number(curricula::kBradycardia, 0)),
+      false);
   view.level(scenario.sight_percent, kSight, Qt::DashLine,
-             QStringLiteral("counts as in sight from %1 %").arg(chart::number(scenario.sight_percent, 0)), true);
+             QCoreApplication::translate("Charts", "counts as in sight from %1 %")
+                 .arg(chart::number(scenario.sight_percent, 0)),
+             true);
   for (const curricula::Attempt& attempt : intubation.attempts) {
-    if (attempt.view_at_s) view.moment(*attempt.view_at_s, kSight, QStringLiteral("view"));
+    if (attempt.view_at_s) view.moment(*attempt.view_at_s, kSight, QCoreApplication::translate("Charts", "view"));
     if (attempt.passed_cords_s)
-      saturation.moment(*attempt.passed_cords_s, kPassed, QStringLiteral("tube past the cords"));
+      saturation.moment(*attempt.passed_cords_s, kPassed, QCoreApplication::translate("Charts", "tube past the cords"));
   }
-  for (const double at_s : recorded.yellow_s) heart.moment(at_s, kYellow, QStringLiteral("CO2: detector yellow"));
+  for (const double at_s : recorded.yellow_s)
+    heart.moment(at_s, kYellow, QCoreApplication::translate("Charts", "CO2: detector yellow"));
   if (intubation.lowest_spo2_percent)
-    saturation.peak(intubation.lowest_spo2_at_s, *intubation.lowest_spo2_percent, kSpo2,
-                    QStringLiteral("lowest %1 %").arg(chart::number(*intubation.lowest_spo2_percent, 0)));
+    saturation.peak(
+        intubation.lowest_spo2_at_s, *intubation.lowest_spo2_percent, kSpo2,
+        QCoreApplication::translate("Charts", "lowest %1 %").arg(chart::number(*intubation.lowest_spo2_percent, 0)));
   if (intubation.lowest_heart_per_min)
     heart.peak(intubation.lowest_heart_at_s, *intubation.lowest_heart_per_min, kHeart,
-               QStringLiteral("lowest %1 per minute").arg(chart::number(*intubation.lowest_heart_per_min, 0)));
+               QCoreApplication::translate("Charts", "lowest %1 per minute")
+                   .arg(chart::number(*intubation.lowest_heart_per_min, 0)));
   return image;
 }
 

@@ -2,10 +2,12 @@
 
 #include <QBuffer>
 #include <QByteArray>
+#include <QCoreApplication>
 #include <algorithm>
 #include <vector>
 
 #include "curricula/records/trial_files.h"
+#include "gui/pages/languages.h"
 #include "gui/report/advice.h"
 #include "gui/report/figure_row.h"
 #include "gui/report/intubation_report.h"
@@ -13,6 +15,7 @@
 #include "gui/report/monitor_chart.h"
 #include "gui/report/technique_report.h"
 #include "gui/session/files.h"
+#include "gui/session/words_from_below.h"
 
 namespace vallecula::gui {
 
@@ -68,9 +71,11 @@ std::vector<Row> report_rows(const curricula::Score& score, const curricula::Tri
 
 namespace {
 
+std::string title(const std::string& text) { return "<h2>" + in_page(text) + "</h2>\n"; }
+
 std::string picture(const std::string& png, const std::string& what) {
   const std::string base64 = QByteArray::fromRawData(png.data(), static_cast<int>(png.size())).toBase64().toStdString();
-  return "<img alt=\"" + what + "\" src=\"data:image/png;base64," + base64 + "\">\n";
+  return "<img alt=\"" + in_page(what) + "\" src=\"data:image/png;base64," + base64 + "\">\n";
 }
 
 std::string png_of(const QImage& image) {
@@ -82,10 +87,11 @@ std::string png_of(const QImage& image) {
 }
 
 std::string table(const std::vector<Row>& rows) {
-  std::string html = "<table>\n<tr><th>Figure</th><th>Measured</th><th>Demanded</th><th></th></tr>\n";
+  std::string html = "<table>\n<tr><th>" + in_page("Figure") + "</th><th>" + in_page("Measured") + "</th><th>" +
+                     in_page("Demanded") + "</th><th></th></tr>\n";
   for (const Row& row : rows) {
-    html += "<tr><td>" + escaped(row.name) + "</td><td class=\"figure\">" + escaped(row.value) + "</td><td>" +
-            escaped(row.limit) + "</td><td class=\"" + row.verdict + "\">" + row.verdict + "</td></tr>\n";
+    html += "<tr><td>" + in_page(row.name) + "</td><td class=\"figure\">" + in_page(row.value) + "</td><td>" +
+            in_page(row.limit) + "</td><td class=\"" + row.verdict + "\">" + in_page(row.verdict) + "</td></tr>\n";
   }
   return html + "</table>\n";
 }
@@ -120,73 +126,85 @@ std::string pauses_in_words(const curricula::Score& score) {
 std::string summary_sentence(const curricula::Score& score, const curricula::Scenario& scenario) {
   if (score.intubation) return intubation_sentence(score, scenario);
   const bool seen = score.time_to_trachea_visible_s >= 0.0;
-  return std::string(verdict(score)) + " (" + scenario.title + "): " +
-         (seen ? "the glottis came into sight after " + number(score.time_to_trachea_visible_s, 1) + " s (" +
-                     number(score.glottis_visible_max_percent, 0) + " % at best)"
-               : "the glottis never came into sight (" + number(score.glottis_visible_max_percent, 0) + " % at best)") +
-         ", with at most " + number(score.peak_tongue_force_n, 1) + " N on the tongue and " +
-         number(score.peak_gum_force_n, 1) + " N on the gums" +
-         (score.attempt_begun ? ", in an attempt of " + number(score.attempt_time_s, 1) + " s."
-                              : "; the blade never entered the mouth.");
+  const std::string sight =
+      seen ? "the glottis came into sight after " + number(score.time_to_trachea_visible_s, 1) + " s (" +
+                 number(score.glottis_visible_max_percent, 0) + " % at best)"
+           : "the glottis never came into sight (" + number(score.glottis_visible_max_percent, 0) + " % at best)";
+  const std::string forces = "with at most " + number(score.peak_tongue_force_n, 1) + " N on the tongue and " +
+                             number(score.peak_gum_force_n, 1) + " N on the gums";
+  const std::string attempt = score.attempt_begun ? "in an attempt of " + number(score.attempt_time_s, 1) + " s."
+                                                  : "the blade never entered the mouth.";
+  return QString("%1 (%2): %3, %4%5 %6")
+      .arg(in_words(verdict(score)), QString::fromStdString(scenario.title), in_words(sight),
+           in_words(forces), score.attempt_begun ? "," : ";", in_words(attempt))
+      .toStdString();
 }
 
 void write_report(const fs::path& folder, const curricula::TrialLog& log, const curricula::Scenario& scenario,
                   const curricula::Score& score) {
-  std::string html =
-      "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>Vallecula: " + escaped(scenario.title) +
-      "</title>\n<meta name=\"viewport\" content=\"width=device-width\">\n<style>" + kStyle +
-      "</style></head><body>\n<h1>" + escaped(scenario.title) + "</h1>\n<p class=\"sub\">Patient " +
-      escaped(log.header.package_name) + ", scenario " + escaped(scenario.id) + "</p>\n";
+  std::string html = "<!DOCTYPE html>\n<html lang=\"" + language().toStdString() +
+                     "\"><head><meta charset=\"utf-8\"><title>Vallecula: " + escaped(scenario.title) +
+                     "</title>\n<meta name=\"viewport\" content=\"width=device-width\">\n<style>" + kStyle +
+                     "</style></head><body>\n<h1>" + escaped(scenario.title) + "</h1>\n<p class=\"sub\">" +
+                     QCoreApplication::translate("Report", "Patient %1, scenario %2")
+                         .arg(QString::fromStdString(log.header.package_name), QString::fromStdString(scenario.id))
+                         .toHtmlEscaped()
+                         .toStdString() +
+                     "</p>\n";
   html += std::string("<p class=\"summary ") + (!score.set_aside.empty() ? "" : score.passed ? "passed" : "failed") + "\">" +
           escaped(summary_sentence(score, scenario)) + "</p>\n<p class=\"change\">" +
-          escaped(what_to_change(score, scenario)) + "</p>\n";
+          in_page(what_to_change(score, scenario)) + "</p>\n";
   if (!score.reasons.empty()) {
-    html += !score.set_aside.empty() ? "<h2>Why it counts neither way, and what was measured</h2>\n<ul>\n"
-            : score.passed           ? "<h2>Why it was passed</h2>\n<ul>\n"
-                                     : "<h2>Why it was not passed</h2>\n<ul>\n";
-    for (const std::string& reason : score.reasons) html += "<li>" + escaped(reason) + "</li>\n";
+    html += title(!score.set_aside.empty() ? "Why it counts neither way, and what was measured"
+                  : score.passed           ? "Why it was passed"
+                                           : "Why it was not passed") + "<ul>\n";
+    for (const std::string& reason : score.reasons) html += "<li>" + in_page(reason) + "</li>\n";
     html += "</ul>\n";
   }
   html += points_html(score, scenario);
-  html += "<h2>Figures</h2>\n" + table(report_rows(score, log, scenario));
+  html += title("Figures") + table(report_rows(score, log, scenario));
   if (score.intubation) {
     html += attempts_html(score);
-    html += "<h2>The monitor</h2>\n" + picture(png_of(draw_monitor_chart(log, scenario, score)),
-                                               "Saturation, heart rate and glottis in sight over time, with attempts, "
-                                               "breaths and the tube's passing marked");
+    html += title("The monitor") + picture(png_of(draw_monitor_chart(log, scenario, score)),
+                                           "Saturation, heart rate and glottis in sight over time, with attempts, "
+                                           "breaths and the tube's passing marked");
   }
   html += checklist_html(score);
-  html += "<h2>Force over time</h2>\n" +
+  html += title("Force over time") +
           picture(read_file(folder / "force.png"),
                   "Force on tongue and gum over time, with limit, target, peak and first sight marked");
   html +=
-      "<p class=\"foot\">The shaded span is the attempt, blade into the mouth to blade out; grey is a pause, in which the "
-      "device could not be used. Tongue and gum: force of "
-      "the "
-      "tissue on the blade (model force). The dotted line is what the device was told to show. A peak is the largest "
-      "single tick of 1 ms, unfiltered. Time over the device limit counts until a device that was lost has taken hold "
-      "again.</p>\n";
+      "<p class=\"foot\">" +
+      QCoreApplication::translate(
+          "Report",
+          "The shaded span is the attempt, blade into the mouth to blade out; grey is a pause, in which the device "
+          "could "
+          "not be used. Tongue and gum: force of the tissue on the blade (model force). The dotted line is what the "
+          "device was told to show. A peak is the largest single tick of 1 ms, unfiltered. Time over the device limit "
+          "counts until a device that was lost has taken hold again.")
+          .toStdString() +
+      "</p>\n";
   if (const std::string debriefing = html_of(scenario.debriefing).toStdString(); !debriefing.empty())
-    html += "<h2>Debriefing</h2>\n" + debriefing + "\n";
+    html += title("Debriefing") + debriefing + "\n";
   const std::vector<fs::path> shots = curricula::screenshots_in(folder);
   if (!shots.empty()) {
-    html += "<h2>Pictures</h2>\n<div class=\"shots\">\n";
+    html += title("Pictures") + "<div class=\"shots\">\n";
     for (const fs::path& shot : shots) {
       const std::string name = escaped(shot.filename().string());
       html += "<figure><img alt=\"" + name + "\" src=\"" + name + "\"><figcaption>" + name + "</figcaption></figure>\n";
     }
     html += "</div>\n";
   }
-  html += "<h2>How it was recorded</h2>\n<table>\n";
+  html += title("How it was recorded") + "<table>\n";
   const auto line = [&html](const std::string& name, const std::string& value) {
-    html += "<tr><td>" + escaped(name) + "</td><td>" + escaped(value) + "</td></tr>\n";
+    html += "<tr><td>" + in_page(name) + "</td><td>" + in_page(value) + "</td></tr>\n";
   };
   line("Device", log.header.device_kind + ", limit " + number(log.header.device_limit_n, 1) + " N");
-  line("Servo loop", log.header.realtime ? number(score.loop_rate_hz, 1) + " Hz over " + std::to_string(score.ticks) +
-                                               " ticks, " + std::to_string(score.deadline_misses) +
-                                               " deadline misses, " + std::to_string(score.overruns) +
-                                               " simulation steps dropped"
-                                         : std::to_string(score.ticks) + " ticks of 1 ms, not in real time");
+  line("Servo loop", log.header.realtime
+                         ? number(score.loop_rate_hz, 1) + " Hz over " + std::to_string(score.ticks) + " ticks, " +
+                               std::to_string(score.deadline_misses) + " deadline misses, " +
+                               std::to_string(score.overruns) + " simulation steps dropped"
+                         : std::to_string(score.ticks) + " ticks of 1 ms, not in real time");
   if (!score.real_time_setup.empty()) line("Real-time set-up", score.real_time_setup);
   line("How it ended", log.footer.ended);
   line("Vallecula", log.header.software_version + ", build " + log.header.build_hash.substr(0, 12) + ", kernels " +
@@ -195,9 +213,13 @@ void write_report(const fs::path& folder, const curricula::TrialLog& log, const 
   line("Scenario", scenario.id + ", sha256 " + log.header.scenario_sha256.substr(0, 12));
   if (!log.header.tool_sha256.empty())
     line("Tool", "a tool of its own, tool.ply, sha256 " + log.header.tool_sha256.substr(0, 12));
-  html +=
-      "</table>\n<p class=\"foot\">Vallecula is a training tool, not a medical device. Limits and targets are training "
-      "targets, not injury thresholds.</p>\n</body></html>\n";
+  html += "</table>\n<p class=\"foot\">" +
+          QCoreApplication::translate(
+              "Report",
+              "Vallecula is a training tool, not a medical device. Limits and targets are training targets, not injury "
+              "thresholds.")
+              .toStdString() +
+          "</p>\n</body></html>\n";
   write_file_whole(folder / "report.html", html);
 }
 

@@ -97,19 +97,19 @@ std::vector<Row> technique_rows(const curricula::Score& score) {
 }
 
 std::string checklist_html(const curricula::Score& score) {
-  std::string html = "<h2>Checklist</h2>\n<table>\n<tr><th>Item</th><th>Done</th><th>At</th><th>Why</th></tr>\n";
+  std::string html = "<h2>" + in_page("Checklist") + "</h2>\n<table>\n<tr><th>" + in_page("Item") + "</th><th>" +
+                     in_page("Done") + "</th><th>" + in_page("At") + "</th><th>" + in_page("Why") + "</th></tr>\n";
   for (const curricula::ChecklistItem& one : score.checklist) {
     using Done = curricula::ChecklistItem::Done;
     const char* shade = one.done == Done::yes ? "met" : one.done == Done::no ? "missed" : "";
-    html += "<tr><td>" + escaped(one.text) + "</td><td class=\"" + shade + "\">" + name_of(one.done) + "</td><td>" +
-            when(one.at_s) + "</td><td>" + escaped(one.sentence) + "</td></tr>\n";
+    html += "<tr><td>" + in_page(one.text) + "</td><td class=\"" + shade + "\">" + in_page(name_of(one.done)) +
+            "</td><td>" + when(one.at_s) + "</td><td>" + in_page(one.sentence) + "</td></tr>\n";
   }
-  html +=
-      "</table>\n<p class=\"foot\">What the log has not seen is left to the instructor. The items are not "
-      "validated.</p>\n";
-  html += "<p>Global rating, by a person:";
+  html += "</table>\n<p class=\"foot\">" +
+          in_page("What the log has not seen is left to the instructor. The items are not validated.") + "</p>\n";
+  html += "<p>" + in_page("Global rating, by a person:");
   for (std::size_t i = 0; i < curricula::kGlobalRatingWords.size(); ++i)
-    html += " &#9744; " + std::to_string(i + 1) + " " + escaped(curricula::kGlobalRatingWords[i]);
+    html += " &#9744; " + std::to_string(i + 1) + " " + in_page(curricula::kGlobalRatingWords[i]);
   return html + "</p>\n";
 }
 
@@ -120,12 +120,13 @@ std::string points_html(const curricula::Score& score, const curricula::Scenario
   std::string lines;
   for (const curricula::MarkPoints& one : points) {
     earned += one.earned;
-    lines += "<tr><td class=\"figure\">" + number(one.earned, 1) + " of " + number(one.of, 1) + "</td><td>" +
-             when(one.at_s) + "</td><td>" + escaped(one.sentence) + "</td><td>" + escaped(one.source) + "</td></tr>\n";
+    lines += "<tr><td class=\"figure\">" + in_page(number(one.earned, 1) + " of " + number(one.of, 1)) + "</td><td>" +
+             when(one.at_s) + "</td><td>" + in_page(one.sentence) + "</td><td>" + in_page(one.source) + "</td></tr>\n";
   }
-  return "<h2>Points: " + number(earned, 0) +
-         " of 100</h2>\n<table>\n<tr><th>Points</th><th>At</th><th>Why</th><th>Limit by</th></tr>\n" + lines +
-         "</table>\n<p class=\"foot\">Points inform; what fails a trial is the mark, whatever its weight.</p>\n";
+  return "<h2>" + in_page("Points: " + number(earned, 0) + " of 100") + "</h2>\n<table>\n<tr><th>" + in_page("Points") +
+         "</th><th>" + in_page("At") + "</th><th>" + in_page("Why") + "</th><th>" + in_page("Limit by") +
+         "</th></tr>\n" + lines + "</table>\n<p class=\"foot\">" +
+         in_page("Points inform; what fails a trial is the mark, whatever its weight.") + "</p>\n";
 }
 
 std::vector<std::string> points_lines(const curricula::Score& score, const curricula::Scenario& scenario) {

@@ -96,6 +96,7 @@ std::shared_ptr<ReplayTrial> open_replay(const std::filesystem::path& trial, con
   progress("Building the scene", 0.6);
   opened->film = std::make_unique<ReplayFilm>(opened->log, opened->scene);
   progress("Light and colour", 0.75);
+  opened->heat = std::make_unique<ContactHeat>(*opened->film, scene.package.tongue, opened->scene.tool);
   opened->look = make_patient_look(std::move(scene.package), {}, Seen::all_round, scene.package_folder);
   progress("Ready", 1.0);
   return opened;

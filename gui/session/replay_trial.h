@@ -11,7 +11,7 @@
 #include "curricula/score/points.h"
 #include "engine/scene.h"
 #include "gui/session/replay_events.h"
-#include "gui/session/replay_film.h"
+#include "gui/session/contact_heat.h"
 #include "gui/views/patient_look.h"
 
 namespace vallecula::gui {
@@ -42,6 +42,7 @@ struct ReplayTrial {
   TipPath path, expert_path;  ///< the scripted expert's on this patient; empty: it has no plan for it
   std::vector<PeaksSoFar> peaks;
   std::unique_ptr<ReplayFilm> film;  ///< computing since it was opened
+  std::unique_ptr<ContactHeat> heat;  ///< of the film, likewise
 
   double end_s() const { return log->ticks.back().time_s; }
   const curricula::LogTick& tick_at(double time_s) const;

@@ -12,8 +12,6 @@ namespace {
 
 constexpr double kPatienceS = 1.0;  ///< the window's end waits for it
 
-QString trials(int count) { return count == 1 ? QStringLiteral("1 trial") : QString("%1 trials").arg(count); }
-
 }  // namespace
 
 StatementDelivery::StatementDelivery(QObject* parent) : QObject(parent), thread_([this] { run(); }) {}
@@ -57,15 +55,15 @@ double StatementDelivery::send_once(int failures) {
     location.patience_s = kPatienceS;
     curricula::Records records(location);
     if (stop_) return 0.0;
-    const curricula::Delivery delivery = curricula::send_waiting(
-        records, chosen->lrs, curricula::xapi_source(records, chosen->home_page), &stop_);
+    const curricula::Delivery delivery =
+        curricula::send_waiting(records, chosen->lrs, curricula::xapi_source(records, chosen->home_page), &stop_);
     if (stop_) return 0.0;
-    if (delivery.sent > 0) emit told(trials(delivery.sent) + " sent to the learning record store");
+    if (delivery.sent > 0) emit told(tr("%n trial(s) sent to the learning record store", "", delivery.sent));
     if (delivery.refused > 0)
-      emit told(trials(delivery.refused) + " refused by the learning record store: " +
-                QString::fromStdString(curricula::waiting_statements(records).last_refusal));
+      emit told(tr("%n trial(s) refused by the learning record store: %1", "", delivery.refused)
+                    .arg(QString::fromStdString(curricula::waiting_statements(records).last_refusal)));
     if (delivery.problem.empty()) return 0.0;
-    emit told(trials(delivery.left) + " not sent yet: " + QString::fromStdString(delivery.problem));
+    emit told(tr("%n trial(s) not sent yet: %1", "", delivery.left).arg(QString::fromStdString(delivery.problem)));
   } catch (const std::exception& error) {
     if (stop_) return 0.0;
     emit told(QString::fromStdString(error.what()));

@@ -1,3 +1,5892 @@
 <?xml version="1.0" encoding="utf-8"?>
 <!DOCTYPE TS>
-<TS version="2.1" language="de" sourcelanguage="en"></TS>
+<TS version="2.1" language="de" sourcelanguage="en">
+<context>
+    <name>AccountTab</name>
+    <message>
+        <source>Nobody is registered here yet: register as a trainee, or set up the first instructor.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Advice</name>
+    <message>
+        <source>Draw the tube as soon as six breaths bring no colour and no faster heart: it was in the oesophagus, and that must be known early.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Watch the tip pass between the cords, and give breaths until the detector tells: the tube went behind the larynx.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop when the black mark stands at the cords: deeper, the tube goes into one lung.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Draw the tube back until the black mark stands at the cords, and keep the mark at the lips in mind.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bring the tube on until the black mark stands at the cords: a shallow tube slips out when the head moves.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take a smaller tube: what does not pass the cricoid with a gentle turn must not be pushed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Wait before closed cords until they open with a breath; closed for long, take the blade out and ventilate.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>See the glottis first, then take the tube in beside the blade without losing sight of the cords.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop the attempt earlier: the heart slowed down. Blade and tube out, ventilate until it is above 100, then again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give breaths until the saturation is back before each attempt: the display is late, and it goes on falling.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Confirm the tube&apos;s place: give five or six breaths through it and watch the detector before you end.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turn or draw back where the tube meets resistance; pushing swells the airway it has to go through.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Prepare more before the blade goes in: tube at hand, throat clear, infant ventilated. Each attempt costs the infant.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Have the tube at the corner of the mouth when the glottis comes into sight: the way from there took too long.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The blade never entered the mouth: bring its tip in at the right corner, then follow the tongue down.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lift the whole blade along its handle, to the ceiling and the feet, clear of both gums: turning it about a gum presses there and opens no view.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop pressing when the grey blade parts from the steel one: the device is at its limit, and more hand gives no more view.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Place the tip deeper in the vallecula before you lift: from there the same view takes less force on the tongue.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Follow the tongue down to the vallecula before you lift: short of it the lift does not carry the epiglottis away.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep lifting along the handle for a little longer: the view opens from the arytenoids forward.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lower the lift a little once the glottis is in sight: holding the tongue above its target adds force, not view.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>End the attempt at %1 seconds, whatever is to be seen: take the blade out, ventilate, and begin again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look at the reasons below and change one of them at a time.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Well done. Next time keep the blade clear of the gums from beginning to end.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Well done. Next time try for the same view with a gentler lift.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Well done. Next time go the same way with fewer pauses.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>AirwayMarks</name>
+    <message>
+        <source>good depth</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>AuthoringPage</name>
+    <message>
+        <source>Courses (*.yaml *.yml);;All files (*)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1  (cannot be read)</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Charts</name>
+    <message>
+        <source>time since the trial began (s)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>trial</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>peak force on the tongue (N); ● passed, ○ not</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cumulative sum; down is success</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>competent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>deficient</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Force over time: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tongue</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>gum</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>shown by the device</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>force (N)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>seen (%)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>glottis seen (%)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>paused</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>device limit %1 N</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>training target, tongue %1 N</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>counts as in sight from %1 %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>first sight, %1 s into the attempt</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>gum peak %1 N</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tongue peak %1 N</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The monitor: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>saturation as displayed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>as it really was</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>heart</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a breath given</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tip in the oesophagus</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>heart (per minute)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not below %1 %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>bradycardia below %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>view</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tube past the cords</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>CO2: detector yellow</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>lowest %1 %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>lowest %1 per minute</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>CohortModel</name>
+    <message>
+        <source>Trainee</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Course</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scenario</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>kinds of device are never pooled</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Trials</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>whole ones</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Passed</source>
+        <translation>Bestanden</translation>
+    </message>
+    <message>
+        <source>within two attempts; no pass mark is validated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In a row</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>successes up to the last trial</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>CUSUM</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the last verdict of the cumulative sum by the published rule: 80 % success within two attempts (PMC8290971), its other numbers assumed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cut off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>interrupted trials: in no other figure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Last</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>when the last trial ended</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>CourseTree</name>
+    <message>
+        <source>(no title)</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>CurveCharts</name>
+    <message>
+        <source>interrupted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>passed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not passed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No trial yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>trial %1, %2: %3%4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>target</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>passed from here up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>passed up to here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cumulative sum (CUSUM) over whole trials</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No whole trial yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>trial %1: %2, sum %3, %4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>success</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>failure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>competent below</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not competent above</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>CurveReading</name>
+    <message>
+        <source>By the rule of the module &quot;%1&quot; (%2), on this scenario alone, and on assessments alone.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>By the rule of the module &quot;%1&quot; (%2), on this scenario alone.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>By the published rule: 80 % success within two attempts (PMC8290971); unacceptable rate and risks are assumed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 (trial %2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>DistractionPanel</name>
+    <message>
+        <source>Alarm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Question</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The team talks</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>FieldRow</name>
+    <message>
+        <source>left out: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>FromBelow</name>
+    <message>
+        <source>name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>model</source>
+        <translation>Modell</translation>
+    </message>
+    <message>
+        <source>driver</source>
+        <translation>Treiber</translation>
+    </message>
+    <message>
+        <source>rate</source>
+        <translation>Rate</translation>
+    </message>
+    <message>
+        <source>workspace</source>
+        <translation>Arbeitsraum</translation>
+    </message>
+    <message>
+        <source>force</source>
+        <translation>Kraft</translation>
+    </message>
+    <message>
+        <source>calibration</source>
+        <translation>Kalibrierung</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>nicht bekannt</translation>
+    </message>
+    <message>
+        <source>none: shown as a bar</source>
+        <translation>keine: als Balken gezeigt</translation>
+    </message>
+    <message>
+        <source>good</source>
+        <translation>gut</translation>
+    </message>
+    <message>
+        <source>built in</source>
+        <translation>eingebaut</translation>
+    </message>
+    <message>
+        <source>to be done anew</source>
+        <translation>neu auszuführen</translation>
+    </message>
+    <message>
+        <source>move its handle once through the whole workspace before a trial; no force is shown until then</source>
+        <translation>bewegen Sie seinen Griff vor einem Versuch einmal durch den ganzen Arbeitsraum; bis dahin wird keine Kraft gezeigt</translation>
+    </message>
+    <message>
+        <source>to be done by hand</source>
+        <translation>von Hand auszuführen</translation>
+    </message>
+    <message>
+        <source>a stylus goes into its ink well, a Falcon&apos;s grip is pulled all the way out and pushed in, before a trial; no force is shown until then</source>
+        <translation>vor einem Versuch kommt ein Stift in seine Halterung, der Griff eines Falcon wird ganz herausgezogen und hineingeschoben; bis dahin wird keine Kraft gezeigt</translation>
+    </message>
+    <message>
+        <source>The device works.</source>
+        <translation>Das Gerät arbeitet.</translation>
+    </message>
+    <message>
+        <source>The device was pressed against its force limit for too long and switched its force off: ease the hand.</source>
+        <translation>Das Gerät wurde zu lange gegen seine Kraftgrenze gedrückt und hat seine Kraft abgeschaltet: Lassen Sie die Hand locker.</translation>
+    </message>
+    <message>
+        <source>The device does not answer: check its cable and its power.</source>
+        <translation>Das Gerät antwortet nicht: Prüfen Sie Kabel und Stromversorgung.</translation>
+    </message>
+    <message>
+        <source>The device is unplugged: plug it in again.</source>
+        <translation>Das Gerät ist ausgesteckt: Stecken Sie es wieder ein.</translation>
+    </message>
+    <message>
+        <source>The device&apos;s motors are too warm: let it rest for a minute.</source>
+        <translation>Die Motoren des Geräts sind zu warm: Lassen Sie es eine Minute ruhen.</translation>
+    </message>
+    <message>
+        <source>A force that is not a number was held back and zero force was sent: please report this trial&apos;s log.</source>
+        <translation>Eine Kraft, die keine Zahl ist, wurde zurückgehalten und die Kraft null gesendet: Bitte melden Sie die Aufzeichnung dieses Versuchs.</translation>
+    </message>
+    <message>
+        <source>The servo loop is late: close other programs, and set up real-time priority.</source>
+        <translation>Die Regelschleife kommt zu spät: Schließen Sie andere Programme und richten Sie Echtzeitpriorität ein.</translation>
+    </message>
+    <message>
+        <source>The device does not know where it stands: put its pen into the ink well, or move it once to its ends.</source>
+        <translation>Das Gerät kennt seine Lage nicht: Stecken Sie den Stift in die Halterung oder führen Sie ihn einmal an seine Enden.</translation>
+    </message>
+    <message>
+        <source>The device&apos;s driver reports an error: unplug it, wait five seconds, plug it in again.</source>
+        <translation>Der Gerätetreiber meldet einen Fehler: Ausstecken, fünf Sekunden warten, wieder einstecken.</translation>
+    </message>
+    <message>
+        <source>The device reports an unknown fault.</source>
+        <translation>Das Gerät meldet einen unbekannten Fehler.</translation>
+    </message>
+    <message>
+        <source>mouse and keyboard</source>
+        <translation>Maus und Tastatur</translation>
+    </message>
+    <message>
+        <source>mouse and keyboard; the force is drawn, not felt</source>
+        <translation>Maus und Tastatur; die Kraft wird gezeichnet, nicht gespürt</translation>
+    </message>
+    <message>
+        <source>3D Systems Touch, Touch X and other HDAPI devices; NAME as their set-up calls it</source>
+        <translation>3D Systems Touch, Touch X und andere HDAPI-Geräte; NAME wie in ihrer Einrichtung</translation>
+    </message>
+    <message>
+        <source>a Novint Falcon: position and force; its grip does not turn the blade</source>
+        <translation>ein Novint Falcon: Lage und Kraft; sein Griff dreht den Spatel nicht</translation>
+    </message>
+    <message>
+        <source>a SpaceMouse: the cap steers by speed; the force is drawn, not felt</source>
+        <translation>eine SpaceMouse: Die Kappe steuert durch Geschwindigkeit; die Kraft wird gezeichnet, nicht gespürt</translation>
+    </message>
+    <message>
+        <source>none plugged in</source>
+        <translation>nicht angeschlossen</translation>
+    </message>
+    <message>
+        <source>if there is one, check its cable and power</source>
+        <translation>falls vorhanden, prüfen Sie Kabel und Stromversorgung</translation>
+    </message>
+    <message>
+        <source>it opens but gives no reading: another program may be using it</source>
+        <translation>es lässt sich öffnen, liefert aber keine Werte: Vielleicht benutzt es ein anderes Programm</translation>
+    </message>
+    <message>
+        <source>close the other program; else check the cable and the power</source>
+        <translation>schließen Sie das andere Programm; sonst prüfen Sie Kabel und Stromversorgung</translation>
+    </message>
+    <message>
+        <source>no firmware file was found: it works only while it still runs the firmware another program gave it</source>
+        <translation>keine Firmware-Datei gefunden: Es arbeitet nur, solange es noch die Firmware eines anderen Programms hat</translation>
+    </message>
+    <message>
+        <source>Passed</source>
+        <translation>Bestanden</translation>
+    </message>
+    <message>
+        <source>every limit of the scenario was kept</source>
+        <translation>jede Grenze des Szenarios wurde eingehalten</translation>
+    </message>
+    <message>
+        <source>Attempt time</source>
+        <translation>Dauer des Intubationsversuchs</translation>
+    </message>
+    <message>
+        <source>blade into the mouth to blade out, less pauses; of several the longest</source>
+        <translation>Spatel in den Mund bis Spatel heraus, ohne Pausen; von mehreren der längste</translation>
+    </message>
+    <message>
+        <source>Time to first sight</source>
+        <translation>Zeit bis zur ersten Sicht</translation>
+    </message>
+    <message>
+        <source>from the attempt&apos;s start to the first sight of as much of the glottis as the scenario asks for</source>
+        <translation>vom Beginn des Intubationsversuchs bis zur ersten Sicht auf so viel der Glottis, wie das Szenario verlangt</translation>
+    </message>
+    <message>
+        <source>Best view of the glottis</source>
+        <translation>Beste Sicht auf die Glottis</translation>
+    </message>
+    <message>
+        <source>largest share of the glottis in sight (POGO)</source>
+        <translation>größter sichtbarer Anteil der Glottis (POGO)</translation>
+    </message>
+    <message>
+        <source>Peak tongue force</source>
+        <translation>Höchste Zungenkraft</translation>
+    </message>
+    <message>
+        <source>largest single tick of the model force on the tongue</source>
+        <translation>größter Einzelwert der Modellkraft auf die Zunge</translation>
+    </message>
+    <message>
+        <source>Peak gum force</source>
+        <translation>Höchste Kraft auf die Zahnleiste</translation>
+    </message>
+    <message>
+        <source>largest single tick of the model force on the gums</source>
+        <translation>größter Einzelwert der Modellkraft auf die Zahnleisten</translation>
+    </message>
+    <message>
+        <source>Time over the target force</source>
+        <translation>Zeit über der Zielkraft</translation>
+    </message>
+    <message>
+        <source>time with more model force on the tongue than the scenario&apos;s target</source>
+        <translation>Zeit mit mehr Modellkraft auf die Zunge, als das Ziel des Szenarios erlaubt</translation>
+    </message>
+    <message>
+        <source>Time over the device limit</source>
+        <translation>Zeit über der Gerätegrenze</translation>
+    </message>
+    <message>
+        <source>time in which the device was at its limit, or had let go because of it</source>
+        <translation>Zeit, in der das Gerät an seiner Grenze war oder ihretwegen losgelassen hatte</translation>
+    </message>
+    <message>
+        <source>Attempts</source>
+        <translation>Intubationsversuche</translation>
+    </message>
+    <message>
+        <source>ways of the blade into the mouth and out</source>
+        <translation>Wege des Spatels in den Mund und heraus</translation>
+    </message>
+    <message>
+        <source>Time to pass the tube</source>
+        <translation>Zeit bis zur Tubuspassage</translation>
+    </message>
+    <message>
+        <source>from the view (else the attempt&apos;s start) to the tip past the cords, in the decisive attempt</source>
+        <translation>von der Sicht (sonst vom Beginn) bis zur Spitze hinter den Stimmlippen, im entscheidenden Intubationsversuch</translation>
+    </message>
+    <message>
+        <source>Lowest saturation</source>
+        <translation>Niedrigste Sauerstoffsättigung</translation>
+    </message>
+    <message>
+        <source>displayed, from the first attempt on</source>
+        <translation>angezeigt, ab dem ersten Intubationsversuch</translation>
+    </message>
+    <message>
+        <source>Lowest heart rate</source>
+        <translation>Niedrigste Herzfrequenz</translation>
+    </message>
+    <message>
+        <source>from the first attempt on</source>
+        <translation>ab dem ersten Intubationsversuch</translation>
+    </message>
+    <message>
+        <source>Severe desaturation</source>
+        <translation>Schwerer Sättigungsabfall</translation>
+    </message>
+    <message>
+        <source>in any attempt the displayed saturation fell by 20 points or more from the highest before it</source>
+        <translation>in einem Intubationsversuch fiel die angezeigte Sättigung um 20 Punkte oder mehr unter den höchsten Wert davor</translation>
+    </message>
+    <message>
+        <source>Bradycardia</source>
+        <translation>Bradykardie</translation>
+    </message>
+    <message>
+        <source>in any attempt the heart was below 100 per minute</source>
+        <translation>in einem Intubationsversuch lag die Herzfrequenz unter 100 pro Minute</translation>
+    </message>
+    <message>
+        <source>Tube&apos;s depth error</source>
+        <translation>Fehler der Tubustiefe</translation>
+    </message>
+    <message>
+        <source>of the tip in larynx or trachea at the end, from the middle of the good third of this infant&apos;s way from the cords to the carina; positive: too deep</source>
+        <translation>der Spitze in Kehlkopf oder Trachea am Ende, von der Mitte des guten Drittels des Weges von den Stimmlippen zur Carina dieses Kindes; positiv: zu tief</translation>
+    </message>
+    <message>
+        <source>Mean tongue force</source>
+        <translation>Mittlere Zungenkraft</translation>
+    </message>
+    <message>
+        <source>mean of the model force on the tongue over the time in which there was any</source>
+        <translation>Mittel der Modellkraft auf die Zunge über die Zeit, in der es eine gab</translation>
+    </message>
+    <message>
+        <source>Tongue force over time</source>
+        <translation>Zungenkraft über die Zeit</translation>
+    </message>
+    <message>
+        <source>integral of the model force on the tongue over the trial</source>
+        <translation>Integral der Modellkraft auf die Zunge über den Versuch</translation>
+    </message>
+    <message>
+        <source>Peak tongue pressure</source>
+        <translation>Höchster Druck auf die Zunge</translation>
+    </message>
+    <message>
+        <source>largest mean pressure over the contact with the tongue in a tick with 0.5 N or more on it: force by the area of the tissue&apos;s surface at rest that the contacts stand for</source>
+        <translation>größter mittlerer Druck über die Berührfläche mit der Zunge in einem Takt mit 0,5 N oder mehr: Kraft durch die Fläche der ruhenden Gewebeoberfläche, für die die Kontakte stehen</translation>
+    </message>
+    <message>
+        <source>Lifted, not levered</source>
+        <translation>Angehoben, nicht gehebelt</translation>
+    </message>
+    <message>
+        <source>share of the load of tongue and epiglottis, along the handle, that the upper jaw did not bear as a fulcrum</source>
+        <translation>Anteil der Last von Zunge und Epiglottis längs des Griffs, den der Oberkiefer nicht als Drehpunkt trug</translation>
+    </message>
+    <message>
+        <source>Peak levered load</source>
+        <translation>Höchste gehebelte Last</translation>
+    </message>
+    <message>
+        <source>largest part of that load that the upper jaw bore in a tick</source>
+        <translation>größter Teil dieser Last, den der Oberkiefer in einem Takt trug</translation>
+    </message>
+    <message>
+        <source>Peak palate force</source>
+        <translation>Höchste Gaumenkraft</translation>
+    </message>
+    <message>
+        <source>largest single tick of the model force on the palate</source>
+        <translation>größter Einzelwert der Modellkraft auf den Gaumen</translation>
+    </message>
+    <message>
+        <source>Time to stable view</source>
+        <translation>Zeit bis zur stabilen Sicht</translation>
+    </message>
+    <message>
+        <source>from the attempt&apos;s start to the begin of the first 2 s in one piece with as much of the glottis in sight as the scenario asks for; 2 s are assumed</source>
+        <translation>vom Beginn des Intubationsversuchs bis zum Beginn der ersten 2 s am Stück mit so viel sichtbarer Glottis, wie das Szenario verlangt; 2 s sind angenommen</translation>
+    </message>
+    <message>
+        <source>Mean view of the glottis</source>
+        <translation>Mittlere Sicht auf die Glottis</translation>
+    </message>
+    <message>
+        <source>mean share of the glottis in sight (POGO), over the time in the attempts in which there was any</source>
+        <translation>mittlerer sichtbarer Anteil der Glottis (POGO) über die Zeit mit Sicht in den Intubationsversuchen</translation>
+    </message>
+    <message>
+        <source>Cormack-Lehane grade</source>
+        <translation>Grad nach Cormack-Lehane</translation>
+    </message>
+    <message>
+        <source>1: more than half of the glottis seen at best, 2: less of it; 3 and 4 are none, for no log knows whether the epiglottis was in sight</source>
+        <translation>1: bestenfalls mehr als die Hälfte der Glottis gesehen, 2: weniger; 3 und 4 fehlen, denn keine Aufzeichnung weiß, ob die Epiglottis zu sehen war</translation>
+    </message>
+    <message>
+        <source>Blade&apos;s entry left of the midline</source>
+        <translation>Eintritt des Spatels links der Mittellinie</translation>
+    </message>
+    <message>
+        <source>of the tip as it first enters the mouth; negative: to the patient&apos;s right</source>
+        <translation>der Spitze beim ersten Eintritt in den Mund; negativ: rechts vom Patienten aus</translation>
+    </message>
+    <message>
+        <source>Blade&apos;s tip from the midline</source>
+        <translation>Spatelspitze neben der Mittellinie</translation>
+    </message>
+    <message>
+        <source>distance of the tip from the plane through gum midlines and vallecula when it is nearest to the vallecula</source>
+        <translation>Abstand der Spitze von der Ebene durch die Mitten der Zahnleisten und die Vallecula, wenn sie der Vallecula am nächsten ist</translation>
+    </message>
+    <message>
+        <source>Blade&apos;s tip to the vallecula</source>
+        <translation>Spatelspitze bis zur Vallecula</translation>
+    </message>
+    <message>
+        <source>least distance of the tip from the vallecula&apos;s landmark at rest</source>
+        <translation>kleinster Abstand der Spitze von der Landmarke der ruhenden Vallecula</translation>
+    </message>
+    <message>
+        <source>Vallecula reached</source>
+        <translation>Vallecula erreicht</translation>
+    </message>
+    <message>
+        <source>the tip came within 15 % of the way from gums to vallecula of it; assumed</source>
+        <translation>die Spitze kam ihr bis auf 15 % des Weges von den Zahnleisten zur Vallecula nahe; angenommen</translation>
+    </message>
+    <message>
+        <source>Blade&apos;s tip past the vallecula</source>
+        <translation>Spatelspitze hinter der Vallecula</translation>
+    </message>
+    <message>
+        <source>farthest of the tip beyond the vallecula at rest, along the way from the gums to it</source>
+        <translation>am weitesten hinter der ruhenden Vallecula, längs des Weges von den Zahnleisten zu ihr</translation>
+    </message>
+    <message>
+        <source>Entries of the blade</source>
+        <translation>Eintritte des Spatels</translation>
+    </message>
+    <message>
+        <source>times the tip came into the mouth after a second or more outside</source>
+        <translation>wie oft die Spitze nach einer Sekunde oder mehr außerhalb in den Mund kam</translation>
+    </message>
+    <message>
+        <source>Way of the blade&apos;s tip</source>
+        <translation>Weg der Spatelspitze</translation>
+    </message>
+    <message>
+        <source>length of the tip&apos;s way in the attempts, from means of 20 ms</source>
+        <translation>Länge des Weges der Spitze in den Intubationsversuchen, aus Mitteln über 20 ms</translation>
+    </message>
+    <message>
+        <source>Smoothness of the hand</source>
+        <translation>Gleichmäßigkeit der Hand</translation>
+    </message>
+    <message>
+        <source>spectral arc length of the tip&apos;s speed in an attempt&apos;s longest stretch without a pause (10 Hz, threshold 5 %, padding 4, sampled at 50 Hz)</source>
+        <translation>spektrale Bogenlänge der Geschwindigkeit der Spitze im längsten Stück eines Intubationsversuchs ohne Pause (10 Hz, Schwelle 5 %, Auffüllung 4, abgetastet mit 50 Hz)</translation>
+    </message>
+    <message>
+        <source>Tremor of the hand</source>
+        <translation>Tremor der Hand</translation>
+    </message>
+    <message>
+        <source>root mean square of the tip&apos;s way from 4 to 12 Hz over the same stretch, three axes together</source>
+        <translation>quadratisches Mittel des Weges der Spitze von 4 bis 12 Hz über dasselbe Stück, drei Achsen zusammen</translation>
+    </message>
+    <message>
+        <source>Mean reaction time</source>
+        <translation>Mittlere Reaktionszeit</translation>
+    </message>
+    <message>
+        <source>from a question or alarm shown to its answer within the time allowed, right or wrong, less pauses</source>
+        <translation>von einer gezeigten Frage oder einem Alarm bis zur Antwort in der erlaubten Zeit, richtig oder falsch, ohne Pausen</translation>
+    </message>
+    <message>
+        <source>Errors in the dual task</source>
+        <translation>Fehler in der Zweitaufgabe</translation>
+    </message>
+    <message>
+        <source>wrong answers, and answers to nothing</source>
+        <translation>falsche Antworten und Antworten auf nichts</translation>
+    </message>
+    <message>
+        <source>Missed in the dual task</source>
+        <translation>Versäumt in der Zweitaufgabe</translation>
+    </message>
+    <message>
+        <source>questions and alarms without an answer in the time allowed</source>
+        <translation>Fragen und Alarme ohne Antwort in der erlaubten Zeit</translation>
+    </message>
+    <message>
+        <source>Blade in at the right corner of the mouth or over the middle</source>
+        <translation>Spatel am rechten Mundwinkel oder über der Mitte eingeführt</translation>
+    </message>
+    <message>
+        <source>The blade was never in the mouth, or its midline is unknown</source>
+        <translation>Der Spatel war nie im Mund, oder die Mittellinie ist unbekannt</translation>
+    </message>
+    <message>
+        <source>Tip in the vallecula</source>
+        <translation>Spitze in der Vallecula</translation>
+    </message>
+    <message>
+        <source>The blade was never in the mouth</source>
+        <translation>Der Spatel war nie im Mund</translation>
+    </message>
+    <message>
+        <source>Lifted, not levered on the upper jaw</source>
+        <translation>Angehoben, nicht am Oberkiefer gehebelt</translation>
+    </message>
+    <message>
+        <source>Too little was lifted to tell</source>
+        <translation>Zu wenig angehoben, um es zu beurteilen</translation>
+    </message>
+    <message>
+        <source>Glottis in sight before the tube passed</source>
+        <translation>Glottis in Sicht, bevor der Tubus passierte</translation>
+    </message>
+    <message>
+        <source>No tube passed the cords in an attempt</source>
+        <translation>Kein Tubus passierte die Stimmlippen in einem Intubationsversuch</translation>
+    </message>
+    <message>
+        <source>Tube seen as it passed between the cords</source>
+        <translation>Tubus gesehen, als er zwischen den Stimmlippen passierte</translation>
+    </message>
+    <message>
+        <source>Stylet out before the first breath through the tube</source>
+        <translation>Führungsstab vor dem ersten Beatmungshub durch den Tubus gezogen</translation>
+    </message>
+    <message>
+        <source>No breath was given through a tube past the cords</source>
+        <translation>Kein Beatmungshub durch einen Tubus hinter den Stimmlippen</translation>
+    </message>
+    <message>
+        <source>Secretions cleared by suction</source>
+        <translation>Sekret abgesaugt</translation>
+    </message>
+    <message>
+        <source>Ventilated between attempts</source>
+        <translation>Zwischen den Intubationsversuchen beatmet</translation>
+    </message>
+    <message>
+        <source>Breaths before each further attempt</source>
+        <translation>Beatmungshübe vor jedem weiteren Intubationsversuch</translation>
+    </message>
+    <message>
+        <source>Place confirmed by the CO2 detector</source>
+        <translation>Lage durch den CO2-Detektor bestätigt</translation>
+    </message>
+    <message>
+        <source>Tip at a good depth</source>
+        <translation>Spitze in guter Tiefe</translation>
+    </message>
+    <message>
+        <source>Tube in the oesophagus recognised in time</source>
+        <translation>Tubus im Ösophagus rechtzeitig erkannt</translation>
+    </message>
+    <message>
+        <source>not seen</source>
+        <translation>nicht zu sehen</translation>
+    </message>
+    <message>
+        <source>No log can tell</source>
+        <translation>Keine Aufzeichnung kann es sagen</translation>
+    </message>
+    <message>
+        <source>Tube, blade, light and suction checked before</source>
+        <translation>Tubus, Spatel, Licht und Absaugung vorher geprüft</translation>
+    </message>
+    <message>
+        <source>Handle in the left hand</source>
+        <translation>Griff in der linken Hand</translation>
+    </message>
+    <message>
+        <source>Told the team what was seen and done</source>
+        <translation>Dem Team gesagt, was gesehen und getan wurde</translation>
+    </message>
+    <message>
+        <source>Glottis seen, at best</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at least</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>never</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Longest attempt, blade in to blade out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Attempt time, blade in to blade out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at most</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no attempt</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Peak force on the tongue</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Peak force on the gums</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Peak force on the epiglottis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Peak force on the palate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Peak force on the larynx</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Paused, which counts for nothing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>report.html: the monitor&apos;s chart could not be encoded</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Figure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Demanded</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>reason not recorded</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the blade never entered the mouth.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not passed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>passed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Why it was passed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Why it was not passed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Figures</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The monitor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Saturation, heart rate and glottis in sight over time, with attempts, breaths and the tube&apos;s passing marked</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Force over time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Force on tongue and gum over time, with limit, target, peak and first sight marked</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Debriefing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pictures</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How it was recorded</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Servo loop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Real-time set-up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How it ended</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Patient package</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scenario</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>report.html</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cormack-Lehane grade at best</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>3 or 4: nothing of the glottis seen</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Glottis seen on average, while in sight</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Force on the tongue, mean and over time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Peak pressure on the tongue, over the contact</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Blade in, from the midline</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Blade&apos;s tip, nearest to the vallecula</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Blade&apos;s tip then, from the midline</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Blade&apos;s tip beyond the vallecula</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Questions and alarms</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>missed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>answered to nothing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reaction to them, on average</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tube&apos;s depth, from the middle of the good third</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Checklist</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Item</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Why</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>met</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What the log has not seen is left to the instructor. The items are not validated.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Global rating, by a person:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Limit by</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Points inform; what fails a trial is the mark, whatever its weight.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not in larynx or trachea</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing touched</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Outcome</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The blade never entered the mouth.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>attempt</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tip&apos;s depth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time to view, blade in to glottis in sight</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time to pass, view to cords passed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>passed before the blade was in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lowest saturation, displayed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>CO2 detector</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>yellow, with breath</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Peak force along the tube</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tube&apos;s peak load by part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Breaths given, mask and tube</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tip in the oesophagus</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Secretions</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From, to (s)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Took</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Breaths before</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>To view</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>To pass</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Saturation, before and lowest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lowest heart</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>severe desaturation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>bradycardia</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mark</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where the mark comes from</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This trial was cut off: what stands here is what was recorded until then.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Over time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ticks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Trials of nobody</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cut off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not passed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>By scenario and device</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Curriculum</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Trials</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cut off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>CUSUM says competent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Passed: every mark met, within the attempts of the rule, which each curve names (two by the published one). Figures of different kinds of device are never put together.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Learning curves</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All trials</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Finished (UTC)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mode</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tube</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Attempt (s)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tongue (N)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tip past the cords</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lowest SpO2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time to view</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time to pass</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Peak force, tube</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In the oesophagus</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Peak force, tongue</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Peak force, gum</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Glottis visible, best</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time to sight</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Longest attempt</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Attempt</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Over the target</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Over the device limit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Paused</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Loop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>yellow</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>never yellow</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>recognised late</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no real time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>with breath</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at most %1 N</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at most %1 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at most %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at least %1 %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at least %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at least %1 1/min</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at least %1 /min</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>with breath %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>yellow, with breath %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>from %1 %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 late, %2 steps dropped</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 breaths</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 % of the way; good: %2 to %3 %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 N, at %2 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 %, at %2 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 per minute, at %2 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 per minute</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1 trial</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 trials</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Trainee %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at trial %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>limit %1 N</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, %2 deadline misses, %3 simulation steps dropped</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Points: %1 of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time to glottis in sight (%1 %)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time over the training target (tongue, %1 N)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time over the device limit (%1 N)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time to a stable view (%1 s in one piece)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the glottis came into sight after %1 s (%2 % at best)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the glottis never came into sight (%1 % at best)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>with at most %1 N on the tongue and %2 N on the gums</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>in an attempt of %1 s.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>with at most %1 N on the tongue and %2 N along the tube.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 attempt of %2 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 attempts, the longest of %2 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>saturation down to %1 %, heart to %2 per minute</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>An attempt is one way of the blade into the mouth and out. Its lowest values count until the next one begins, for the display is late. Severe desaturation: %1 points or more. Bradycardia: below %2 per minute (both NEAR4NEOS).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 mm to the left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 mm to the right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 % lifted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 % lifted, at most %2 N levered, at %3 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 mm, at %2 s: reached</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 mm, at %2 s: not reached</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 kPa, at %2 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 s, at %2 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 N, %2 N s in %3 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 mm deeper</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 mm shallower</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 right, %2 wrong, %3 missed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 Hz over %2 ticks, %3 deadline misses, %4 simulation steps dropped</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 ticks of %2 ms, not in real time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>finished</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the scenario&apos;s time was over</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the device did not come back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>interrupted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>reset</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>practice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>assessment</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>competent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not competent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>undecided</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>unsafe</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>with help at every step</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>with help at some steps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>alone, with flaws</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>alone and well</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>good depth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>too shallow</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>too deep</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>oesophagus</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mainstem</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cricoid too narrow</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cords closed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>out of time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>abandoned</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>person deleted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>data exported</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>note removed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>PIN changed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>PIN reset</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>renamed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>trial rated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>registered</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>signed in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>wrong PIN</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at the device&apos;s limit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tube&apos;s tip past the cords</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tube&apos;s tip in the oesophagus</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>CO2 detector yellow</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>heart below 100 a minute</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a breath given</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> answered rightly</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> answered wrongly</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>glottis in sight</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the device sent a pose that is no position and rotation; no force was shown</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the tissue&apos;s motion was no longer finite; it was put back to rest and no force was shown</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a force was not finite; none was shown</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The recorded hand was paused here; it goes on by itself.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The device is back. To go on press Enter or a button of the device, or hold the grey blade on the steel one for half a second.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>stopped before its end</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This trial was an assessment: it is not replayed, so that nobody practises on what is assessed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reading the trial</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Looking for the patient</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scoring</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Building the scene</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Light and colour</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ready</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tongue force over its training target of %1 N</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>attempt begins: blade into the mouth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>attempt ends: blade out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>attempt %1 begins: blade into the mouth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>attempt %1 ends: blade out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>peak force along the tube, %1 N</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>peak force on the tongue, %1 N</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>peak force on the gum, %1 N</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>question begins</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>alarm begins</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>talk begins</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>question silenced</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>alarm silenced</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>question answered rightly</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>question answered wrongly</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>question missed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>alarm missed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>from %1 s on the tissue&apos;s shape may be a little different from what it was</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>skin</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>skull</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mandible</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tongue</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>epiglottis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>airway</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>larynx</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>soft palate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>spine</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>inferred</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>given</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>template</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Axial</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Coronal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sagittal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Soft tissue</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Airway</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>upper gum midline</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>lower gum midline</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>vallecula</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>glottis centre</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>glottis normal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>operator eye</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>hyoid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>carina</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>condyle axis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>epiglottis tip</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>To be checked first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Within limits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>For information</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tetrahedra</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tetrahedra volume</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>volume kept by the tetrahedra</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>smallest dihedral angle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tetrahedra below 10 degrees</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>shortest edge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tongue inside the jaw&apos;s bone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tongue inside the tissue around it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>gap where the tongue is held</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>head size</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>child size</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>adult size</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>position corrected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>scaled</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tongue volume</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>epiglottis volume</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>airway volume</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mandible volume</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mouth open</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mouth opened</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>head extended</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>gap between the gums</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>glottis area</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nodes held by the mandible</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nodes held by the hyoid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nodes held by the larynx</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>epiglottis stiffness</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>check by playing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>glottis in sight at rest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>glottis in sight when lifted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the deepest node</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the lips stand apart</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the lips stand apart after the opening</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the mouth is closed: good for pressing on the tongue, not for a view</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>hidden by tongue and epiglottis, as it should be</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>expected to be hidden before the lift</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The trial was recorded to its end at %1 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The blade entered the mouth at %1 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The attempt never began: the blade&apos;s tip did not enter the mouth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The glottis was never in sight; %1 % of it must be seen</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Glottis seen to %1 % at %2 s, at least the %3 % asked for</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Glottis seen to %1 % at %2 s, less than the %3 % asked for</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The attempt took %1 s (%2 s to %3 s), within the %4 s allowed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The attempt took %1 s (%2 s to %3 s), more than the %4 s allowed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The attempt took %1 s (%2 s to %3 s, the blade was still in the mouth), within the %4 s allowed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The attempt took %1 s (%2 s to %3 s, the blade was still in the mouth), more than the %4 s allowed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Peak force on the tongue %1 N at %2 s, within the %3 N allowed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Peak force on the tongue %1 N at %2 s, more than the %3 N allowed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Peak force on the tongue %1 N, within the %2 N allowed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Peak force on the tongue %1 N, more than the %2 N allowed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Peak force on the gums %1 N at %2 s, within the %3 N allowed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Peak force on the gums %1 N at %2 s, more than the %3 N allowed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Peak force on the gums %1 N, within the %2 N allowed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Peak force on the gums %1 N, more than the %2 N allowed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Force on the tongue above its target of %1 N for %2 s (first at %3 s), within the %4 s allowed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Force on the tongue above its target of %1 N for %2 s (first at %3 s), more than the %4 s allowed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Force on the tongue above its target of %1 N for %2 s, within the %3 s allowed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Force on the tongue above its target of %1 N for %2 s, more than the %3 s allowed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Device at its force limit of %1 N or lost, for %2 s (longest from %3 s), within the %4 s allowed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Device at its force limit of %1 N or lost, for %2 s (longest from %3 s), more than the %4 s allowed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Device at its force limit of %1 N or lost, for %2 s, within the %3 s allowed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Device at its force limit of %1 N or lost, for %2 s, more than the %3 s allowed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Saturation fell to %1 % at %2 s, at least the %3 % asked for</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Saturation fell to %1 % at %2 s, less than the %3 % asked for</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The heart fell to %1 per minute at %2 s, at least the %3 per minute asked for</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The heart fell to %1 per minute at %2 s, less than the %3 per minute asked for</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In no attempt did saturation fall by %1 points or more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The tube was never in the oesophagus</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The tube lies in the oesophagus</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The tube was stopped by the cricoid and never came past it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The cords were closed, and the tube is not past them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The tube is not in the trachea: the intubation was given up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The trial&apos;s time was over before the tube was in the trachea</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The cords were passed before the blade was in the mouth, so not under sight</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The tube&apos;s tip lies %1 mm past the cords, %2 % of the way to the carina: good depth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The tube&apos;s tip lies %1 mm past the cords, %2 % of the way to the carina: in the trachea, but to be advanced</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The tube&apos;s tip lies %1 mm past the cords, %2 % of the way to the carina: in the trachea, but to be drawn back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The tube&apos;s tip lies in the right main bronchus: only one lung gets air</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The tube&apos;s tip lies in the left main bronchus: only one lung gets air</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The tube&apos;s tip lies in a main bronchus: only one lung gets air</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The detector turned yellow with breath %1, within the %2 breaths allowed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The detector turned yellow with breath %1, more than the %2 breaths allowed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 attempt, within the %2 allowed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 attempts, within the %2 allowed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 attempts, more than the %2 allowed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The tip came in %1 mm to the left of the midline</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The tip came in %1 mm to the right of the midline</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The tip came within %1 mm of it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The tip came no nearer to it than %1 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The tip came no nearer to it than %1 mm, but the glottis was seen: lifting the epiglottis itself is of equal worth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The upper jaw never bore more than %1 N of the load</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From %1 s on the upper jaw bore more than %2 N of the load, %3 N at most</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In sight at %1 s, passed at %2 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Passed at %1 s without a view before</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 % of the glottis in sight at %2 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Passed at %1 s with the blade out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The first breath at %1 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Still in at the first breath at %1 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 ml at first, %2 ml at the end</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 ml at first, %2 ml at the end, no catheter took them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The attempt at %1 s began without a breath before</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>GivenLabels</name>
+    <message>
+        <source>the label map has none of the structures this program knows inside the scan; name its segments as the list here does (tongue, airway, ...)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the label map has no voxel of this structure inside the scan; name its segment as it is named in the list here</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Hints</name>
+    <message>
+        <source>Heart rate below 60. Stop the attempt: blade and tube out, ventilate by mask (hold B); in life, compressions.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop this attempt: blade and tube out, then hold B to ventilate until the heart rate is above 100 and SpO2 is back.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hold B to ventilate by mask until the heart rate is above 100 and SpO2 is back. SpO2 lags behind.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Suction catheter: its tip into the secretions, then hold V. Out of the mouth, C gives the tube back.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The detector is yellow: the tube is in the airway. Bring its tip to good depth and take the blade out; then End.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No CO2 after these breaths: unless the heart rate rises, the tube is in the wrong place. Out, ventilate by mask, again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Through: T draws the stylet. Then bring the cord mark to the cords.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cord mark at the cords? Hold B for 5 or 6 breaths; watch the heart rate and the CO2 detector.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The cords stay shut: laryngospasm. Draw back, ventilate by mask (B) and wait; never push.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The cords are closed. Wait for them to open; never push.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Resistance. Draw back a little, turn the tube, try again; never push.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tip before the cords: on, between them, and keep them in sight until the mark has passed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tube along the right side of the mouth, beside the blade, not down its channel; keep the cords in sight.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Secretions hide the throat: C takes the suction catheter, V held draws them off.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Glottis in sight. The tube in at the right corner of the mouth. L held: pressure on the larynx.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Glottis in sight. %1 takes the tube: in at the right corner of the mouth. L held: pressure on the larynx.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tongue to the left, tip into the vallecula, then lift along the handle; do not lever. L held: pressure on the larynx.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ventilated? Blade in at the right corner of the mouth. An attempt lasts 30 s at most; B held gives breaths between attempts.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ImportChoice</name>
+    <message>
+        <source>Give it a name of letters, digits, - and _ (at most 40), not the patient&apos;s.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A patient of this name exists already; choose another name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ImportWork</name>
+    <message>
+        <source>Looking at what is there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reading the series</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Finding the structures</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Finding the head</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Finding the airway</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Finding skull, jaw, spine and hyoid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Finding the epiglottis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Finding the tongue</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Finding soft palate, larynx and oesophagus</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Finding the landmarks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bringing the patient into position</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Making the surfaces</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Making the surface of face and throat</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Making the surface of the airway</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Making the surfaces of jaw and palate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Filling tongue and epiglottis with tetrahedra</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Trying an intubation with the scripted expert</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Writing the patient</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>takes longer than expected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>about %1 s left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>about %1 min left</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ModuleWords</name>
+    <message>
+        <source> at the first attempt</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> within %1 attempts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mastered</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>open</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>closed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no trial yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2 trials passed%3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>, %1 of %2 scenarios done</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>, cumulative sum %1 (mastered at %2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mastered when the cumulative sum (CUSUM) over all its trials reaches %1 and each scenario has been passed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mastered when each scenario has been passed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mastered when each scenario has been passed %1 times running</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>; only assessments count. </source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source: %1. Not validated.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Opens after %1 is mastered.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> and </source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>MonitorPanel</name>
+    <message>
+        <source>HEART RATE BELOW 60: COMPRESSIONS</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>HEART RATE BELOW 100: VENTILATE</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>SpO2 BELOW 80 %</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>MouseIntroduction</name>
+    <message>
+        <source>&lt;tr&gt;&lt;td&gt;&lt;b&gt;Drag, wheel&lt;/b&gt;&lt;/td&gt;&lt;td&gt;moves it in the picture; wheel forward: deeper into the mouth&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Ctrl-drag&lt;/b&gt;&lt;/td&gt;&lt;td&gt;turns it about its tip; so do a drag with the right button and W A S D (Q E: roll)&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Space&lt;/b&gt;&lt;/td&gt;&lt;td&gt;held: lifts the blade along its handle; Backspace lowers&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Shift, + and -&lt;/b&gt;&lt;/td&gt;&lt;td&gt;held: all of it finer; farther, or less far, for the same way&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Arrows, PgUp, PgDn &amp;nbsp;&lt;/b&gt;&lt;/td&gt;&lt;td&gt;move it without a mouse&lt;/td&gt;&lt;/tr&gt;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&lt;tr&gt;&lt;td&gt;&lt;b&gt;X&lt;/b&gt; (or Tab)&lt;/td&gt;&lt;td&gt;the other hand: blade or tube; what you let go of stays where it is&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;B, L&lt;/b&gt;&lt;/td&gt;&lt;td&gt;held: breaths, by mask, or by the tube once it is in; pressure on the larynx&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;C, V&lt;/b&gt;&lt;/td&gt;&lt;td&gt;suction catheter instead of the tube, and back; V held sucks&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;T&lt;/b&gt;&lt;/td&gt;&lt;td&gt;draws the stylet out of the tube&lt;/td&gt;&lt;/tr&gt;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;Tube in at the right corner, beside the blade; the black mark goes to the cords. Never push against resistance.&lt;br&gt;Heart rate below 100: out, and ventilate. Five or six breaths tell by the CO2 detector.&lt;/p&gt;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A mouse cannot push back: the bars on the right show the force your blade puts on tongue and gum.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A mouse cannot push back.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lift, do not lever. A solid grey blade is your hand, where the blade could not follow it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The blade you can see through, which moves by itself, is an expert&apos;s.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>PassWords</name>
+    <message>
+        <source>Passes with: at most %1 N on the tongue and %2 N on the gum, at least %3 % of the glottis seen, within %4 s, at most %5 s above the training target of %6 N on the tongue and %7 s at the device&apos;s force limit.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>outcome: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> or </source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at most %1 attempts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at most %1 s from the view to the cords passed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>SpO2 not below %1 %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>heart rate not below %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at most %1 N along the tube</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the place confirmed by CO2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>good depth with the head neutral, too</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a tube in the oesophagus recognised within %1 breaths</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no fall of saturation by 20 points in an attempt</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The tube: %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>PersonWords</name>
+    <message>
+        <source>instructor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>trainee</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Deleted: %1 trials, %2 notes, %3 files on this computer.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Still to be deleted: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 with all trials, figures, ratings and notes, and the trials&apos; files: on this computer now, on others when they start next. Only a number stays in the audit trail. Nobody can bring it back; export first what is to be kept.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete for good</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ProgressTab</name>
+    <message>
+        <source>not yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>after %n trial(s)</source>
+        <translation>
+            <numerusform>nach %n Versuch</numerusform>
+            <numerusform>nach %n Versuchen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trial(s), %1 passed</source>
+        <translation>
+            <numerusform>%n Versuch, %1 bestanden</numerusform>
+            <numerusform>%n Versuche, %1 bestanden</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>RatingWords</name>
+    <message>
+        <source>%1: yes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: no</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of 5</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of 5, %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The trainee&apos;s own rating: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>You as the instructor: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>An instructor: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Report</name>
+    <message>
+        <source>Trial: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scenario %1, %2, seed %3, device %4, patient %5</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 to %2 UTC</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Patient %1, scenario %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The shaded span is the attempt, blade into the mouth to blade out; grey is a pause, in which the device could not be used. Tongue and gum: force of the tissue on the blade (model force). The dotted line is what the device was told to show. A peak is the largest single tick of 1 ms, unfiltered. Time over the device limit counts until a device that was lost has taken hold again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Vallecula is a training tool, not a medical device. Limits and targets are training targets, not injury thresholds.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ResultPage</name>
+    <message>
+        <source>Enter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Same attempt again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open the report</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Other scenario</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Replay</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>SeriesRows</name>
+    <message>
+        <source>No series</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>SourcePage</name>
+    <message>
+        <source>Name, number, dates and all other text of the scan are left out of the new patient. The surface of the face is the patient&apos;s own, though, and whoever knows the patient may recognise it: treat the package as patient data.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>StartPage</name>
+    <message>
+        <source>Whoever has finished this course can:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Write a course ...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Create, change, try, compare and share courses</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Patient</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Device settings ...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tube&apos;s hand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mode</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>StatementsLine</name>
+    <message>
+        <source>Learning record store: nothing waits to be sent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Learning record store: %n trial(s) wait to be sent</source>
+        <translation>
+            <numerusform>Learning Record Store: %n Versuch wartet auf das Senden</numerusform>
+            <numerusform>Learning Record Store: %n Versuche warten auf das Senden</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trial(s) refused (%1)</source>
+        <translation>
+            <numerusform>%n Versuch abgelehnt (%1)</numerusform>
+            <numerusform>%n Versuche abgelehnt (%1)</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>vallecula::gui::AccountTab</name>
+    <message>
+        <source>Sign in to have your trials counted as yours. Nobody needs to: without signing in one practises all the same, and the trials belong to nobody.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>PIN</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sign in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;PIN</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Register as a &amp;trainee ...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set up the first &amp;instructor ...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Trials from now on are yours. Sign out when somebody else takes the blade. All that is kept of you you can take along as a folder of open files, or have deleted whole.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sign &amp;out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change &amp;PIN ...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Export all my data ...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Delete me ...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose where the export&apos;s folder is made</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Too many wrong PINs: wait %1 s, or ask an instructor for a new PIN.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Try the PIN again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Looking at the PIN ...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set up the instructor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Register</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>An instructor sees everybody&apos;s progress, rates and notes, gives new PINs and deletes people. There is no way in without this PIN: keep it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A name or a pseudonym, as you like to be seen in the list. Nobody else can see your PIN; an instructor can give you a new one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change PIN</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The old one first, so that nobody does it in your place.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The PIN is changed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Exporting ...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All that is kept of you is in %1, in the folder you chose.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete yourself?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This deletes you</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>vallecula::gui::AuthoringPage</name>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>To the start page</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>An empty course, or a copy of one there is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Empty course</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A copy of</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A course of your own, a shipped one, or a file you were given</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another file ...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save a copy ...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One file, to hand on or keep elsewhere</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add to mine</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep this file among your own courses, so that the start page offers it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Try this scenario</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Play it as it stands here, saved or not (F5)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drag to another place, or Alt and the arrow keys</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add scenario</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At the end of the module</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add module</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>With one scenario</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The chosen module or scenario once more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy from ...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A module or scenario of another course</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The chosen module or scenario</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Earlier in the course (Alt+Up)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Later in the course (Alt+Down)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Divide into modules</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This course was written before there were modules: put its scenarios into one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Compare with</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Form</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not saved yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save as mine</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A shipped course stays as it is: this is kept among your own (Ctrl+S)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Undo: %1 (Ctrl+Z)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Redo: %1 (Ctrl+Shift+Z)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Checking ...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing is wrong: this course can be practised.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n thing(s) to mend; a click leads there:</source>
+        <translation>
+            <numerusform>%n Stelle zu beheben; ein Klick führt hin:</numerusform>
+            <numerusform>%n Stellen zu beheben; ein Klick führt hin:</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Choose a scenario on the left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is listed below is to be mended first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>My course</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A copy of %1, not saved yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open a course</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This course came with Vallecula and stays as it is; what you change is saved among your own.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This file can only be looked at here: what is wrong with it is said below. Nothing in it is changed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is not saved: %1 has the id &apos;%2&apos; too, and the records would take the two courses for one. Give this one another id (the course itself on the left, then Id), and save again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Changed by another program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 was changed by another program since it was opened here. Overwrite it?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is not saved. Save a copy keeps both; Open shows what the file has now.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Saved as %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Saved as %1. It can be practised once nothing is wrong with it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give it an id of its own</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save a copy of the course</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A copy was saved; whoever gets the file opens it here, or checks it with `vallecula curriculum check`.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unsaved changes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The course has changes that are not saved.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shipped: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mine: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Modules, with their scenarios</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scenarios</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The text cannot be read as it is: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add a scenario</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This course has no modules yet: divide it into modules first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add a module</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a module or a scenario on the left; New makes a copy of a whole course.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy a module</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy a scenario</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a module or a scenario on the left.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete the module</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete the scenario</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a scenario on the left to try it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It cannot be tried yet: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>vallecula::gui::BladeControl</name>
+    <message>
+        <source>Drag: move the tube   |   wheel or PgUp PgDn: in, out   |   Q E: turn it about its length   |   Ctrl-drag, right-drag or W A S D: tilt it   |   Shift: fine   |   + -: gain, now %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drag: move the blade   |   Ctrl-drag, right-drag or W A S D: turn it (Q E: roll)   |   wheel or PgUp PgDn: deeper, back   |   arrows: move (Shift: fine)   |   hold Space: lift along the handle, Backspace: lower   |   + -: gain, now %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>vallecula::gui::BuildPage</name>
+    <message>
+        <source>L&amp;eave</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Back to the &amp;check</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Build a&amp;gain</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Save the patient</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Practise with this patient</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Leave mouth and neck as scanned</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Else a closed mouth is opened and the neck extended, as for an intubation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scale to a &amp;newborn&apos;s size</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All lengths, so that the skull is as broad as a term newborn&apos;s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tetrahedra of the tongue</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>About so many (within 10 %): more are finer and slower</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name of the new patient</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Tetrahedra of the tongue</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Na&amp;me of the new patient</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Building the patient</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bringing the patient into position</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The patient is built. Nothing stands out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>The patient is built. %n thing(s) to be checked before it is saved.</source>
+        <translation>
+            <numerusform>Der Patient ist gebaut. Eine Sache ist vor dem Speichern zu prüfen.</numerusform>
+            <numerusform>Der Patient ist gebaut. %n Dinge sind vor dem Speichern zu prüfen.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Writing the patient</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The patient is saved.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The patient could not be built.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>vallecula::gui::CheckPage</name>
+    <message>
+        <source>Under the pointer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Place under the pointer (mm to the patient&apos;s left, back and head, as the scan has them), grey value (HU) and structure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Saved: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Crosshair</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take all slices to a point; drag landmarks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Window and level (HU). Drag: right wider, up darker; the right button does it with any tool</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ruler</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Length (mm). Drag, or click two points; Delete takes the last one away</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Angle (degrees). Click three points, the corner second</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Window and level for</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Window and level for these tissues</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Window and level, HU</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Labels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Opacity of the labels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Opacity of the structures&apos; colours in the slices, %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>S&amp;tructures</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Land&amp;marks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Quality</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save &amp;for 3D Slicer ...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>L&amp;oad ...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Labels (.nrrd) and landmarks (.mrk.json beside them), to be painted and moved there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A label map (all structures in it) or landmarks (.mrk.json), as 3D Slicer saves them.
+A label map without names (NIfTI) is read by these values: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a label map</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Label maps and landmarks (*.nrrd *.nii *.nii.gz *.dcm *.mrk.json);;All files (*)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save the labels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Label maps (*.nrrd)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Run a&amp;gain with the edits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Finds the structures anew with the seeds, thresholds, label maps and landmarks given</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>L&amp;eave</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Build the patient</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Quality (%1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>To be checked first: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a structure on the right and give it a seed, a threshold or a label map, then run again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reading what was made elsewhere</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Saving for 3D Slicer</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>vallecula::gui::ClipExport</name>
+    <message>
+        <source>Save a clip</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Both views as they are set now, as Ogg Theora (.ogv): browsers and VLC play it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save ...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Clips (*.ogv)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The clip ends before it begins: choose a later end.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drawing ...</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>vallecula::gui::CohortTab</name>
+    <message>
+        <source>Name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Part of the trainee&apos;s name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Any course</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Any scenario</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Any device</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Period</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Last 7 days</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Last 30 days</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Last 365 days</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cohort</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Open</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Enter, or a double click on the curve</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nobody who is signed in while practising has a trial in this time; choose a longer one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No trainee has a trial yet. Trainees sign in before they practise; trials without a sign-in belong to nobody and are not shown here.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2 curves. Enter or a double click opens one. Kinds of device are never pooled; no pass mark is validated.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>vallecula::gui::CompareView</name>
+    <message>
+        <source>Differences</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This course is the same as %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Against %1: %2 lines are new (green, +), %3 are gone (brown, -).</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>vallecula::gui::CourseForm</name>
+    <message>
+        <source>left out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 (left out)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Leave out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add to %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Leave out %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is %1; allowed: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>vallecula::gui::CourseText</name>
+    <message>
+        <source>The course&apos;s text</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>vallecula::gui::CourseTree</name>
+    <message>
+        <source>Course, modules and scenarios</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1  (in no module)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Something in it is not allowed: see below</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move the scenario</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move the module</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>vallecula::gui::DeviceDialog</name>
+    <message>
+        <source>Device settings</source>
+        <translation>Geräteeinstellungen</translation>
+    </message>
+    <message>
+        <source>Blade&apos;s way</source>
+        <translation>Weg des Spatels</translation>
+    </message>
+    <message>
+        <source>the mouse&apos;s way on the picture; + and - change it in a trial</source>
+        <translation>Weg der Maus auf dem Bild; + und - ändern ihn im Versuch</translation>
+    </message>
+    <message>
+        <source>stands on the other side</source>
+        <translation>steht auf der anderen Seite</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>your hand&apos;s way</source>
+        <translation>Weg Ihrer Hand</translation>
+    </message>
+    <message>
+        <source>Device turned</source>
+        <translation>Gerät gedreht</translation>
+    </message>
+    <message>
+        <source>against you, anticlockwise seen from above</source>
+        <translation>gegen Sie, von oben gesehen gegen den Uhrzeigersinn</translation>
+    </message>
+    <message>
+        <source>Left-handed</source>
+        <translation>Linkshändig</translation>
+    </message>
+    <message>
+        <source>turned the other way, first and second button exchanged</source>
+        <translation>andersherum gedreht, erste und zweite Taste vertauscht</translation>
+    </message>
+    <message>
+        <source>Clutch button</source>
+        <translation>Kupplungstaste</translation>
+    </message>
+    <message>
+        <source>held, it frees your hand: the blade stays where it is</source>
+        <translation>gehalten gibt sie Ihre Hand frei: der Spatel bleibt, wo er ist</translation>
+    </message>
+    <message>
+        <source>automatic</source>
+        <translation>automatisch</translation>
+    </message>
+    <message>
+        <source>Force felt</source>
+        <translation>Gespürte Kraft</translation>
+    </message>
+    <message>
+        <source>the force in the patient; automatic: scaled to what the device can show</source>
+        <translation>die Kraft im Patienten; automatisch: auf das, was das Gerät zeigen kann</translation>
+    </message>
+</context>
+<context>
+    <name>vallecula::gui::DevicesPage</name>
+    <message>
+        <source>Devices</source>
+        <translation>Geräte</translation>
+    </message>
+    <message>
+        <source>What is plugged in. The list follows: plug a device in and it appears.</source>
+        <translation>Was angeschlossen ist. Die Liste folgt: Ein Gerät erscheint, sobald Sie es anschließen.</translation>
+    </message>
+    <message>
+        <source>Needs</source>
+        <translation>Braucht</translation>
+    </message>
+    <message>
+        <source>Looking for devices ...</source>
+        <translation>Geräte werden gesucht ...</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Use this one</source>
+        <translation>Dieses verwenden</translation>
+    </message>
+    <message>
+        <source>The devices cannot be listed: %1</source>
+        <translation>Die Geräte lassen sich nicht auflisten: %1</translation>
+    </message>
+    <message>
+        <source>nothing: ready</source>
+        <translation>nichts: bereit</translation>
+    </message>
+    <message>
+        <source>Choose one to see what it needs.</source>
+        <translation>Wählen Sie eines, um zu sehen, was es braucht.</translation>
+    </message>
+    <message>
+        <source>%1: ready.</source>
+        <translation>%1: bereit.</translation>
+    </message>
+</context>
+<context>
+    <name>vallecula::gui::DistractionPanel</name>
+    <message>
+        <source>You will be asked things meanwhile, here. Keys 1 to 6 answer, M silences an alarm; talk asks for nothing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Silence (M)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Silence</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time left</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>vallecula::gui::EditHistory</name>
+    <message>
+        <source>seed of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>threshold of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>move of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>accepting %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>doubting %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>dropping the edits of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>vallecula::gui::FieldRow</name>
+    <message>
+        <source>In the file: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: from</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: to</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>(left out)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>(left out: %1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>vallecula::gui::HandOn</name>
+    <message>
+        <source>&amp;Hand on ...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Table (CSV) ...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Report of the &amp;chosen trial (PDF) ...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Report of this trainee (PDF) ...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>With the trainees&apos; &amp;names</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Table of all trials of this trainee (CSV) ...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Table of the trials behind the curves shown (CSV) ...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hand on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Writing %1 ...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Written: %1, %n trial(s).</source>
+        <translation>
+            <numerusform>Geschrieben: %1, %n Versuch.</numerusform>
+            <numerusform>Geschrieben: %1, %n Versuche.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Not handed on. %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>vallecula::gui::ImportWizard</name>
+    <message>
+        <source>1  Source</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>2  Segment</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>3  Check</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>4  Build</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Finding the structures</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reading the scan and finding the structures</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing is written yet. You look at the result before it becomes a patient.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Leave the import</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Leave without saving the patient? What was built is lost.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Leave without saving the patient? The edits made here are lost.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reading the series</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go back to the check and mend there what it names.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cancelled; nothing was saved.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cancelled.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>vallecula::gui::ImportWork</name>
+    <message>
+        <source>loading landmarks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>loading labels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>loading %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 and %2; of the skin what lies near other structures, for the face is to be the generic one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>vallecula::gui::LabelView</name>
+    <message>
+        <source>Structures in 3D</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Arrows turn, plus and minus zoom, 0 looks from the front, F shows this view alone</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>vallecula::gui::LandmarkPanel</name>
+    <message>
+        <source>Landmarks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Landmark</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>L, P, H (mm)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Origin</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mo&amp;ve it to the crosshair</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bac&amp;k to where it was found</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choosing one takes all slices to it. Drag its ring in a slice, or its ball in 3D.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>moved</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>moved by hand</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>vallecula::gui::LinkedChart</name>
+    <message>
+        <source>Click to go there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drawing ...</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>vallecula::gui::ModuleTree</name>
+    <message>
+        <source>Modules and scenarios</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>About this course</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>passed</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>vallecula::gui::MonitorPanel</name>
+    <message>
+        <source>Monitor: saturation, heart rate, breaths, CO2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>saturation %1 %, heart rate %2 a minute, %3 s since the last breath%4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Since breath</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Given %1/min</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 given</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>None given</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>CO2 detector</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>YELLOW</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>PURPLE</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>CO2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no CO2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>HR</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>vallecula::gui::MouseIntroduction</name>
+    <message>
+        <source>Don&apos;t show this again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Got it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Your mouse holds the laryngoscope, then the tube</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Your mouse holds the laryngoscope</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&lt;tr&gt;&lt;td&gt;&lt;b&gt;Enter, Esc, R, Z&lt;/b&gt;&lt;/td&gt;&lt;td&gt;start the trial, end it, begin again; change the view&lt;/td&gt;&lt;/tr&gt;&lt;/table&gt;&lt;p&gt;Enter closes this; Enter again starts the trial.&lt;/p&gt;</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>vallecula::gui::NotesPanel</name>
+    <message>
+        <source>Notes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A note at this second</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take away</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Takes the chosen note away</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Note at %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This trial is in no record of this station, so notes have no place to be kept.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Written %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>vallecula::gui::NumberBox</name>
+    <message>
+        <source>left out</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>vallecula::gui::OfferedTools</name>
+    <message>
+        <source>Blade</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tube</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose for this infant ...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 mm inner diameter</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>vallecula::gui::PeopleTab</name>
+    <message>
+        <source>People</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Role</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Since</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Audit trail</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>When</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Who</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Did</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>With</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Kept by numbers; a name is shown where the person is still here. Nothing in it can be changed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Add ...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Re&amp;name ...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New &amp;PIN ...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Export ...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose where the export&apos;s folder is made</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Delete ...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pro&amp;gress</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nobody signed in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>number %1, deleted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The PIN is the person&apos;s own from then on: have it typed by them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Added.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The name everywhere from now on; trials stay the person&apos;s.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Renamed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New PIN</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In place of one that was forgotten; it ends a wait as well.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The new PIN is set.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Exporting ...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All that is kept of this person is in %1, in the folder you chose.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete %1?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This deletes %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>vallecula::gui::PersonDialog</name>
+    <message>
+        <source>&amp;Name or pseudonym</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Trainee</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Instructor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Role</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Old PIN</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New &amp;PIN</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;PIN</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>4 to 64 characters</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>PIN &amp;again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give a name or a pseudonym.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A PIN has at least 4 characters.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The two PINs are not the same.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>vallecula::gui::ProblemList</name>
+    <message>
+        <source>Problems</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Allowed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The whole file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>... and %1 more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In the file: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>vallecula::gui::ProgressTab</name>
+    <message>
+        <source>Whose progress</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Learning curves</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Days with trials</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Figure of the learning curve</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Progress of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nobody is signed in. These trials belong to nobody; sign in to have progress of your own.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Progress of</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>trials that belong to nobody</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 · %2 of %3 passed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> · %1 cut off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> · %1 to rate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No trial yet. Choose a scenario on the first page and practise it: each trial is a point here.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no trial on this day</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 on this day</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Learning curve</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cumulative sum (CUSUM)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rate the assessment in the table below first: then it is a point here.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Three in a row: %1.  CUSUM competent: %2.  Now: %3, %4 in a row.%5</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>  Interrupted: %1, counted in nothing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No pass mark is validated.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>vallecula::gui::QualityList</name>
+    <message>
+        <source>Quality report</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> (was %1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>vallecula::gui::RatingDialog</name>
+    <message>
+        <source>Rate a trial</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The trainee sees your rating beside the figures. A newer one takes its place.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Without the checklist: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Keep the rating</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing is judged yet: choose one of the five steps, or yes or no.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How was it, all in all?  (Alt+1 to Alt+5)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What the recording could not tell</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Yes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not judged</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>vallecula::gui::RecordsPage</name>
+    <message>
+        <source>Records</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Asking the records ...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Try a&amp;gain</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sign in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Trying again ...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nobody is signed in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>My account</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cohort</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>People</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>vallecula::gui::ReplayPage</name>
+    <message>
+        <source>Replay: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>X: the way a scripted expert&apos;s tip takes in this patient, in white</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The scripted expert has no plan for this patient</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tip&apos;s path: &lt;span style=&apos;color:%1&apos;&gt;&amp;#9644;&lt;/span&gt; below half the target force on the tongue &lt;span style=&apos;color:%2&apos;&gt;&amp;#9644;&lt;/span&gt; up to it (%4 N) &lt;span style=&apos;color:%3&apos;&gt;&amp;#9644;&lt;/span&gt; over it; in white the expert&apos;s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> (%1 of %2 points)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pass mark: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Computing on to %1 ...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The replay was stopped before this second.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>attempt %1 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>between attempts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>glottis seen %1 %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tube %1 cm at the lips</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>device %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>  ·  tongue %1 N, gum %2 N</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: the picture could not be encoded as PNG</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save a picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pictures (*.png)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The picture was not saved</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Forces</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A: arrows of the blade&apos;s push on the tissue, 5 mm a newton; blue on soft tissue, red on gums, palate and teeth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tip&apos;s path</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>P: the way of the blade&apos;s tip until now, coloured by the force on the tongue</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Expert&apos;s path</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Free camera</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>F: drag turns the view, Shift-drag moves it, the wheel goes nearer; Shift and arrow keys turn it too</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Half head</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>H: with the free camera, without the skin of the patient&apos;s left half, for a look from the side</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Force over time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Saturation and heart rate over time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Monitor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What was judged</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What happened</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Score</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Events</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>« Event</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Previous event</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>‹ Frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A frame back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Play or pause</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frame ›</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A frame on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Event »</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Next event</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>+ and -</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Computing the tissue&apos;s shape</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The tissue&apos;s shape is not in the log and is computed anew; what is blue on the timeline is there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop computing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is computed stays</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Picture ...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ctrl+S: both views as a PNG</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Clip ...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save a clip</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Both views from one second to another</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+</context>
+<context>
+    <name>vallecula::gui::ResultPage</name>
+    <message>
+        <source>Force over time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Saturation and heart rate over time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>PASSED</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>NOT PASSED</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>L: look at the trial again, at any second of it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A fault: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a link leads to its second in the replay</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reasons</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Next attempt</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Results: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Attempt seed %1: with it everything is the same once more.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>An assessment: its replay stays locked.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drawing saturation and heart rate ...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Saturation and heart rate cannot be drawn: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of %1 ticks. Late: forces written more than 1 ms after they were due. Dropped: ticks whose simulation step was not finished in time.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Real-time set-up: %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The force plot could not be read.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>vallecula::gui::SelfRatingPage</name>
+    <message>
+        <source>Before you see the score: what do you think yourself? Your answer is kept with the trial and cannot be changed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How did you do, all in all?  (keys 1 to 5)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Did the tube go into the trachea, and is it still there?  (Y, N)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Yes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Are you sure of that?  (S, U)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unsure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show the score</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The trial is over and counts. Your own rating is still missing: give it now. After closing the window once more, Records asks whose trial it is for it before anything of the trial is shown.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>vallecula::gui::SliceScene</name>
+    <message>
+        <source>outside the scan</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>vallecula::gui::SliceView</name>
+    <message>
+        <source>%1 slice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Arrows move the crosshair, Page Up and Page Down change the slice, plus, minus and 0 zoom, Enter puts a point of the tool at the crosshair, Escape puts the tool away, Delete removes the last measure, F shows this view alone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>seed of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>vallecula::gui::SourcePage</name>
+    <message>
+        <source>Folder with the CT&apos;s DICOM files</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where the CT is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Folder ...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>F&amp;ile ...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Series found</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Series</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remarks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name of the new patient</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Use the shipped generic face instead</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Read and find the structures</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Back to the start</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Name of the new patient</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;CT scan</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose the folder with the CT</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a file of the CT</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Looking at what is there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>can be imported</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>vallecula::gui::StartPage</name>
+    <message>
+        <source>Practise neonatal intubation, and see what your hands did. A training tool, not a medical device.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Curriculum</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Practice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Assessment: no helps, own rating first, no replay</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Built-in manikin, made for the scenario</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Watch a scripted expert</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Watch a scripted novice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The same device, blade and tube in turn (X changes)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The mouse</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Other patient ...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New patient from a CT ...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Devices ...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Prepare the trial</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Trials with another kind of device do not count here.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A scripted hand can be watched at it before.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose blade and tube first: they count in the score</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A scripted hand has nothing to set.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This device was not found when devices were last looked for: plug it in, and look again with Devices ...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a patient package (a folder NAME.patient)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is not a patient package (it holds no patient.yaml); make one with `vallecula import`.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>vallecula::gui::StatementDelivery</name>
+    <message numerus="yes">
+        <source>%n trial(s) sent to the learning record store</source>
+        <translation>
+            <numerusform>%n Versuch an den Learning Record Store gesendet</numerusform>
+            <numerusform>%n Versuche an den Learning Record Store gesendet</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trial(s) refused by the learning record store: %1</source>
+        <translation>
+            <numerusform>%n Versuch vom Learning Record Store abgelehnt: %1</numerusform>
+            <numerusform>%n Versuche vom Learning Record Store abgelehnt: %1</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trial(s) not sent yet: %1</source>
+        <translation>
+            <numerusform>%n Versuch noch nicht gesendet: %1</numerusform>
+            <numerusform>%n Versuche noch nicht gesendet: %1</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>vallecula::gui::StatementsLine</name>
+    <message>
+        <source>&amp;Send now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sending ...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trial(s) sent</source>
+        <translation>
+            <numerusform>%n Versuch gesendet</numerusform>
+            <numerusform>%n Versuche gesendet</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trial(s) refused</source>
+        <translation>
+            <numerusform>%n Versuch abgelehnt</numerusform>
+            <numerusform>%n Versuche abgelehnt</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trial(s) not sent yet: %1</source>
+        <translation>
+            <numerusform>%n Versuch noch nicht gesendet: %1</numerusform>
+            <numerusform>%n Versuche noch nicht gesendet: %1</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>vallecula::gui::StructurePanel</name>
+    <message>
+        <source>Structures</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The tick shows or hides a structure in the pictures</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Origin</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Accepted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Accept</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is as it should be</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give a &amp;seed ...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Then click a point inside the structure, in any slice (or Enter at the crosshair)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> HU</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lowest grey value of the structure, HU</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Highest grey value of the structure, HU</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lowest HU of the structure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Highest HU of the structure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Preview</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tints in the slices what lies between the two (HU)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Use the threshold</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Load a label map ...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Takes this structure from a label map made elsewhere (3D Slicer)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Drop edits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Takes back seed, threshold and label map of this structure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not looked for yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not found</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> + seed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> + threshold</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> + label map</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not found: give a seed, a threshold or a label map</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>click inside it (Esc: no)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, %2, %3 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Finds this structure anew between these two</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The lowest must lie below the highest</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>vallecula::gui::TextField</name>
+    <message>
+        <source>%1: language</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add a language ...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As the trainee will read it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As the trainee reads it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add a language</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its code, like de, fr or pt-BR:</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>vallecula::gui::Timeline</name>
+    <message>
+        <source>Time in the trial</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>vallecula::gui::TrialChart</name>
+    <message>
+        <source>trial</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>vallecula::gui::TrialsPanel</name>
+    <message>
+        <source>Trials</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Trial</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ended</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mode</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Figure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Attempts</source>
+        <translation>Intubationsversuche</translation>
+    </message>
+    <message>
+        <source>Length (s)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Open</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ra&amp;te ...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Squares were interrupted, crosses not passed, discs passed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rate it first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rate it &amp;first ...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Enter, or a double click on the trial</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This assessment shows its figures, its result and its report once you have rated it yourself.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nobody has rated this trial.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This trial&apos;s files are not on this computer: they are on the station it was done at, or were moved.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rate it first: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reading the trial ...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The rating is kept.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>vallecula::gui::WhoStrip</name>
+    <message>
+        <source>Sign out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Records ...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Signed in: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nobody is signed in: trials belong to nobody. Records ... is where to sign in.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>vallecula::gui::WorkStrip</name>
+    <message>
+        <source>Progress</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ends it and leaves nothing behind (Esc)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stopping ...</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+</TS>

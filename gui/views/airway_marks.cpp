@@ -139,7 +139,9 @@ std::vector<vtkSmartPointer<vtkProp3D>> airway_marks(const engine::AirwayCourse&
   put(band.actor(theme::within().lighter(130), 1.0), layer_mm);
   const Cut middle = cut_at(cuts, 0.5 * (good_from + good_to));
   const Vec3 out = (middle.front - middle.back).normalized();
-  put(text("good depth", middle.front + 0.003 * out, midline_x_mm, 14, QColor(250, 252, 250), true), layer_mm + 0.2);
+  put(text(QCoreApplication::translate("AirwayMarks", "good depth").toUtf8().constData(), middle.front + 0.003 * out,
+           midline_x_mm, 14, QColor(250, 252, 250), true),
+      layer_mm + 0.2);
   for (int cm = 1; 0.01 * cm < length; ++cm) {
     const Cut cut = cut_at(cuts, from + 0.01 * cm);
     const Vec3 across = (cut.back - cut.front).normalized();

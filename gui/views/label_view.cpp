@@ -30,8 +30,8 @@ constexpr double kMarkPixels = 4.5;  // a landmark's radius, however near one lo
 LabelView::LabelView(SliceScene& scene, QWidget* parent) : GlView(parent), scene_(scene) {
   setFocusPolicy(Qt::StrongFocus);
   setMinimumSize(150, 120);
-  setAccessibleName("Structures in 3D");
-  setAccessibleDescription("Arrows turn, plus and minus zoom, 0 looks from the front, F shows this view alone");
+  setAccessibleName(tr("Structures in 3D"));
+  setAccessibleDescription(tr("Arrows turn, plus and minus zoom, 0 looks from the front, F shows this view alone"));
   setMouseTracking(true);
   over_ = vtkSmartPointer<vtkRenderer>::New();
   over_->SetLayer(1);

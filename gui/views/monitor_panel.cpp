@@ -1,5 +1,6 @@
 #include "gui/views/monitor_panel.h"
 
+#include <QCoreApplication>
 #include <QPainter>
 #include <QPainterPath>
 #include <algorithm>
@@ -40,10 +41,10 @@ QFont sized(QPainter& painter, double pixels, bool bold) {
 QStringList alarms_of(const engine::IntubationRecord& record) {
   QStringList alarms;
   if (record.heart_per_min < kCompressions)
-    alarms << "HEART RATE BELOW 60: COMPRESSIONS";
+    alarms << QCoreApplication::translate("MonitorPanel", "HEART RATE BELOW 60: COMPRESSIONS");
   else if (record.heart_per_min < kSlowHeart)
-    alarms << "HEART RATE BELOW 100: VENTILATE";
-  if (record.spo2 < kLowSpo2) alarms << "SpO2 BELOW 80 %";
+    alarms << QCoreApplication::translate("MonitorPanel", "HEART RATE BELOW 100: VENTILATE");
+  if (record.spo2 < kLowSpo2) alarms << QCoreApplication::translate("MonitorPanel", "SpO2 BELOW 80 %");
   return alarms;
 }
 
@@ -53,7 +54,7 @@ AlarmSound alarm_sound_of(const engine::IntubationRecord& record) {
 }
 
 MonitorPanel::MonitorPanel(QWidget* parent) : QWidget(parent) {
-  setAccessibleName("Monitor: saturation, heart rate, breaths, CO2");
+  setAccessibleName(tr("Monitor: saturation, heart rate, breaths, CO2"));
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
 }
 
@@ -78,7 +79,7 @@ void MonitorPanel::show_snapshot(const engine::Snapshot& snapshot) {
     minute_.push_back({now_s_, record_.spo2, record_.heart_per_min});
   while (minute_.front().time_s < now_s_ - kShown) minute_.pop_front();
   there_ = true;
-  setAccessibleDescription(QString("saturation %1 %, heart rate %2 a minute, %3 s since the last breath%4")
+  setAccessibleDescription(tr("saturation %1 %, heart rate %2 a minute, %3 s since the last breath%4")
                                .arg(100.0 * record_.spo2, 0, 'f', 0)
                                .arg(record_.heart_per_min, 0, 'f', 0)
                                .arg(since_breath_s(), 0, 'f', 0)
@@ -122,7 +123,7 @@ void MonitorPanel::paint_breaths(QPainter& painter, const QRectF& place) const {
   const double tall = place.height(), small = std::min(0.17 * tall, 0.135 * place.width());
   painter.setPen(kQuiet);
   painter.setFont(sized(painter, small, true));
-  painter.drawText(place, Qt::AlignTop | Qt::AlignLeft, "Since breath");
+  painter.drawText(place, Qt::AlignTop | Qt::AlignLeft, tr("Since breath"));
   const bool long_ago = there_ && since_breath_s() > 30.0;  // an attempt's ceiling
   painter.setPen(long_ago ? theme::over() : kQuiet);
   painter.setFont(sized(painter, 0.42 * tall, true));
@@ -132,16 +133,16 @@ void MonitorPanel::paint_breaths(QPainter& painter, const QRectF& place) const {
   painter.setFont(sized(painter, small, true));
   painter.drawText(place, Qt::AlignBottom | Qt::AlignLeft,
                    !there_                       ? QString()
-                   : record_.given_per_min > 0.0 ? QString("Given %1/min").arg(record_.given_per_min, 0, 'f', 0)
-                   : record_.breaths_given > 0   ? QString("%1 given").arg(record_.breaths_given)
-                                                 : QString("None given"));
+                   : record_.given_per_min > 0.0 ? tr("Given %1/min").arg(record_.given_per_min, 0, 'f', 0)
+                   : record_.breaths_given > 0   ? tr("%1 given").arg(record_.breaths_given)
+                                                 : tr("None given"));
 }
 
 void MonitorPanel::paint_detector(QPainter& painter, const QRectF& place) const {
   const double tall = place.height();
   painter.setPen(kQuiet);
   painter.setFont(sized(painter, std::min(0.17 * tall, 0.135 * place.width()), true));
-  painter.drawText(place, Qt::AlignTop | Qt::AlignLeft, "CO2 detector");
+  painter.drawText(place, Qt::AlignTop | Qt::AlignLeft, tr("CO2 detector"));
   const bool yellow = there_ && record_.detector_yellow;
   const QRectF patch(place.left(), place.top() + 0.27 * tall, place.width(), 0.71 * tall);
   painter.setPen(QPen(QColor(230, 234, 238), 1.5));
@@ -149,9 +150,10 @@ void MonitorPanel::paint_detector(QPainter& painter, const QRectF& place) const 
   painter.drawRoundedRect(patch, 6, 6);
   painter.setPen(yellow ? QColor(50, 40, 0) : QColor(Qt::white));
   painter.setFont(sized(painter, std::min(0.24 * tall, 0.20 * patch.width()), true));
-  painter.drawText(patch.adjusted(0, 0.04 * tall, 0, -0.30 * tall), Qt::AlignCenter, yellow ? "YELLOW" : "PURPLE");
+  painter.drawText(patch.adjusted(0, 0.04 * tall, 0, -0.30 * tall), Qt::AlignCenter,
+                   yellow ? tr("YELLOW") : tr("PURPLE"));
   painter.setFont(sized(painter, 0.15 * tall, false));
-  painter.drawText(patch.adjusted(0, 0.34 * tall, 0, 0), Qt::AlignCenter, yellow ? "CO2" : "no CO2");
+  painter.drawText(patch.adjusted(0, 0.34 * tall, 0, 0), Qt::AlignCenter, yellow ? tr("CO2") : tr("no CO2"));
 }
 
 void MonitorPanel::paintEvent(QPaintEvent*) {
@@ -177,8 +179,8 @@ void MonitorPanel::paintEvent(QPaintEvent*) {
                 kOxygen, low);
   paint_trend(painter, next(trend).adjusted(0, 4, 0, -4), &Moment::spo2, 0.4, 1.0, kLowSpo2, kOxygen);
   const QRectF heart = next(numeric);
-  paint_numeric(painter, heart, "HR", there_ ? QString::number(record_.heart_per_min, 'f', 0) : none, "/min", kHeart,
-                slow);
+  paint_numeric(painter, heart, tr("HR"), there_ ? QString::number(record_.heart_per_min, 'f', 0) : none, "/min",
+                kHeart, slow);
   if (there_ && record_.heart_per_min > 0.0) {
     painter.setPen(Qt::NoPen);
     painter.setBrush(slow ? QColor(Qt::white) : kHeart);

@@ -4,12 +4,13 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "gui/session/words_from_below.h"
 #include "pipeline/package/label_map.h"
 #include "pipeline/package/origin.h"
 
 namespace vallecula::gui {
 
-QString words_of(const std::string& name) { return QString::fromStdString(pipeline::words_of(name)); }
+QString words_of(const std::string& name) { return in_words(pipeline::words_of(name)); }
 
 QString tenths_of(double mm) { return QString::number(std::round(10.0 * mm) / 10.0 + 0.0, 'f', 1); }
 
@@ -161,7 +162,7 @@ QString SliceScene::describe(const Point& at) const {
   if (!hu_) return {};
   QString text = QString("L %1   P %2   H %3 mm").arg(tenths_of(at[0]), tenths_of(at[1]), tenths_of(at[2]));
   const auto c = hu_->grid.nearest(at);
-  if (!hu_->grid.contains(c[0], c[1], c[2])) return text + "   outside the scan";
+  if (!hu_->grid.contains(c[0], c[1], c[2])) return text + "   " + tr("outside the scan");
   text += QString("   %1 HU").arg(hu_->at(c[0], c[1], c[2]));
   if (labels_)
     for (const auto& label : pipeline::kLabelNames)

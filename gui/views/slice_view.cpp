@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gui/session/words_from_below.h"
 #include "gui/views/theme.h"
 
 namespace vallecula::gui {
@@ -66,11 +67,11 @@ SliceView::SliceView(SliceScene& scene, SlicePlane plane, QWidget* parent)
   setMouseTracking(true);
   setMinimumSize(150, 120);
   setAttribute(Qt::WA_OpaquePaintEvent);
-  setAccessibleName(QString("%1 slice").arg(axes_.name));
-  setAccessibleDescription(
+  setAccessibleName(tr("%1 slice").arg(in_words(axes_.name)));
+  setAccessibleDescription(tr(
       "Arrows move the crosshair, Page Up and Page Down change the slice, plus, minus and 0 zoom, Enter puts a point "
       "of the tool at the crosshair, Escape puts the tool away, Delete removes the last measure, F shows this view "
-      "alone");
+      "alone"));
   connect(&scene_, &SliceScene::changed, this, &SliceView::scan_changed);
   connect(&scene_, &SliceScene::focus_changed, this, [this] {
     if (fitted_) fit();
@@ -219,7 +220,7 @@ void SliceView::draw_seeds(QPainter& painter, Names& names) const {
       painter.drawLine(p - QPointF(6, 6), p + QPointF(6, 6));
       painter.drawLine(p - QPointF(6, -6), p + QPointF(6, -6));
     }
-    names.add(p, "seed of " + words_of(name), theme::target());
+    names.add(p, tr("seed of %1").arg(words_of(name)), theme::target());
   }
 }
 
@@ -237,7 +238,8 @@ void SliceView::draw_edges(QPainter& painter) const {
   font.setPointSizeF(10.0);
   painter.setFont(font);
   const int count = shown_->grid.size[axes_.through];
-  rimmed_text(painter, {8, 18}, QString("%1  %2 / %3").arg(axes_.name).arg(scene_.slice_index(plane_) + 1).arg(count),
+  rimmed_text(painter, {8, 18},
+              QString("%1  %2 / %3").arg(in_words(axes_.name)).arg(scene_.slice_index(plane_) + 1).arg(count),
               theme::text());
   // A scale of a round length that takes about a fifth of the picture.
   double mm = 1.0;

@@ -10,6 +10,7 @@
 #include <map>
 
 #include "gui/session/poly_data.h"
+#include "gui/session/soft_boundary.h"
 #include "gui/views/tissue_colours.h"
 #include "gui/views/tissue_shading.h"
 
@@ -40,37 +41,15 @@ SoftSurface::SoftSurface(const pipeline::TetMesh& mesh, const pipeline::Surface&
 
 SoftSurface::SoftSurface(const pipeline::TetMesh& mesh, int levels, const pipeline::Surface* fine)
     : nodes_(mesh.points.size()) {
-  // A face that belongs to one tetrahedron only is boundary; the order of its corners faces outward.
-  std::map<std::array<int, 3>, std::array<int, 3>> open;
-  for (const auto& t : mesh.tets) {
-    const std::array<std::array<int, 3>, 4> faces{
-        {{t[0], t[2], t[1]}, {t[0], t[1], t[3]}, {t[1], t[2], t[3]}, {t[0], t[3], t[2]}}};
-    for (const auto& face : faces) {
-      auto key = face;
-      std::sort(key.begin(), key.end());
-      const auto [found, fresh] = open.emplace(key, face);
-      if (!fresh) open.erase(found);
-    }
-  }
+  SoftBoundary boundary = soft_boundary(mesh);
+  node_of_ = std::move(boundary.node);
+  triangles_ = std::move(boundary.triangles);
   std::vector<double> epiglottis(nodes_, 0.0), tets_at(nodes_, 0.0);
   for (std::size_t i = 0; i < mesh.tets.size(); ++i)
     for (int node : mesh.tets[i]) {
       tets_at[node] += 1.0;
       if (i < mesh.tissue.size() && mesh.tissue[i] == 1) epiglottis[node] += 1.0;
     }
-  std::vector<int> point_of(nodes_, -1);
-  for (const auto& [key, face] : open) {
-    std::array<int, 3> triangle{};
-    for (int corner = 0; corner < 3; ++corner) {
-      int& point = point_of[face[corner]];
-      if (point < 0) {
-        point = static_cast<int>(node_of_.size());
-        node_of_.push_back(face[corner]);
-      }
-      triangle[corner] = point;
-    }
-    triangles_.push_back(triangle);
-  }
   std::vector<double> pale;
   for (int node : node_of_) {
     pale.push_back(tets_at[node] > 0 ? epiglottis[node] / tets_at[node] : 0.0);

@@ -12,6 +12,8 @@
 #include <cmath>
 #include <cstdlib>
 #include <memory>
+#include <numeric>
+#include <opencv2/videoio.hpp>
 #include <stdexcept>
 
 #include "curricula/records/notes.h"
@@ -234,33 +236,63 @@ TEST_F(WindowReplay, ShowsForcesPathAndLetsTheEyeGoRound) {
   EXPECT_THROW(page.save_picture("/nonexistent/seen.png"), std::runtime_error);
 }
 
-/// What an Ogg Theora file says of itself (xiph.org's specifications, 6.2 and A.2.3).
-struct Theora {
+TEST_F(WindowReplay, ColoursWhatWasPressedByHowHard) {
+  MainWindow window;
+  window.show();
+  ReplayPage& page = opened(window, trial());
+  ContactHeat& heat = page.heat();
+  ASSERT_TRUE(wait_for([&] { return heat.computed() == page.film().plan().frames; }));
+  const auto sum = [](const std::vector<float>& kpa) { return std::accumulate(kpa.begin(), kpa.end(), 0.0); };
+  EXPECT_EQ(sum(heat.peaks_until(0)), 0.0) << "the blade is still above";
+  const std::vector<float> at_half = heat.peaks_until(page.film().frame_at(0.6));
+  const std::vector<float> at_end = heat.peaks_until(page.film().plan().frames - 1);
+  EXPECT_GT(sum(at_half), 0.0);
+  for (std::size_t i = 0; i < at_end.size(); ++i) EXPECT_GE(at_end[i], at_half[i]) << "a peak stays";
+  EXPECT_EQ(heat.peaks_until(page.film().frame_at(0.6)), at_half) << "and goes when one goes back";
+  EXPECT_FLOAT_EQ(*std::max_element(at_end.begin(), at_end.end()), heat.highest_kpa());
+
+  page.findChild<QCheckBox*>("arrows")->setChecked(false);
+  auto& box = *page.findChild<QCheckBox*>("heat");
+  const auto pixels_changed = [&](double at_s) {
+    page.seek(at_s);
+    box.setChecked(false);
+    const QImage plain = page.operator_view().picture();
+    key(page, Qt::Key_C);
+    EXPECT_TRUE(box.isChecked());
+    const QImage coloured = page.operator_view().picture();
+    int changed = 0;
+    for (int y = 0; y < plain.height(); ++y)
+      for (int x = 0; x < plain.width(); ++x) changed += plain.pixel(x, y) != coloured.pixel(x, y);
+    return changed;
+  };
+  EXPECT_EQ(pixels_changed(0.0), 0);
+  EXPECT_GT(pixels_changed(1.19), 100) << "what was pressed stays coloured once the blade is off it";
+}
+
+/// What an MP4 file says of its one track (ISO/IEC 14496-12: tkhd, mdhd, stsz, stts).
+struct Mp4 {
   int width = 0, height = 0;
-  double rate = 0.0;
+  double length_s = 0.0;
   long long frames = 0;
+  bool h264 = false;
 };
-Theora theora_of(const fs::path& file) {
+Mp4 mp4_of(const fs::path& file) {
   const std::string bytes = test::text_of(file);
-  const auto number = [&](std::size_t at, int count) {
+  const auto number = [&](std::size_t at) {
     long long value = 0;
-    for (int i = 0; i < count; ++i) value = value << 8 | static_cast<unsigned char>(bytes[at + i]);
+    for (int i = 0; i < 4; ++i) value = value << 8 | static_cast<unsigned char>(bytes.at(at + i));
     return value;
   };
-  Theora found;
-  const std::size_t head = bytes.find("\x80theora");
-  if (bytes.compare(0, 4, "OggS") != 0 || head == std::string::npos) return found;
-  found.width = static_cast<int>(number(head + 14, 3));
-  found.height = static_cast<int>(number(head + 17, 3));
-  found.rate = static_cast<double>(number(head + 22, 4)) / static_cast<double>(number(head + 26, 4));
-  const int shift = static_cast<int>(number(head + 40, 2) >> 5 & 31);
-  long long last = 0;
-  for (std::size_t at = 0; (at = bytes.find("OggS", at)) != std::string::npos; at += 4) {
-    long long position = 0;
-    for (int i = 7; i >= 0; --i) position = position << 8 | static_cast<unsigned char>(bytes[at + 6 + i]);
-    last = std::max(last, position);
-  }
-  found.frames = (last >> shift) + (last & ((1LL << shift) - 1));
+  Mp4 found;
+  const std::size_t track = bytes.find("tkhd"), media = bytes.find("mdhd"), sizes = bytes.find("stsz");
+  if (bytes.compare(4, 4, "ftyp") != 0 || track == std::string::npos || media == std::string::npos ||
+      sizes == std::string::npos || bytes.at(track + 4) != 0 || bytes.at(media + 4) != 0)
+    return found;
+  found.width = static_cast<int>(number(track + 80) >> 16);
+  found.height = static_cast<int>(number(track + 84) >> 16);
+  found.length_s = static_cast<double>(number(media + 20)) / static_cast<double>(number(media + 16));
+  found.frames = number(sizes + 12);
+  found.h264 = bytes.find("avcC") != std::string::npos;
   return found;
 }
 
@@ -269,7 +301,7 @@ TEST_F(WindowReplay, SavesAClipOrNothing) {
   window.show();
   ReplayPage& page = opened(window, trial());
   EXPECT_NEAR(page.computed_s(), 1.2, 0.04);
-  const fs::path file = *shared_ / "clip.ogv";
+  const fs::path file = *shared_ / "clip.mp4";
   const auto dialog = [&] {
     return std::make_unique<ClipExport>([&page](double at_s) { return page.picture_of(at_s); }, 0.3, page.computed_s(),
                                         1.0 / kFilmRateHz);
@@ -279,25 +311,36 @@ TEST_F(WindowReplay, SavesAClipOrNothing) {
   whole->start(QString::fromStdString(file.string()));
   ASSERT_TRUE(wait_for([&] { return whole->result() == QDialog::Accepted; }));
   const QSize size = page.picture().size();
-  const Theora clip = theora_of(file);
-  EXPECT_EQ(clip.width, size.width());
-  EXPECT_EQ(clip.height, size.height());
-  EXPECT_DOUBLE_EQ(clip.rate, 30.0);
+  const Mp4 clip = mp4_of(file);
+  EXPECT_TRUE(clip.h264);
+  EXPECT_EQ(clip.width, size.width() & ~1) << "no odd side";
+  EXPECT_EQ(clip.height, size.height() & ~1);
   EXPECT_EQ(clip.frames, 10) << "0.3 s and both its ends";
+  EXPECT_NEAR(clip.length_s, 10 / 30.0, 1e-3);
+  cv::VideoCapture player(file.string());
+  cv::Mat first;
+  ASSERT_TRUE(player.read(first));
+  const QImage meant = page.picture_of(0.3).convertToFormat(QImage::Format_BGR888);
+  const cv::Scalar shown = cv::mean(first);
+  double means[3] = {0, 0, 0};
+  for (int y = 0; y < first.rows; ++y)
+    for (int x = 0; x < 3 * first.cols; ++x) means[x % 3] += meant.constScanLine(y)[x];
+  for (int channel = 0; channel < 3; ++channel)  // a lossy clip: within three grey levels on average
+    EXPECT_NEAR(shown[channel], means[channel] / first.rows / first.cols, 3.0) << channel;
 
   auto cancelled = dialog();
-  const fs::path other = *shared_ / "other.ogv";
+  const fs::path other = *shared_ / "other.mp4";
   cancelled->start(QString::fromStdString(other.string()));
   ASSERT_TRUE(wait_for([&] { return page.time_s() > 0.35; }));
   cancelled->reject();
   EXPECT_FALSE(fs::exists(other));
-  EXPECT_FALSE(fs::exists(*shared_ / "other.ogv.part"));
+  EXPECT_FALSE(fs::exists(*shared_ / "other.mp4.part.mp4"));
   auto nowhere = dialog();
-  nowhere->start("/nonexistent/clip.ogv");
+  nowhere->start("/nonexistent/clip.mp4");
   EXPECT_FALSE(nowhere->working());
   const auto labels = nowhere->findChildren<QLabel*>();
   EXPECT_TRUE(std::any_of(labels.begin(), labels.end(), [](const QLabel* label) {
-    return label->text().contains("/nonexistent/clip.ogv");
+    return label->text().contains("/nonexistent/clip.mp4");
   }));
 }
 

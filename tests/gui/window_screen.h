@@ -22,6 +22,7 @@ namespace vallecula::gui::window_test {
 class Screen : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
+    setenv("LANGUAGE", "en", 1);  // the tests read English, wherever they run
     display_ = std::make_unique<VirtualDisplay>(1400, 900);
     application_ = std::make_unique<WindowApplication>();
   }

@@ -1,0 +1,35 @@
+// Where the blade pressed on tongue and epiglottis, and how hard, as colour over their surface.
+#pragma once
+
+#include <vtkActor.h>
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+
+#include <array>
+#include <vector>
+
+#include "engine/snapshot.h"
+#include "gui/session/soft_boundary.h"
+
+namespace vallecula::gui {
+
+/// Pale yellow through vermillion to dark violet, told apart by lightness alone as well; clear below a twentieth of the
+/// scale. `share`: of the scale, 0..1.
+std::array<unsigned char, 4> heat_colour(double share);
+/// A round number not below `highest_kpa`: the scale's end, kPa.
+double heat_scale_kpa(double highest_kpa);
+
+class HeatLook {
+ public:
+  explicit HeatLook(const SoftBoundary& boundary);
+  const vtkSmartPointer<vtkActor>& actor() const { return actor_; }
+  /// `kpa`: by boundary point.
+  void show(const engine::Snapshot& snapshot, const std::vector<float>& kpa, double scale_kpa);
+
+ private:
+  const SoftBoundary boundary_;
+  vtkSmartPointer<vtkPolyData> surface_;
+  vtkSmartPointer<vtkActor> actor_;
+};
+
+}  // namespace vallecula::gui
