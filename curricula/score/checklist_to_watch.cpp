@@ -8,7 +8,8 @@ std::vector<ChecklistItem> checklist_to_watch(const Scenario& scenario) {
   Score nothing_yet;
   if (scenario.intubation) nothing_yet.intubation.emplace();
   std::vector<ChecklistItem> items = checklist_of(nothing_yet, TrialLog(), scenario);
-  for (ChecklistItem& item : items) item = {item.id, item.text, ChecklistItem::Done::not_seen, -1.0, "The trial is not over"};
+  for (ChecklistItem& item : items)
+    item = {item.id, item.text, ChecklistItem::Done::not_seen, -1.0, "The trial is not over"};
   return items;
 }
 

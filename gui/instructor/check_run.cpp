@@ -32,16 +32,16 @@ std::pair<int, int> main_direction(const device::Vector& way) {
 }  // namespace
 
 QString direction_words(int axis, int sign) {
-  const char* words[3][2] = {{QT_TRANSLATE_NOOP("Direction", "to the left"), QT_TRANSLATE_NOOP("Direction", "to the right")},
-                             {QT_TRANSLATE_NOOP("Direction", "down"), QT_TRANSLATE_NOOP("Direction", "up")},
-                             {QT_TRANSLATE_NOOP("Direction", "away from you"), QT_TRANSLATE_NOOP("Direction", "towards you")}};
+  const char* words[3][2] = {
+      {QT_TRANSLATE_NOOP("Direction", "to the left"), QT_TRANSLATE_NOOP("Direction", "to the right")},
+      {QT_TRANSLATE_NOOP("Direction", "down"), QT_TRANSLATE_NOOP("Direction", "up")},
+      {QT_TRANSLATE_NOOP("Direction", "away from you"), QT_TRANSLATE_NOOP("Direction", "towards you")}};
   return QCoreApplication::translate("Direction", words[axis][sign > 0 ? 1 : 0]);
 }
 
 int CheckResult::bad() const {
-  return static_cast<int>(std::count_if(lines.begin(), lines.end(), [](const CheckLine& line) {
-    return line.verdict == Verdict::bad;
-  }));
+  return static_cast<int>(
+      std::count_if(lines.begin(), lines.end(), [](const CheckLine& line) { return line.verdict == Verdict::bad; }));
 }
 
 QString CheckRun::title(Step step) {
@@ -67,9 +67,11 @@ QString CheckRun::title(Step step) {
 CheckRun::CheckRun(DeviceProbe& probe, int clutch_button, std::function<int()> random)
     : probe_(probe), clutch_(probe.info().own_axes ? clutch_button : 0), random_(std::move(random)) {
   const device::DeviceInfo& info = probe_.info();
-  end_step(Verdict::good, info.serial.empty() ? QString::fromStdString(info.model)
-                                              : tr("%1, serial number %2").arg(QString::fromStdString(info.model),
-                                                                               QString::fromStdString(info.serial)));
+  end_step(
+      Verdict::good,
+      info.serial.empty()
+          ? QString::fromStdString(info.model)
+          : tr("%1, serial number %2").arg(QString::fromStdString(info.model), QString::fromStdString(info.serial)));
 }
 
 std::array<CheckLine, kCheckSteps> CheckRun::not_opened(const QString& why) {
@@ -98,8 +100,8 @@ void CheckRun::begin_step(Step step) {
   if (step == Step::reach) centre();
   if (step == Step::force && probe_.push_n() <= 0.0) end_step(Verdict::skipped, tr("the device shows no force"));
   if (step_ == Step::buttons && line(step_).verdict == Verdict::under_way && clutch_ == 0)
-    end_step(Verdict::skipped, probe_.info().own_axes ? tr("no button is the clutch (Device settings)")
-                                                      : tr("it needs no clutch"));
+    end_step(Verdict::skipped,
+             probe_.info().own_axes ? tr("no button is the clutch (Device settings)") : tr("it needs no clutch"));
 }
 
 void CheckRun::look() {
@@ -119,11 +121,16 @@ void CheckRun::look() {
     over_ = true;
     return;
   }
-  if (step_ == Step::calibration) look_at_calibration();
-  else if (step_ == Step::rate) look_at_rate();
-  else if (step_ == Step::moves) look_at_moves();
-  else if (step_ == Step::reach) look_at_reach();
-  else if (step_ == Step::buttons) look_at_buttons();
+  if (step_ == Step::calibration)
+    look_at_calibration();
+  else if (step_ == Step::rate)
+    look_at_rate();
+  else if (step_ == Step::moves)
+    look_at_moves();
+  else if (step_ == Step::reach)
+    look_at_reach();
+  else if (step_ == Step::buttons)
+    look_at_buttons();
 }
 
 void CheckRun::look_at_calibration() {
@@ -143,10 +150,11 @@ void CheckRun::look_at_rate() {
                             .arg(state_.measured_s, 0, 'f', 1)
                             .arg(100.0 * late, 0, 'f', 1);
   if (rate_hz >= kLeastRateHz && late <= kMostLateShare) return end_step(Verdict::good, words);
-  end_step(Verdict::bad, tr("%1: too slow (at least %2 Hz, at most %3 % late). End other programs; use a port of its own")
-                             .arg(words)
-                             .arg(kLeastRateHz, 0, 'f', 0)
-                             .arg(100.0 * kMostLateShare, 0, 'f', 0));
+  end_step(Verdict::bad,
+           tr("%1: too slow (at least %2 Hz, at most %3 % late). End other programs; use a port of its own")
+               .arg(words)
+               .arg(kLeastRateHz, 0, 'f', 0)
+               .arg(100.0 * kMostLateShare, 0, 'f', 0));
 }
 
 void CheckRun::look_at_moves() {
@@ -157,7 +165,8 @@ void CheckRun::look_at_moves() {
   if (axis != part_ || sign < 0) {
     if (!second_try_) {
       second_try_ = true;
-      line(step_).words = tr("It went %1. Once more, straight %2").arg(direction_words(axis, sign), direction_words(part_, 1));
+      line(step_).words =
+          tr("It went %1. Once more, straight %2").arg(direction_words(axis, sign), direction_words(part_, 1));
       return;
     }
     wrong_ << tr("moved %1, it went %2").arg(direction_words(part_, 1), direction_words(axis, sign));
@@ -166,7 +175,8 @@ void CheckRun::look_at_moves() {
   line(step_).words.clear();
   if (++part_ < 3) return;
   if (wrong_.isEmpty()) return end_step(Verdict::good, tr("right, up and towards you are as they should be"));
-  end_step(Verdict::bad, tr("%1: axes are exchanged, or the device stands turned (Device settings)").arg(wrong_.join("; ")));
+  end_step(Verdict::bad,
+           tr("%1: axes are exchanged, or the device stands turned (Device settings)").arg(wrong_.join("; ")));
 }
 
 void CheckRun::look_at_reach() {
@@ -200,9 +210,7 @@ void CheckRun::centre() {
   reached_ = {};
 }
 
-bool CheckRun::may_push() const {
-  return !over_ && step_ == Step::force && pushes_asked_ == part_;
-}
+bool CheckRun::may_push() const { return !over_ && step_ == Step::force && pushes_asked_ == part_; }
 
 bool CheckRun::may_answer() const {
   return !over_ && step_ == Step::force && pushes_asked_ == part_ + 1 && state_.pushes >= pushes_asked_;
@@ -227,7 +235,8 @@ void CheckRun::felt(int axis, int sign) {
   if (++part_ < 3) return;
   const QString size = tr("%1 N").arg(largest_push_n_, 0, 'f', 1);
   if (wrong_.isEmpty()) return end_step(Verdict::good, tr("felt as pushed, with %1").arg(size));
-  end_step(Verdict::bad, tr("%1 (with %2): do not practise with this device before it is mended").arg(wrong_.join("; "), size));
+  end_step(Verdict::bad,
+           tr("%1 (with %2): do not practise with this device before it is mended").arg(wrong_.join("; "), size));
 }
 
 void CheckRun::look_at_buttons() {
@@ -248,7 +257,8 @@ void CheckRun::cannot() {
     end_step(Verdict::bad, tr("the device does not move %1").arg(direction_words(part_, 1)));
   else if (step_ == Step::reach)
     end_step(Verdict::bad, tr("not reached: %1. Begin in the middle of the device's range, or make the blade's way "
-                              "longer (Device settings)").arg(missing_marks()));
+                              "longer (Device settings)")
+                               .arg(missing_marks()));
   else if (step_ == Step::force)
     end_step(Verdict::skipped, tr("left out"));
   else if (step_ == Step::buttons)

@@ -52,10 +52,10 @@ class CheckRun {
   static std::array<CheckLine, kCheckSteps> not_opened(const QString& why);
 
   void look();
-  void push();                     ///< the person holds the handle and is ready
-  void felt(int axis, int sign);   ///< which way; sign 0: nothing was felt
-  void cannot();                   ///< what is asked for cannot be done: bad, and on to the next
-  void centre();                   ///< the reach is counted from where the hand is
+  void push();                    ///< the person holds the handle and is ready
+  void felt(int axis, int sign);  ///< which way; sign 0: nothing was felt
+  void cannot();                  ///< what is asked for cannot be done: bad, and on to the next
+  void centre();                  ///< the reach is counted from where the hand is
 
   static QString title(CheckStep step);
   const std::array<CheckLine, kCheckSteps>& lines() const { return lines_; }

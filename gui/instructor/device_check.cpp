@@ -165,9 +165,8 @@ QWidget* DeviceCheck::make_answers() {
   const struct {
     int axis, sign;
     QKeySequence key;
-  } ways[] = {{0, -1, Qt::Key_Left}, {0, 1, Qt::Key_Right},     {1, 1, Qt::Key_Up},
-              {1, -1, Qt::Key_Down}, {2, -1, Qt::Key_PageUp}, {2, 1, Qt::Key_PageDown},
-              {0, 0, Qt::Key_0}};
+  } ways[] = {{0, -1, Qt::Key_Left},   {0, 1, Qt::Key_Right},    {1, 1, Qt::Key_Up}, {1, -1, Qt::Key_Down},
+              {2, -1, Qt::Key_PageUp}, {2, 1, Qt::Key_PageDown}, {0, 0, Qt::Key_0}};
   for (const auto& way : ways) {
     auto* button = new QPushButton(way.sign == 0 ? tr("Nothing") : direction_words(way.axis, way.sign), row);
     button->setShortcut(way.key);
@@ -250,7 +249,8 @@ void DeviceCheck::end(const std::array<CheckLine, kCheckSteps>& lines) {
   result.device = name_;
   result.at = QDateTime::currentDateTime();
   result.lines = told;
-  for (QWidget* one : {static_cast<QWidget*>(push_), static_cast<QWidget*>(centre_), static_cast<QWidget*>(cannot_), answers_})
+  for (QWidget* one :
+       {static_cast<QWidget*>(push_), static_cast<QWidget*>(centre_), static_cast<QWidget*>(cannot_), answers_})
     one->setEnabled(false);
   again_->setEnabled(true);
   close_->setFocus();
@@ -298,9 +298,9 @@ QString DeviceChecks::words(const QString& device, const QDateTime& now) const {
   const CheckResult* result = find(device);
   if (result == nullptr) return due(device) ? tr("Device not checked") : QString();
   const int minutes = static_cast<int>(result->at.secsTo(now) / 60);
-  const QString when =
-      minutes < 1 ? tr("Device checked just now") : tr("Device checked %1 min ago").arg(minutes);
-  return result->bad() == 0 ? when : tr("%1: %2 of %3 not as it should be").arg(when).arg(result->bad()).arg(kCheckSteps);
+  const QString when = minutes < 1 ? tr("Device checked just now") : tr("Device checked %1 min ago").arg(minutes);
+  return result->bad() == 0 ? when
+                            : tr("%1: %2 of %3 not as it should be").arg(when).arg(result->bad()).arg(kCheckSteps);
 }
 
 }  // namespace vallecula::gui

@@ -29,8 +29,7 @@ class DeviceCheck : public QDialog {
   using Maker = std::function<std::unique_ptr<device::HapticDevice>()>;
   /// `name` as make_device takes it; `make` opens the device, on a thread of its own, once now and
   /// once for every further check. `random`: 0 or 1, the sign of each push.
-  DeviceCheck(const QString& name, Maker make, QWidget* parent = nullptr,
-              std::function<int()> random = {});
+  DeviceCheck(const QString& name, Maker make, QWidget* parent = nullptr, std::function<int()> random = {});
   ~DeviceCheck() override;
   /// Closed, the device is free: a trial may open it at once.
   void done(int result) override;

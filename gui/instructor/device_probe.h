@@ -26,13 +26,13 @@ struct ProbeState {
   device::DeviceFault fault = device::DeviceFault::none;  ///< of the pause that holds; none: it is not paused
   device::Calibration calibration = device::Calibration::not_needed;
   int centres = 0, measures = 0;  ///< as centre() and measure() gave it: which of them this is the state after
-  double measured_s = 0.0;     ///< since measure() was asked for
-  std::int64_t ticks = 0;      ///< in that time
-  std::int64_t late = 0;       ///< of them: their force was written more than 1 ms after it was due
-  bool real_time = false;      ///< the system granted real-time priority
-  int pushes = 0;              ///< done, whole or not
-  double pushed_n = 0.0;       ///< the largest force that was sent to the device in the last push
-  bool pushed_away = false;    ///< the last push ended because the handle went away
+  double measured_s = 0.0;        ///< since measure() was asked for
+  std::int64_t ticks = 0;         ///< in that time
+  std::int64_t late = 0;          ///< of them: their force was written more than 1 ms after it was due
+  bool real_time = false;         ///< the system granted real-time priority
+  int pushes = 0;                 ///< done, whole or not
+  double pushed_n = 0.0;          ///< the largest force that was sent to the device in the last push
+  bool pushed_away = false;       ///< the last push ended because the handle went away
 };
 
 /// Owns the device from the first tick to the last. Forces go through the guard's output chain only, and none is asked

@@ -24,15 +24,20 @@ InstructorControls::InstructorControls(QWidget* parent) : QWidget(parent) {
   auto* grid = new QGridLayout;
   grid->setSpacing(6);
   const auto put = [&](int row, int column, QPushButton* button) { grid->addWidget(button, row, column); };
-  put(0, 0, vital_button(tr("SpO2 \xe2\x96\xbc"), tr("Held, the saturation falls (%)"), engine::kInstructorSaturationDown));
-  put(0, 1, vital_button(tr("SpO2 \xe2\x96\xb2"), tr("Held, the saturation rises (%)"), engine::kInstructorSaturationUp));
+  put(0, 0,
+      vital_button(tr("SpO2 \xe2\x96\xbc"), tr("Held, the saturation falls (%)"), engine::kInstructorSaturationDown));
+  put(0, 1,
+      vital_button(tr("SpO2 \xe2\x96\xb2"), tr("Held, the saturation rises (%)"), engine::kInstructorSaturationUp));
   put(0, 2, freeze_);
-  put(1, 0, vital_button(tr("Heart \xe2\x96\xbc"), tr("Held, the heart slows (beats a minute)"),
-                         engine::kInstructorHeartDown));
-  put(1, 1, vital_button(tr("Heart \xe2\x96\xb2"), tr("Held, the heart quickens (beats a minute)"),
-                         engine::kInstructorHeartUp));
-  put(1, 2, vital_button(tr("Laryngospasm"), tr("Pressed, the cords close; pressed again, they are let go"),
-                         engine::kInstructorSpasm));
+  put(1, 0,
+      vital_button(tr("Heart \xe2\x96\xbc"), tr("Held, the heart slows (beats a minute)"),
+                   engine::kInstructorHeartDown));
+  put(1, 1,
+      vital_button(tr("Heart \xe2\x96\xb2"), tr("Held, the heart quickens (beats a minute)"),
+                   engine::kInstructorHeartUp));
+  put(1, 2,
+      vital_button(tr("Laryngospasm"), tr("Pressed, the cords close; pressed again, they are let go"),
+                   engine::kInstructorSpasm));
   line_ = new QComboBox(this);
   line_->setEditable(true);
   line_->setInsertPolicy(QComboBox::NoInsert);

@@ -1,4 +1,5 @@
-// What an instructor does to a trial that runs: freeze it, change the infant's vital signs, have the team say something.
+// What an instructor does to a trial that runs: freeze it, change the infant's vital signs, have the team say
+// something.
 #pragma once
 
 #include <QWidget>

@@ -54,8 +54,7 @@ std::optional<curricula::Mouth> mouth_of(const pipeline::PatientPackage& package
 
 }  // namespace
 
-InstructorWindow::InstructorWindow(TrialPage& trial, RecordsDesk& trainee)
-    : trial_(trial), trainee_(trainee) {
+InstructorWindow::InstructorWindow(TrialPage& trial, RecordsDesk& trainee) : trial_(trial), trainee_(trainee) {
   setWindowTitle(tr("Instructor - Vallecula"));
   auto* columns = new QHBoxLayout(this);
   columns->setContentsMargins(12, 10, 12, 10);
@@ -209,8 +208,8 @@ void InstructorWindow::frame(const engine::Snapshot& snapshot) {
   bars_->show_forces(blade_forces(snapshot.loads, snapshot.proxy_pose));
   readings_->show_snapshot(snapshot, session_->paused_s());
   monitor_->show_snapshot(snapshot);
-  add_events(live_.watch(snapshot, QString::fromStdString(session_->pause()), session_->paused_s(),
-                         &session_->dual_task()));
+  add_events(
+      live_.watch(snapshot, QString::fromStdString(session_->pause()), session_->paused_s(), &session_->dual_task()));
   show_state();
 }
 
@@ -223,14 +222,15 @@ void InstructorWindow::show_state() {
     title_->setText(plain_of(session_->scenario().title));
   else if (title_->text().isEmpty())
     title_->setText(tr("No trial is open"));
-  state_->setText(!session_   ? (record_ != 0 ? tr("Over; waiting for the next trial") : tr("Waiting for a trial"))
-                  : !running  ? tr("Prepared, not started")
-                  : frozen    ? tr("FROZEN at %1").arg(clock_words(live_.now_s()))
+  state_->setText(!session_  ? (record_ != 0 ? tr("Over; waiting for the next trial") : tr("Waiting for a trial"))
+                  : !running ? tr("Prepared, not started")
+                  : frozen   ? tr("FROZEN at %1").arg(clock_words(live_.now_s()))
                   : session_->pause().empty() ? tr("Running, %1").arg(clock_words(live_.now_s()))
                                               : tr("Paused at %1").arg(clock_words(live_.now_s())));
   const QString trainee = trainee_.who() ? words_of(trainee_.person()) : tr("nobody is signed in");
   const QString instructor = desk_.who() ? words_of(desk_.person()) : tr("nobody: ticks cannot be kept");
-  who_->setText(tr("At the blade: %1. Here: %2.%3").arg(trainee, instructor, assessed ? tr(" Assessment.") : QString()));
+  who_->setText(
+      tr("At the blade: %1. Here: %2.%3").arg(trainee, instructor, assessed ? tr(" Assessment.") : QString()));
   monitor_->setVisible(infant);
   next_->setEnabled(!running && !trial_.assessing());
   controls_->allow(running, infant, assessed);
@@ -238,8 +238,7 @@ void InstructorWindow::show_state() {
 }
 
 void InstructorWindow::add_events(const std::vector<LiveEvent>& events) {
-  for (const LiveEvent& event : events)
-    events_->addItem(QString("%1   %2").arg(clock_words(event.at_s), event.text));
+  for (const LiveEvent& event : events) events_->addItem(QString("%1   %2").arg(clock_words(event.at_s), event.text));
   while (events_->count() > kMostEvents) delete events_->takeItem(0);
   if (!events.empty()) events_->scrollToBottom();
 }
@@ -279,7 +278,7 @@ void InstructorWindow::say(const QString& line) {
 void InstructorWindow::recorded(const TrialOutcome& outcome) {
   record_ = outcome.record_id;
   checklist_->recorded(outcome.score.checklist,
-                       !desk_.instructor()   ? tr("Recorded. An instructor who is signed in here can keep the ticks.")
+                       !desk_.instructor() ? tr("Recorded. An instructor who is signed in here can keep the ticks.")
                        : outcome.record_id == 0 ? tr("This trial has no record: the ticks cannot be kept.")
                                                 : QString());
   tabs_->setCurrentWidget(checklist_);

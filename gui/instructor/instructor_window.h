@@ -76,7 +76,7 @@ class InstructorWindow : public QWidget {
   QElapsedTimer since_drawn_;
   double last_time_s_ = 0.0;
   int drawn_ = 0;
-  long long record_ = 0;  ///< of the trial that was recorded last; 0: none
+  long long record_ = 0;      ///< of the trial that was recorded last; 0: none
   std::uint32_t driven_ = 0;  ///< vital signs held now
 };
 

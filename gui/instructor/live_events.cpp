@@ -89,8 +89,7 @@ void LiveEvents::watch_beside(DualTask& task) {
   for (const DualTask::Open& one : task.open()) open.push_back(one.distraction);
   for (const int one : open)
     if (std::find(open_.begin(), open_.end(), one) == open_.end())
-      tell(tr("Beside the hands: %1")
-               .arg(plain_of(task.distractions()[static_cast<std::size_t>(one - 1)].text)));
+      tell(tr("Beside the hands: %1").arg(plain_of(task.distractions()[static_cast<std::size_t>(one - 1)].text)));
   open_ = open;
 }
 

@@ -18,7 +18,9 @@ constexpr double kWheelStepM = 0.005;  ///< a notch of the wheel
 ReachPad::ReachPad(QWidget* parent) : QWidget(parent) {
   setFocusPolicy(Qt::StrongFocus);
   setAccessibleName(tr("Where the blade's tip is"));
-  setToolTip(tr("The blade's tip as the operator sees it, and its depth (mm). With the mouse: drag here, the wheel goes deeper."));
+  setToolTip(
+      tr("The blade's tip as the operator sees it, and its depth (mm). With the mouse: drag here, the wheel goes "
+         "deeper."));
 }
 
 void ReachPad::show_tip(const std::array<double, 3>& tip_m, const std::array<bool, kReachMarks>& reached,
@@ -76,9 +78,8 @@ void ReachPad::paintEvent(QPaintEvent*) {
   painter.drawEllipse(QPointF(inside(middle.x() + tip_m_[0] * scale, square.left(), square.right()),
                               inside(middle.y() - tip_m_[1] * scale, square.top(), square.bottom())),
                       7, 7);
-  painter.drawEllipse(QPointF(depth.center().x(),
-                              inside(depth.center().y() + tip_m_[2] * scale, depth.top(), depth.bottom())),
-                      7, 7);
+  painter.drawEllipse(
+      QPointF(depth.center().x(), inside(depth.center().y() + tip_m_[2] * scale, depth.top(), depth.bottom())), 7, 7);
 }
 
 void ReachPad::mousePressEvent(QMouseEvent* event) { last_ = event->pos(); }

@@ -29,7 +29,7 @@ class ReachPad : public QWidget {
   void wheelEvent(QWheelEvent* event) override;
 
  private:
-  QRectF plane() const;        ///< the square that stands for kShownM
+  QRectF plane() const;  ///< the square that stands for kShownM
   double pixels_per_m() const { return plane().width() / kShownM; }
   static constexpr double kShownM = 0.12;  ///< across the square
   std::array<double, 3> tip_m_{0, 0, 0};

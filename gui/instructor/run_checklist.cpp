@@ -32,7 +32,8 @@ RunChecklist::RunChecklist(QWidget* parent) : QWidget(parent) {
   all_in_all->addWidget(new QLabel(tr("All in all"), this));
   for (int step = 1; step <= 5; ++step) {
     QToolButton* button = tick(QString::number(step), QString());
-    const QString words = QCoreApplication::translate("Checklist", curricula::kGlobalRatingWords[static_cast<std::size_t>(step - 1)]);
+    const QString words =
+        QCoreApplication::translate("Checklist", curricula::kGlobalRatingWords[static_cast<std::size_t>(step - 1)]);
     button->setToolTip(tr("%1 of 5: %2").arg(step).arg(words));
     button->setAccessibleName(tr("All in all %1 of 5: %2").arg(step).arg(words));
     connect(button, &QToolButton::toggled, this, [this, button](bool on) {

@@ -1,4 +1,5 @@
-// The checklist while a trial runs: ticked by whoever watches, kept as an instructor's rating once the trial is recorded.
+// The checklist while a trial runs: ticked by whoever watches, kept as an instructor's rating once the trial is
+// recorded.
 #pragma once
 
 #include <QWidget>

@@ -105,8 +105,8 @@ bool SignInDialog::eventFilter(QObject* watched, QEvent* event) {
   if (watched == pin_ && event->type() == QEvent::KeyPress) {
     const int key = static_cast<QKeyEvent*>(event)->key();
     if (key == Qt::Key_Up || key == Qt::Key_Down) {
-      name_->setCurrentIndex(std::clamp(name_->currentIndex() + (key == Qt::Key_Down ? 1 : -1), 0,
-                                        std::max(0, name_->count() - 1)));
+      name_->setCurrentIndex(
+          std::clamp(name_->currentIndex() + (key == Qt::Key_Down ? 1 : -1), 0, std::max(0, name_->count() - 1)));
       return true;
     }
   }

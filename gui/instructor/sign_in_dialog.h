@@ -20,7 +20,8 @@ class SignInDialog : public QDialog {
  public:
   enum class Whom { anybody, instructors };
   /// `after`: who was signed in; the one after them in the list is chosen first. 0: nobody was.
-  SignInDialog(RecordsDesk& desk, Whom whom, const QString& title, const QString& say, long long after, QWidget* parent);
+  SignInDialog(RecordsDesk& desk, Whom whom, const QString& title, const QString& say, long long after,
+               QWidget* parent);
 
  signals:
   void records_wanted();  ///< somebody new: the records' page registers

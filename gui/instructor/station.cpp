@@ -18,7 +18,8 @@ InstructorStation::InstructorStation(QMainWindow& window, RecordsDesk& trainee, 
   open_->setToolTip(tr("Watch the trial, freeze it, change vital signs, tick the checklist (Ctrl+I)"));
   next_ = new QAction(tr("&Next trainee ..."), this);
   next_->setShortcut(Qt::CTRL | Qt::Key_T);
-  next_->setToolTip(tr("Signs the present trainee out and the next one in; scenario, patient and device stay (Ctrl+T)"));
+  next_->setToolTip(
+      tr("Signs the present trainee out and the next one in; scenario, patient and device stay (Ctrl+T)"));
   window_.addActions({open_, next_});
   window_.installEventFilter(this);
   connect(open_, &QAction::triggered, this, &InstructorStation::open);
@@ -48,9 +49,9 @@ void InstructorStation::open() {
       [this](bool has_instructor) {
         if (!has_instructor) return show_second({}, {});
         if (!second_) second_ = std::make_unique<InstructorWindow>(trial_, trainee_);
-        auto* dialog = new SignInDialog(second_->desk(), SignInDialog::Whom::instructors, tr("Instructor's window"),
-                                        tr("An instructor signs in here; whoever is at the blade stays signed in there."),
-                                        0, &window_);
+        auto* dialog = new SignInDialog(
+            second_->desk(), SignInDialog::Whom::instructors, tr("Instructor's window"),
+            tr("An instructor signs in here; whoever is at the blade stays signed in there."), 0, &window_);
         connect(dialog, &QDialog::accepted, this,
                 [this] { show_second(second_->desk().who(), second_->desk().person()); });
         dialog->open();
@@ -76,8 +77,8 @@ void InstructorStation::change_trainee() {
   window_.activateWindow();
   auto* dialog = new SignInDialog(
       trainee_, SignInDialog::Whom::anybody, tr("Next trainee"),
-      gone + tr("Scenario, patient and device stay; the mode is practice again. Nobody signs in for somebody else."), before,
-      &window_);
+      gone + tr("Scenario, patient and device stay; the mode is practice again. Nobody signs in for somebody else."),
+      before, &window_);
   connect(dialog, &SignInDialog::records_wanted, this, &InstructorStation::records_wanted);
   dialog->open();
 }

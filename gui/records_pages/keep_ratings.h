@@ -9,8 +9,8 @@
 
 namespace vallecula::gui {
 
-/// Of the trial of this row, by whoever is signed in at `desk`. `done` or `failed` with the message follow in the window's
-/// thread, if `receiver` still lives.
+/// Of the trial of this row, by whoever is signed in at `desk`. `done` or `failed` with the message follow in the
+/// window's thread, if `receiver` still lives.
 void keep_ratings(RecordsDesk& desk, QObject* receiver, long long trial, std::vector<curricula::Rating> ratings,
                   std::function<void()> done, std::function<void(const QString&)> failed);
 

@@ -9,9 +9,9 @@
 namespace vallecula::gui {
 
 struct PinTry {
-  curricula::Who who;  ///< empty: it was refused
-  QString refused;     ///< why, for a person
-  double wait_s = 0.0; ///< until the next try is looked at
+  curricula::Who who;   ///< empty: it was refused
+  QString refused;      ///< why, for a person
+  double wait_s = 0.0;  ///< until the next try is looked at
 };
 
 /// Not for the window's thread. Throws RecordsError where the records cannot be asked.

@@ -13,10 +13,7 @@
 #include "device/rotation.h"
 #include "gui/instructor/device_check.h"
 #include "gui/instructor/reach_pad.h"
-#include "gui/session/operator_axes.h"
-#include "gui/session/scripted_hands.h"
 #include "tests/gui/program.h"
-#include "tests/gui/window_patient.h"
 #include "tests/gui/window_screen.h"
 
 namespace vallecula::gui::window_test {
@@ -98,7 +95,8 @@ class WindowDeviceCheck : public Screen {
     check_ = std::make_unique<DeviceCheck>(
         "touch:T1", [hand = hand_] { return std::make_unique<HandDevice>(hand); }, nullptr,
         [sign] { return sign > 0 ? 1 : 0; });
-    QObject::connect(check_.get(), &DeviceCheck::checked, [this](const CheckResult& result) { results_.push_back(result); });
+    QObject::connect(check_.get(), &DeviceCheck::checked,
+                     [this](const CheckResult& result) { results_.push_back(result); });
     check_->show();
   }
   QString words(CheckStep step) const {
@@ -140,7 +138,12 @@ class WindowDeviceCheck : public Screen {
   void reach_everything() {
     ASSERT_TRUE(wait_asks("four corners"));
     const Vector from = hand_->position();
-    for (const Vector& way : {Vector{-0.025, 0.025, 0}, {0.025, 0.025, 0}, {-0.025, -0.025, 0}, {0.025, -0.025, 0}, {0, 0, -0.045}, {0, 0, 0.045}}) {
+    for (const Vector& way : {Vector{-0.025, 0.025, 0},
+                              {0.025, 0.025, 0},
+                              {-0.025, -0.025, 0},
+                              {0.025, -0.025, 0},
+                              {0, 0, -0.045},
+                              {0, 0, 0.045}}) {
       hand_->put(device::add(from, way));
       wait_for([] { return false; }, 90);
     }
@@ -196,7 +199,8 @@ TEST_F(WindowDeviceCheck, AGoodDeviceIsWalkedThroughAndNeverPushesHardOrBeforeIt
   EXPECT_LE(hand_->most_n, 0.875 + 1e-9);
   EXPECT_GE(hand_->most_n, 0.8);
   EXPECT_EQ(hand_->forces_while_unfit, 0);
-  for (const CheckStep step : {CheckStep::opened, CheckStep::calibration, CheckStep::moves, CheckStep::reach, CheckStep::force, CheckStep::buttons})
+  for (const CheckStep step : {CheckStep::opened, CheckStep::calibration, CheckStep::moves, CheckStep::reach,
+                               CheckStep::force, CheckStep::buttons})
     EXPECT_EQ(results_[0].lines[static_cast<std::size_t>(step)].verdict, CheckVerdict::good)
         << words(step).toStdString();
   EXPECT_TRUE(words(CheckStep::rate).contains(" Hz over 2.")) << words(CheckStep::rate).toStdString();
@@ -230,7 +234,8 @@ TEST_F(WindowDeviceCheck, ExchangedAxesAreToldAfterASecondTry) {
       << words(CheckStep::moves).toStdString();
   keep_picture(*check_, "device-check-4-exchanged.png");
   click("I cannot do this");
-  EXPECT_TRUE(wait_for([&] { return words(CheckStep::reach).contains("not reached: top left, top right"); }, 5000)) << words(CheckStep::reach).toStdString();
+  EXPECT_TRUE(wait_for([&] { return words(CheckStep::reach).contains("not reached: top left, top right"); }, 5000))
+      << words(CheckStep::reach).toStdString();
 }
 
 TEST_F(WindowDeviceCheck, AForceThatComesFromAnotherSideIsTold) {
@@ -287,7 +292,8 @@ TEST_F(WindowDeviceCheck, OneThatCannotBeOpenedSaysWhy) {
   check_ = std::make_unique<DeviceCheck>("touch", []() -> std::unique_ptr<device::HapticDevice> {
     throw std::runtime_error("no libHD.so was found; install the vendor's driver");
   });
-  QObject::connect(check_.get(), &DeviceCheck::checked, [this](const CheckResult& result) { results_.push_back(result); });
+  QObject::connect(check_.get(), &DeviceCheck::checked,
+                   [this](const CheckResult& result) { results_.push_back(result); });
   check_->show();
   ASSERT_TRUE(is_over());
   EXPECT_EQ(results_[0].bad(), 1);
@@ -296,7 +302,8 @@ TEST_F(WindowDeviceCheck, OneThatCannotBeOpenedSaysWhy) {
 
 TEST_F(WindowDeviceCheck, TheMouseIsMovedByDragWheelAndKeysAndHasNoForceOrClutch) {
   check_ = std::make_unique<DeviceCheck>("mouse", [] { return std::make_unique<device::MouseDevice>(); });
-  QObject::connect(check_.get(), &DeviceCheck::checked, [this](const CheckResult& result) { results_.push_back(result); });
+  QObject::connect(check_.get(), &DeviceCheck::checked,
+                   [this](const CheckResult& result) { results_.push_back(result); });
   check_->show();
   ASSERT_TRUE(wait_asks("to the right"));
   auto* pad = check_->findChild<ReachPad*>();
@@ -326,45 +333,6 @@ TEST_F(WindowDeviceCheck, TheMouseIsMovedByDragWheelAndKeysAndHasNoForceOrClutch
   EXPECT_EQ(results_[0].lines[static_cast<std::size_t>(CheckStep::reach)].verdict, CheckVerdict::good);
   EXPECT_EQ(words(CheckStep::force), "the device shows no force");
   EXPECT_EQ(words(CheckStep::buttons), "it needs no clutch");
-}
-
-/// The reach that is asked for holds the way of an expert's blade, seen in the operator's axes.
-TEST_F(WindowDeviceCheck, TheReachIsThatOfALaryngoscopy) {
-  const pipeline::PatientPackage package = coarse_patient();
-  curricula::Scenario scenario;
-  const device::Trajectory way = scripted_hand("expert", package, scenario);
-  const OperatorAxes axes = operator_axes(package);
-  const engine::Vec3 towards = axes.right.cross(axes.up);
-  engine::Vec3 low = engine::Vec3::Constant(1.0), high = -low;
-  for (double t = way.start_s(); t < way.end_s(); t += 0.05) {
-    const auto& p = way.at(t).position_m;
-    const engine::Vec3 tip(p[0], p[1], p[2]), seen(tip.dot(axes.right), tip.dot(axes.up), tip.dot(towards));
-    low = low.cwiseMin(seen);
-    high = high.cwiseMax(seen);
-  }
-  for (int i = 0; i < 3; ++i) EXPECT_LE(high[i] - low[i], kMouthReachM[static_cast<std::size_t>(i)]) << "axis " << i;
-  EXPECT_GE((high - low).maxCoeff(), 0.5 * kMouthReachM[2]) << "and is not far larger than it";
-}
-
-TEST(DeviceChecks, SayWhenItWasAndWhatIsDue) {
-  DeviceChecks checks;
-  EXPECT_TRUE(checks.due("touch"));
-  EXPECT_TRUE(checks.due("falcon:firmware.bin"));
-  EXPECT_FALSE(checks.due("mouse"));
-  EXPECT_FALSE(checks.due("scripted:expert"));
-  EXPECT_EQ(checks.words("mouse"), "");
-  EXPECT_EQ(checks.words("touch"), "Device not checked");
-  CheckResult result;
-  result.device = "touch";
-  result.at = QDateTime::currentDateTime();
-  checks.keep(result);
-  EXPECT_FALSE(checks.due("touch"));
-  EXPECT_EQ(checks.words("touch", result.at.addSecs(12 * 60 + 5)), "Device checked 12 min ago");
-  EXPECT_EQ(checks.words("touch", result.at.addSecs(3)), "Device checked just now");
-  result.lines[2].verdict = CheckVerdict::bad;
-  checks.keep(result);
-  EXPECT_EQ(checks.words("touch", result.at.addSecs(61)), "Device checked 1 min ago: 1 of 7 not as it should be");
-  EXPECT_TRUE(checks.due("touch:other"));
 }
 
 }  // namespace

@@ -64,7 +64,8 @@ class WindowInstructor : public WindowRecords {
     bool ready = false;
     QString failure;
     const auto heard = QObject::connect(window_.get(), &MainWindow::prepared, [&] { ready = true; });
-    const auto failed = QObject::connect(window_.get(), &MainWindow::trial_failed, [&](const QString& m) { failure = m; });
+    const auto failed =
+        QObject::connect(window_.get(), &MainWindow::trial_failed, [&](const QString& m) { failure = m; });
     window_->prepare(setup, false);
     ASSERT_TRUE(wait_for([&] { return ready || !failure.isEmpty(); }));
     ASSERT_EQ(failure.toStdString(), "");
@@ -72,9 +73,7 @@ class WindowInstructor : public WindowRecords {
     QObject::disconnect(failed);
   }
   InstructorWindow& second() { return *window_->station().instructor_window(); }
-  bool second_is_open() {
-    return window_->station().instructor_window() != nullptr && second().isVisible();
-  }
+  bool second_is_open() { return window_->station().instructor_window() != nullptr && second().isVisible(); }
   /// By its key in the first window.
   void open_second() {
     QApplication::setActiveWindow(window_.get());
@@ -104,7 +103,8 @@ class WindowInstructor : public WindowRecords {
   template <class Dialog>
   Dialog* dialog() {
     Dialog* found = nullptr;
-    EXPECT_TRUE(wait_for([&] { return (found = qobject_cast<Dialog*>(QApplication::activeModalWidget())) != nullptr; }, 10000));
+    EXPECT_TRUE(
+        wait_for([&] { return (found = qobject_cast<Dialog*>(QApplication::activeModalWidget())) != nullptr; }, 10000));
     if (found == nullptr) return nullptr;
     EXPECT_TRUE(wait_for([&] { return found->template findChild<QComboBox*>()->count() > 0; }, 10000));
     return found;
@@ -238,8 +238,8 @@ TEST_F(WindowInstructor, TicksMadeDuringTheRunAreKeptByOneClickAsTheInstructorsR
   ASSERT_TRUE(button("Keep as my rating")->isEnabled());
   keep_pictures("recorded");
   QTest::mouseClick(button("Keep as my rating"), Qt::LeftButton);
-  ASSERT_TRUE(wait_for(
-      [&] { return second().findChild<QLabel*>("checklist_message")->text().contains("is kept"); }, 10000));
+  ASSERT_TRUE(
+      wait_for([&] { return second().findChild<QLabel*>("checklist_message")->text().contains("is kept"); }, 10000));
   Records records(records_location());
   People people(records);
   curricula::Who boss;
@@ -268,7 +268,8 @@ TEST_F(WindowInstructor, WhereThereIsAnInstructorOnlyOneOpensItAndTheTraineeStay
   QTest::keyClicks(pin, "1234");
   QTest::keyClick(pin, Qt::Key_Return);
   auto* message = asks->findChild<QLabel*>("dialog_message");
-  ASSERT_TRUE(wait_for([&] { return message->text().contains("PIN") && !message->text().startsWith("Looking"); }, 10000));
+  ASSERT_TRUE(
+      wait_for([&] { return message->text().contains("PIN") && !message->text().startsWith("Looking"); }, 10000));
   EXPECT_FALSE(second_is_open());
   QTest::keyClicks(pin, "4321");
   QTest::keyClick(pin, Qt::Key_Return);
@@ -344,9 +345,8 @@ TEST_F(WindowInstructor, TheNextTraineeTakesOverByOneKeyAndThePin) {
 
 TEST_F(WindowInstructor, AHapticDeviceIsCheckedBeforeItsFirstTrial) {
   open_with_course();
-  window_->station().set_device_maker([]() -> std::unique_ptr<device::HapticDevice> {
-    throw std::runtime_error("no libHD.so was found");
-  });
+  window_->station().set_device_maker(
+      []() -> std::unique_ptr<device::HapticDevice> { throw std::runtime_error("no libHD.so was found"); });
   window_->start_page().add_patient(patient_, true);
   window_->start_page().choose_device("touch", "Touch X");
   ASSERT_TRUE(window_->start_page().select("helped", "touch"));
@@ -354,7 +354,8 @@ TEST_F(WindowInstructor, AHapticDeviceIsCheckedBeforeItsFirstTrial) {
   QObject::connect(window_.get(), &MainWindow::trial_failed, [&](const QString& message) { failure = message; });
   emit window_->start_page().chosen(window_->start_page().choice());
   DeviceCheck* check = nullptr;
-  ASSERT_TRUE(wait_for([&] { return (check = qobject_cast<DeviceCheck*>(QApplication::activeModalWidget())) != nullptr; }, 5000));
+  ASSERT_TRUE(wait_for(
+      [&] { return (check = qobject_cast<DeviceCheck*>(QApplication::activeModalWidget())) != nullptr; }, 5000));
   ASSERT_TRUE(wait_for([&] { return window_->station().checks().find("touch") != nullptr; }, 10000));
   EXPECT_TRUE(failure.isEmpty()) << "no trial before the check is closed";
   QTest::keyClick(check, Qt::Key_Escape);
