@@ -114,6 +114,8 @@ TEST_F(RecordsFile, EveryReleasedSchemaIsBroughtForwardWithItsRows) {
         EXPECT_EQ(rows[0].score.intubation->outcome, Outcome::mainstem);
         EXPECT_EQ(rows[0].score.intubation->lowest_spo2_percent, 61.0);
       }
+      EXPECT_TRUE(rows[0].score.set_aside.empty());
+      EXPECT_EQ(rows[1].score.set_aside, schema < 5 ? std::vector<std::string>{} : std::vector<std::string>{"why not"});
       EXPECT_EQ(rows[1].id, 7);
       EXPECT_EQ(rows[1].trainee_id, 0);
       EXPECT_EQ(rows[1].uid.empty(), schema < 4);
