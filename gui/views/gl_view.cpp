@@ -63,13 +63,17 @@ GlView::GlView(QWidget* parent)
   connect(this, &QOpenGLWidget::frameSwapped, this, [] { frame_watch().ends(); });
 }
 
-void GlView::draw() {
-  if (!isVisible()) return;
+void GlView::render() {
   if (!isValid())
     throw std::runtime_error(
         "OpenGL did not start, so nothing can be drawn: this needs an X display with OpenGL 3.2 (install "
         "libgl1-mesa-dri; "
         "without a screen run `vallecula demo`, which starts its own)");
+  window_->Render();
+}
+
+void GlView::draw() {
+  if (!isVisible()) return;
   if (!(used_ == governor().quality())) {
     used_ = governor().quality();
     use(used_);
@@ -78,7 +82,7 @@ void GlView::draw() {
   frame_watch().begins();
   QElapsedTimer timer;
   timer.start();
-  window_->Render();
+  render();
   last_draw_ms_ = static_cast<double>(timer.nsecsElapsed()) * 1e-6;
 }
 
@@ -90,7 +94,7 @@ QImage GlView::picture() {
   const Quality in_motion = used_;
   use({});
   renderer_->UseFXAAOn();  // smooth edges: worth a pass for a still, not for every frame
-  if (isVisible()) window_->Render();
+  if (isVisible()) render();
   const QImage image = grabFramebuffer();
   renderer_->UseFXAAOff();
   use(in_motion);

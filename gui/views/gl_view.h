@@ -50,6 +50,7 @@ class GlView : public QVTKOpenGLNativeWidget {
   void set_mouse_camera(bool on) { mouse_camera_ = on; }
 
  private:
+  void render();
   vtkSmartPointer<vtkGenericOpenGLRenderWindow> window_;
   vtkSmartPointer<vtkRenderer> renderer_;
   bool mouse_camera_ = false;

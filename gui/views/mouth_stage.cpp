@@ -29,8 +29,8 @@ vtkSmartPointer<vtkActor> tissue_actor(vtkPolyData* surface, MouthStage::Eye eye
 }
 
 // The lamp of a blade outside the mouth is a spot of light in a lit room; inside it is the light.
-constexpr double kLampOutside = 0.35, kLampInside = 1.5, kRoomInside = 0.80, kRoomBehindBlade = 0.34;
-constexpr double kExposure = 1.3;  // of a camera that sees by the lamp alone
+constexpr double kLampOutside = 0.35, kLampInside = 1.2, kRoomInside = 0.80, kRoomBehindBlade = 0.34;
+constexpr double kExposure = 1.05;  // of a camera that sees by the lamp alone
 constexpr double kGlowNatural = 0.05, kGlowBlue = 0.45;  // blue is a sign: to be found where little light falls
 constexpr int kBladeSolids = 2;                          // a capsule along the blade, one along the handle
 constexpr std::array<int, 5> kShadowNodes{0, 6, 14, 24, 39};

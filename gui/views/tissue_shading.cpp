@@ -43,7 +43,7 @@ const char* const kVertexLight = R"(//VTK::Normal::Impl
   float lampDistance = sqrt(lampDistance2 + 1e-3);
   toLamp /= lampDistance;
   float lamp = lampStrength * smoothstep(-0.1, 0.75, -dot(toLamp, lampBeamVC)) / (1.0 + 0.0016 * lampDistance2);
-  float bounce = 0.34 * lampStrength * wetness.x / (1.0 + 0.0006 * lampDistance2);
+  float bounce = 0.24 * lampStrength * wetness.x / (1.0 + 0.0006 * lampDistance2);
   float inside = wetness.x * smoothstep(0.0, 16.0, dot(at - lipsVC, inwardVC));
   float fromRoom = mix(1.0, roomInside, inside), around = 1.0, roomPast = 1.0, lampPast = 1.0;
   vec3 toRoom = vec3(0.0995, 0.2488, 0.9634);
@@ -67,8 +67,9 @@ const char* const kVertexLight = R"(//VTK::Normal::Impl
   vec3 open = vec3(pow(wetness.y, 0.6), wetness.y, wetness.y) * around;
   vec3 ambient = mix(vec3(0.15, 0.12, 0.13), vec3(0.27, 0.26, 0.27), 0.5 + 0.5 * facing.y);
   litVS = scalarColor.rgb * (open * fromRoom * (ambient + 0.52 * room + vec3(0.24, 0.225, 0.20) * window)
-        + mix(open, vec3(around), 0.75) * (lamp * vec3(1.0, 0.95, 0.86) * inner + bounce * vec3(1.0, 0.72, 0.66))
+        + mix(open, vec3(around), 0.75) * (lamp * vec3(1.0, 0.95, 0.86) * inner + bounce * vec3(1.0, 0.80, 0.75))
         + vec3(glow));
+  litVS = min(litVS, 0.72 + 0.28 * (1.0 - exp(-3.6 * max(litVS - 0.72, 0.0))));  // bright light bleaches, and is not cut off
   towardsVS = toLamp + vec3(0.0, 0.0, 1.0);
   float mirrors = clamp(2.2 * wetness.y * around - 0.3, 0.0, 1.0);  // what lies deep mirrors little of the room
   glossVS = vec4(0.047 * (1.0 - wetness.x), 0.36 * wetness.x * fromRoom, 0.16 * wetness.x * (0.3 + 0.7 * fromRoom), 0.0)
@@ -100,7 +101,7 @@ const char* const kPixelLight = R"(
 
 // Seen from within the tissue: the light that comes through it, without any gloss.
 const char* const kPixelThrough = R"(
-  if (!gl_FrontFacing) fragOutput0 = vec4(vec3(0.62, 0.20, 0.17) + 0.45 * litVS * vec3(1.0, 0.55, 0.5), opacity);
+  if (!gl_FrontFacing) fragOutput0 = vec4(vec3(0.52, 0.23, 0.20) + 0.35 * litVS * vec3(1.0, 0.72, 0.66), opacity);
 )";
 
 }  // namespace

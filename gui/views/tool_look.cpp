@@ -229,7 +229,7 @@ ToolLook::ToolLook(const engine::TriangleMesh& tool) {
   const double along = std::min(0.22 * blade_mm, 16.0);
   const Bounds section = section_mm(tool, along);
   bulb_ = {along, 0.5 * (section.high.y() + 0.5 * (section.low.y() + section.high.y())), section.low.z() - 0.6};
-  camera_ = {along + 2.0, 0.5 * (section.low.y() + section.high.y()), section.low.z() - 1.2};
+  camera_ = {along + 2.0, 0.5 * (section.low.y() + section.high.y()), section.low.z() - 2.0};
   extent_ = {blade_mm, 0.5 * (section.high.y() - section.low.y())};
   vtkNew<vtkSphereSource> ball;
   ball->SetRadius(0.45);

@@ -15,7 +15,7 @@
 namespace vallecula::gui {
 namespace {
 
-constexpr double kDownDeg = -4.0;  // the lens looks a little over the blade's tip, where the glottis comes up
+constexpr double kDownDeg = 0.0;  // the blade's tip then stands in the upper third, the glottis below it
 constexpr double kNearMm = 0.3;    // what touches the lens fills the picture, and is not cut away
 constexpr double kFarMm = 200.0;
 

@@ -26,7 +26,7 @@ TEST(QualityGovernor, GivesUpEffectsThenResolutionOneAfterTheOther) {
   for (std::size_t i = 1; i < kQualities.size(); ++i) {
     EXPECT_LE(kQualities[i].resolution, kQualities[i - 1].resolution);
     EXPECT_FALSE(kQualities[i] == kQualities[i - 1]);
-    if (kQualities[i].resolution < 1.0) EXPECT_FALSE(kQualities[i].rim || kQualities[i].shadows);
+    EXPECT_FALSE(kQualities[i].resolution < 1.0 && (kQualities[i].rim || kQualities[i].shadows));
   }
   QualityGovernor governor;
   EXPECT_TRUE(governor.reduced().isEmpty());

@@ -145,8 +145,8 @@ TEST_F(WindowBaseline, TheLensInTheTongueShowsLitTissueAndNoDarkness) {
   expect_as_before(picture, "video-blocked");
   const Spot dark = find_pixels(picture, [](QRgb c, int, int) { return qGray(c) < 40; }),
              pink = find_pixels(picture, [](QRgb c, int, int) { return qRed(c) > 110 && qRed(c) > qBlue(c) + 30; });
-  EXPECT_LT(dark.pixels, 0.03 * kWidth * kHeight) << "the frame alone";
-  EXPECT_GT(pink.pixels, 0.85 * kWidth * kHeight);
+  EXPECT_LT(dark.pixels, 0.05 * kWidth * kHeight) << "the frame alone";
+  EXPECT_GT(pink.pixels, 0.55 * kWidth * kHeight) << "all but the blade in the upper part";
 }
 
 TEST_F(WindowBaseline, Cut) {
@@ -154,6 +154,35 @@ TEST_F(WindowBaseline, Cut) {
   open(view);
   view.update_from(with_tube(), 25.0);
   expect_as_before(view.picture(), "cut");
+}
+
+TEST_F(WindowBaseline, ASlowMachineSeesTheSameSceneAndItsStillsAreWhole) {
+  if (updating()) GTEST_SKIP() << "the baselines are being written";
+  struct Automatic {  // whatever this test leaves by
+    ~Automatic() { GlView::governor().set_mode(QualityGovernor::Mode::high); }
+  } automatic;
+  GlView::governor().hold(static_cast<int>(kQualities.size()) - 1);
+  OperatorView view;
+  open(view);
+  view.set_zoom(OperatorView::Zoom::mouth);
+  view.update_from(lifted());
+  view.settle();
+  view.draw();
+  QApplication::processEvents();
+  const QImage coarse = view.grabFramebuffer();
+  ASSERT_EQ(coarse.size(), QSize(kWidth, kHeight)) << "as large as ever on the screen";
+  const QImage whole(QString::fromStdString(baseline("lifted").string()));
+  ASSERT_FALSE(whole.isNull());
+  const PictureDifference difference = picture_difference(whole, coarse);
+  std::cout << "at half the resolution: " << difference.mean_grey << " grey levels\n";
+  EXPECT_GT(difference.mean_grey, 0.2) << "something was left out";
+  EXPECT_LT(difference.mean_grey, 12.0) << "and it is the same scene";
+  int alike = 0, pairs = 0;  // blown up pixel by pixel every second pair of columns would be alike throughout
+  for (int y = 60; y < 180; ++y)
+    for (int x = 80; x < 240; x += 2, ++pairs) alike += coarse.pixel(x, y) == coarse.pixel(x + 1, y) ? 1 : 0;
+  std::cout << "pairs alike: " << 100.0 * alike / pairs << " %\n";
+  EXPECT_LT(alike, 0.6 * pairs) << "drawn up smoothly";
+  expect_as_before(view.picture(), "lifted");
 }
 
 TEST_F(WindowBaseline, WhatIsChangedOnPurposeIsFound) {
