@@ -8,6 +8,7 @@
 #include <string>
 
 #include "gui/commands/commands.h"
+#include "gui/pages/languages.h"
 #include "gui/pages/look_settings.h"
 #include "gui/session/virtual_display.h"
 #include "gui/views/gl_view.h"
@@ -44,6 +45,7 @@ WindowApplication::WindowApplication() {
                                            : std::make_unique<QApplication>(one, just_program);
   QApplication::setApplicationName("Vallecula");
   QApplication::setApplicationDisplayName("Vallecula");
+  install_language(*application_, language_at_start());
   note_system_palette();
   apply_look(look_settings());
 }
