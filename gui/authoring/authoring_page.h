@@ -32,6 +32,8 @@ class AuthoringPage : public QWidget {
   /// Any file; what is wrong with it is told, not thrown.
   void open_file(const std::filesystem::path& file);
   void new_course();
+  /// What was being written when a program ended: the course's file (empty: it had none) with this text, not saved.
+  void recover(const std::filesystem::path& file, const std::string& text);
   /// A copy of it under an id of its own, not saved yet.
   void copy_course(const std::filesystem::path& file);
   void set_message(const QString& message);

@@ -52,6 +52,15 @@ void AuthoringPage::new_course() {
   form_->show_part(tree_->part());
 }
 
+void AuthoringPage::recover(const fs::path& file, const std::string& text) {
+  std::error_code error;
+  if (!file.empty() && fs::exists(file, error))
+    open_file(file);
+  else
+    new_course();
+  document_.set_bytes(text, tr("Go on writing"));
+}
+
 void AuthoringPage::copy_course(const fs::path& file) {
   try {
     const YamlText text(read_file(file));

@@ -9,10 +9,12 @@
 
 #include "gui/commands/commands.h"
 #include "gui/pages/main_window.h"
+#include "gui/pages/versions.h"
 #include "gui/pages/window_application.h"
 #include "gui/session/curricula_files.h"
 #include "gui/session/device_choice.h"
-#include "gui/session/trial_record.h"
+#include "gui/session/program_log.h"
+#include "gui/session/user_paths.h"
 
 namespace vallecula::gui {
 
@@ -20,20 +22,25 @@ namespace {
 
 int run_window(const std::function<void(MainWindow&)>& opened) {
   WindowApplication application;
-  for (const std::string& told : tidy_records()) spdlog::warn("{}", told);
+  program_log::begin(user_data_folder() / "logs");
+  program_log::note("started: " + system_lines().front());
   FoundCurricula found = find_curricula();
   for (const std::string& told : found.refused) spdlog::warn("{}", told);
   MainWindow window;
   window.show_start(std::move(found.curricula));
   window.show();
+  window.look_back();
   opened(window);
-  return application.qt().exec();
+  const int code = application.qt().exec();
+  program_log::note("ended");
+  program_log::end();
+  return code;
 }
 
 }  // namespace
 
 int run_window_command() {
-  return run_window([](MainWindow&) {});
+  return run_window([](MainWindow& window) { window.welcome(); });
 }
 
 int run_window_course(const std::string& file) {

@@ -29,11 +29,13 @@ HomePage::HomePage(QWidget* parent) : QWidget(parent) {
   const auto choice = [this](const char* name, const QString& what, const QString& about, const QString& tip) {
     auto* made = new BigChoice(this);
     made->setObjectName(name);
+    made->setProperty("role", "choice");
     made->say(what, about);
     made->setToolTip(tip);
     return made;
   };
   practise_ = choice("practise", tr("Practise"), {}, tr("Begins this trial now (Enter)"));
+  practise_->setProperty("role", "first-choice");
   course_ = choice("course", tr("Course"), tr("Choose a scenario, a patient and a device; see what is open and mastered"),
                    tr("All courses, module by module (Ctrl+2)"));
   import_ = choice("new_patient", tr("New patient from a CT"), tr("From a CT scan to a patient to practise on"),

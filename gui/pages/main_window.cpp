@@ -13,6 +13,7 @@
 #include "curricula/records/progress.h"
 #include "device/factory.h"
 #include "gui/authoring/authoring_page.h"
+#include "gui/authoring/kept_draft.h"
 #include "gui/import/import_wizard.h"
 #include "gui/instructor/station.h"
 #include "gui/pages/devices_page.h"
@@ -59,6 +60,7 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
   page_changed();
   connect_home();
   connect_menu();
+  connect_help();
   setAcceptDrops(true);
   auto* whole = new QWidget(this);
   auto* column = new QVBoxLayout(whole);
@@ -193,6 +195,7 @@ QWidget* MainWindow::make_prepare_page() {
 
 void MainWindow::show_start(std::vector<curricula::Curriculum> curricula) {
   has_start_ = true;
+  restore_place();
   records_->set_curricula(curricula);
   start_->set_curricula(std::move(curricula));
   const auto kept = user_settings();
@@ -328,6 +331,8 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     event->ignore();
     return;
   }
+  keep_place();
+  draft_->forget();
   cancelled_ = true;
   import_->stop();
   trial_->close_trial();

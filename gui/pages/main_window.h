@@ -1,6 +1,7 @@
 // The trainer's window: choose, prepare, try, look at what came of it.
 #pragma once
 
+#include <QElapsedTimer>
 #include <QMainWindow>
 #include <QPointer>
 #include <QThread>
@@ -20,7 +21,10 @@ namespace vallecula::gui {
 
 class AuthoringPage;
 class DevicesPage;
+class HelpDialog;
 class HomePage;
+class KeptDraft;
+struct LeftDraft;
 class MainMenu;
 class ImportWizard;
 class InstructorStation;
@@ -54,6 +58,13 @@ class MainWindow : public QMainWindow {
   TrialPage& trial_page() { return *trial_; }
   /// Opens whatever it is: a CT, a patient, a course, a trial. What cannot be opened is told in one message.
   void open_files(const std::vector<std::filesystem::path>& paths);
+  /// On the very first start: with what one steers, how the window looks, the first laryngoscopy.
+  void welcome();
+  /// Tells of what an earlier program that ended too early left: trials, a course that was being written.
+  void look_back();
+  /// Writes what the program did, and on what, into one text file; it names nobody.
+  void save_log(const std::filesystem::path& to);
+  KeptDraft& draft() { return *draft_; }
   HomePage& home_page() { return *home_; }
   MainMenu& menu() { return *menu_; }
   StartPage& start_page() { return *start_; }
@@ -79,6 +90,12 @@ class MainWindow : public QMainWindow {
  private:
   void connect_home();
   void connect_menu();
+  void connect_help();
+  void show_help();
+  void show_first_steps();
+  void follow(const QString& link);
+  void restore_place();
+  void keep_place();
   void show_page(QWidget* page);
   void page_changed();
   /// Begins the next trial by one click; where something is missing, the course is shown.
@@ -116,6 +133,11 @@ class MainWindow : public QMainWindow {
   QStackedWidget* pages_;
   HomePage* home_;
   MainMenu* menu_;
+  KeptDraft* draft_;
+  HelpDialog* help_ = nullptr;
+  std::unique_ptr<LeftDraft> left_;
+  QElapsedTimer prepare_time_, trial_time_;
+  TrialSetup prepared_;  ///< of the trial that is prepared or runs
   StartPage* start_;
   DevicesPage* devices_;
   RecordsPage* records_;

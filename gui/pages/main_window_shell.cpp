@@ -22,6 +22,7 @@
 #include "gui/pages/trial_page.h"
 #include "gui/records_pages/records_page.h"
 #include "gui/session/builtin_patient.h"
+#include "gui/session/program_log.h"
 #include "gui/session/recent_files.h"
 
 namespace vallecula::gui {
@@ -57,6 +58,7 @@ void MainWindow::page_changed() {
     const auto policy = pages_->widget(i) == page ? QSizePolicy::Preferred : QSizePolicy::Ignored;
     pages_->widget(i)->setSizePolicy(policy, policy);
   }
+  program_log::note("page " + page_name().toStdString());
   who_->setVisible(page == home_ || page == start_);
   menu_->set_state(!has_start_ || page == trial_ || page == rating_ || page == prepare_page_, may_open());
   if (page == home_) look_around();
@@ -169,6 +171,7 @@ void MainWindow::dropEvent(QDropEvent* event) {
 void MainWindow::open_files(const std::vector<std::filesystem::path>& paths) {
   if (pages_->currentWidget() == authoring_ ? !authoring_->may_leave() : !may_open())
     return tell(tr("Finish or leave what is under way on this page first; then it can be opened."));
+  for (const auto& path : paths) program_log::hide(path);
   run_in_background<Dropped>(
       this, [paths] { return what_was_dropped(paths); }, [this](const Dropped& found) { open_found(found); },
       [this](const QString& message) { tell(message); });

@@ -18,6 +18,7 @@
 #include "gui/records_pages/records_page.h"
 #include "gui/session/builtin_patient.h"
 #include "gui/session/patient_fit.h"
+#include "gui/session/program_log.h"
 #include "gui/session/user_paths.h"
 #include "gui/session/user_settings.h"
 #include "gui/views/patient_look.h"
@@ -99,6 +100,9 @@ void MainWindow::prepare(const TrialSetup& setup, bool start_at_once) {
 
 void MainWindow::prepare(TrialSetup setup, std::function<std::filesystem::path()> patient, bool start_at_once) {
   if (worker_ && !worker_->isFinished()) return;
+  prepare_time_.start();
+  prepared_ = setup;
+  program_log::hide(setup.patient);
   results_ = setup.final_out.empty() ? setup.out : setup.final_out;
   tell_first("");
   cancelled_ = false;
@@ -110,6 +114,7 @@ void MainWindow::prepare(TrialSetup setup, std::function<std::filesystem::path()
       [this, setup, patient] {
         TrialSetup whole = setup;
         whole.patient = patient();
+        program_log::hide(whole.patient);
         report_progress("Building the scene", 0.92);
         Prepared prepared;
         prepared.session = std::make_shared<TrialSession>(whole);
@@ -143,6 +148,7 @@ void MainWindow::prepare(TrialSetup setup, std::function<std::filesystem::path()
 
 void MainWindow::replay(const std::filesystem::path& trial, double at_s, const std::filesystem::path& patient) {
   if (worker_ && !worker_->isFinished()) return;  // its object outlives its work
+  prepare_time_.start();
   QWidget* from = pages_->currentWidget();
   replay_from_ = from == result_ || from == records_ ? from : nullptr;
   result_->tell("");

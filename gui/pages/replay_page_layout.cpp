@@ -140,7 +140,7 @@ QWidget* ReplayPage::make_pictures() {
   operator_view_->setMinimumSize(400, 220);
   legend_ = new QLabel(top);
   legend_->setMargin(5);
-  legend_->setStyleSheet("background: rgba(16, 20, 25, 200); color: white;");
+  legend_->setStyleSheet("background: palette(window);");  // follows the look, as the words on it do
   legend_->setAttribute(Qt::WA_TransparentForMouseEvents);
   legend_->hide();
   monitor_ = new MonitorPanel(top);

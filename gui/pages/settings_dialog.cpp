@@ -11,6 +11,7 @@
 #include <QVBoxLayout>
 #include <cmath>
 
+#include "gui/pages/languages.h"
 #include "gui/session/user_settings.h"
 
 namespace vallecula::gui {
@@ -40,6 +41,7 @@ SettingsDialog::SettingsDialog(QWidget* parent) : QDialog(parent), before_(look_
   form->setHorizontalSpacing(16);
   add_look(form);
   add_sound(form);
+  add_language(form);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
   connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
@@ -123,6 +125,17 @@ void SettingsDialog::add_sound(QFormLayout* form) {
   show_share();
 }
 
+void SettingsDialog::add_language(QFormLayout* form) {
+  language_ = new QComboBox(this);
+  language_->setObjectName("language");
+  language_->setToolTip(tr("Of the window's words; from the next start on"));
+  language_->addItem(tr("As the system"), QString());
+  for (const Language& one : available_languages()) language_->addItem(one.name, one.code);
+  language_->setCurrentIndex(std::max(0, language_->findData(chosen_language())));
+  form->addRow(heading(tr("Words"), this));
+  form->addRow(tr("&Language"), language_);
+}
+
 LookSettings SettingsDialog::chosen() const {
   LookSettings look;
   look.ground = ground_->currentData().toString();
@@ -140,6 +153,7 @@ void SettingsDialog::done(int result) {
     const auto kept = user_settings();
     kept->setValue("sound/monitor", monitor_->isChecked());
     kept->setValue("sound/volume", 0.01 * volume_->value());
+    if (language_->currentData().toString() != chosen_language()) keep_language(language_->currentData().toString());
   }
   const LookSettings look = result == Accepted ? chosen() : before_;
   if (look.ground != before_.ground || look.text_scale != theme::look().text_scale || result != Accepted) apply_look(look);

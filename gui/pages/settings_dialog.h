@@ -27,12 +27,13 @@ class SettingsDialog : public QDialog {
 
  private:
   void add_look(QFormLayout* form);
+  void add_language(QFormLayout* form);
   void add_sound(QFormLayout* form);
   void preview();
   LookSettings chosen() const;
 
   LookSettings before_;
-  QComboBox *ground_, *trachea_, *quality_;
+  QComboBox *ground_, *trachea_, *quality_, *language_;
   QSlider *text_, *volume_;
   QLabel *text_share_, *volume_share_;
   QCheckBox* monitor_;

@@ -141,7 +141,7 @@ void Timeline::paintEvent(QPaintEvent*) {
   span(0.0, ready_s_, track.bottom() - 3.0, 3.0, theme::accent());
   for (const ReplayEvent& event : events_)
     if (event.kind == Kind::attempt_begins)
-      span(event.at_s, event.to_s, track.top(), track.height() - 3.0, QColor(96, 104, 116));
+      span(event.at_s, event.to_s, track.top(), track.height() - 3.0, theme::faint());
   for (const ReplayEvent& event : events_) {
     if (!lasts(event.kind) || event.kind == Kind::attempt_begins) continue;
     const double top = event.kind == Kind::over_target ? track.top() : track.top() + 6.0;
@@ -168,7 +168,7 @@ void Timeline::paintEvent(QPaintEvent*) {
       painter.drawEllipse(QPointF(x, track.top() - 8.0), 4.0, 4.0);
     }
   }
-  painter.setPen(Qt::NoPen);
+  painter.setPen(QPen(theme::faint(), 1.0));
   painter.setBrush(QColor(255, 250, 205));
   for (const double at_s : notes_s_)  // a slip of paper
     painter.drawRect(QRectF(x_of(at_s) - 3.0, track.bottom() + 1.0, 7.0, 7.0));
@@ -189,10 +189,10 @@ void Timeline::paintEvent(QPaintEvent*) {
                      QString("%1 s").arg(at_s, 0, 'f', 0));
   }
   const double x = x_of(1e-3 * value());
-  painter.setPen(QPen(Qt::white, 2.0));
+  painter.setPen(QPen(theme::text(), 2.0));
   painter.drawLine(QPointF(x, 2.0), QPointF(x, track.bottom() + 6.0));
   painter.setPen(Qt::NoPen);
-  painter.setBrush(Qt::white);
+  painter.setBrush(theme::text());
   painter.drawEllipse(QPointF(x, track.center().y()), 6.0, 6.0);
   if (hasFocus()) {
     painter.setPen(QPen(theme::accent(), 1.0));

@@ -40,26 +40,27 @@ curricula::RecordsLocation records_location() {
   return location;
 }
 
-std::vector<std::string> tidy_records() {
-  std::vector<std::string> told;
+std::vector<Tidied> tidy_records() {
+  std::vector<Tidied> told;
   curricula::Records records(records_location());
   for (const curricula::RecoveredTrial& trial : curricula::recover_trials(records)) {
     if (!trial.problem.empty())
-      told.push_back("a trial that was cut off could not be kept: " + trial.problem);
+      told.push_back({"a trial that was cut off could not be kept: " + trial.problem, {}});
     else if (trial.complete)
-      told.push_back("a finished trial that was cut off from its record has it now: " + trial.log.string());
+      told.push_back({"a finished trial that was cut off from its record has it now", trial.log});
     else
-      told.push_back("a trial that was cut off is kept as interrupted, up to second " +
-                     std::to_string(static_cast<long long>(std::floor(trial.recorded_s))) + ": " + trial.log.string());
+      told.push_back({"a trial that was cut off is kept as interrupted, up to second " +
+                          std::to_string(static_cast<long long>(std::floor(trial.recorded_s))),
+                      trial.log});
     if (!trial.problem.empty()) continue;
     try {
       write_missing_results(trial.log);
     } catch (const std::exception& error) {
-      told.push_back("a trial that was cut off is kept, but has no report: " + std::string(error.what()));
+      told.push_back({"a trial that was cut off is kept, but has no report: " + std::string(error.what()), {}});
     }
   }
   for (const std::string& left : curricula::delete_pending_files(records).left)
-    told.push_back("a deleted person's files are still there: " + left);
+    told.push_back({"a deleted person's files are still there: " + left, {}});
   return told;
 }
 

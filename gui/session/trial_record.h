@@ -13,11 +13,17 @@ namespace vallecula::gui {
 /// user's data folder. Throws std::runtime_error.
 curricula::RecordsLocation records_location();
 
+/// What became of a trial that was cut off, or of a deleted person's files: a sentence for a person.
+struct Tidied {
+  std::string sentence;
+  std::filesystem::path log;  ///< of a trial that is kept; else empty
+  std::string whole() const { return log.empty() ? sentence : sentence + ": " + log.string(); }
+};
+
 /// What a program does with the records when it starts: opens them (a database that cannot be used is named before
 /// anything is practised), keeps trials that were cut off, with score and report (a QGuiApplication is needed for
-/// those), deletes files of people deleted elsewhere. One sentence each
-/// for a person. Throws std::runtime_error.
-std::vector<std::string> tidy_records();
+/// those), deletes files of people deleted elsewhere. Throws std::runtime_error.
+std::vector<Tidied> tidy_records();
 
 /// One trial of this program. The calls may come from different threads, one at a time.
 class TrialRecord {

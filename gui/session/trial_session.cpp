@@ -94,7 +94,7 @@ TrialSession::Impl::Impl(const TrialSetup& given)
   }
   const HandsSetup held{setup.device, setup.second, setup.own_device, setup.own_second_device};
   hands = std::make_unique<TwoHands>(held, package, scenario, description);
-  notices = tidy_records();
+  for (const Tidied& told : tidy_records()) notices.push_back(told.whole());
   scene = engine::build_scene(description);
   make_attempt(false);
 }

@@ -25,7 +25,7 @@ const Colours kDark{{22, 26, 31},  {31, 36, 43},   {52, 58, 67},   {232, 236, 24
 const Colours kLight{{238, 241, 244}, {255, 255, 255}, {209, 215, 222}, {24, 29, 35}, {86, 95, 106}, {0, 121, 90},
                      {150, 94, 0},    {122, 104, 0},   {0, 104, 158},   {176, 66, 0}, {28, 98, 168}};
 
-constexpr std::array<Shade, 21> kShades{{{"panel", "#1f242b", "#ffffff"},
+constexpr std::array<Shade, 22> kShades{{{"panel", "#1f242b", "#ffffff"},
                                          {"off", "#262b32", "#e6e9ed"},
                                          {"head", "#262c34", "#e1e6eb"},
                                          {"grid", "#2b323b", "#e1e6eb"},
@@ -42,6 +42,7 @@ constexpr std::array<Shade, 21> kShades{{{"panel", "#1f242b", "#ffffff"},
                                          {"button-lit", "#3f4854", "#e3ebf3"},
                                          {"edge", "#4a535f", "#9aa5b1"},
                                          {"focus", "#56b4e9", "#0068ba"},
+                                         {"focus-on-primary", "#bfe3fb", "#08243e"},
                                          {"off-text", "#69717b", "#8a949f"},
                                          {"down", "#1d5f4c", "#00795a"},
                                          {"down-edge", "#009e73", "#005c44"},
@@ -55,6 +56,11 @@ const char* const kSheet = R"(
     QPushButton#primary { color: white; background: @primary@; border-color: @accent@; font-weight: bold; }
     QPushButton#primary:hover { background: @primary-lit@; }
     QPushButton#primary:disabled { background: @primary-off@; color: @primary-off-text@; border-color: @button@; }
+    QPushButton[role="choice"] { border-radius: 9px; }
+    QPushButton[role="first-choice"] { background: @primary@; border-color: @accent@; border-radius: 9px; }
+    QPushButton[role="first-choice"]:hover { background: @primary-lit@; }
+    QPushButton[role="first-choice"]:focus { border: 2px solid @focus-on-primary@; }
+    QPushButton[role="first-choice"] QLabel { color: white; }
     QPushButton:pressed { color: white; background: @down@; border-color: @down-edge@; }
     QPushButton:checked { color: white; background: @down@; border-color: @down-edge@; }
     QToolButton { background: @button@; border: 1px solid @edge@; border-radius: 5px; padding: 5px 10px; }

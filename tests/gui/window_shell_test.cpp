@@ -95,8 +95,8 @@ TEST_F(WindowShell, OpensAtHomeWithTheWayToEverythingByKeys) {
     EXPECT_EQ(page(), name);
   }
   choose_at_home(*window_, "course");
-  key(Qt::Key_Escape);
-  EXPECT_EQ(page(), "home");
+  key(Qt::Key_Escape);  // as a button that is pressed, which is seen for a moment
+  ASSERT_TRUE(wait_for([&] { return page() == "home"; }, 5000));
   choose_at_home(*window_, "new_patient");
   EXPECT_EQ(page(), "import");
   key(Qt::Key_1, Qt::ControlModifier);
@@ -109,14 +109,14 @@ TEST_F(WindowShell, OpensAtHomeWithTheWayToEverythingByKeys) {
 TEST_F(WindowShell, GoesBackToWhereOneCameFrom) {
   open();
   choose_at_home(*window_, "devices");
-  key(Qt::Key_Escape);
-  EXPECT_EQ(page(), "home");
+  key(Qt::Key_Escape);  // as a button that is pressed, which is seen for a moment
+  ASSERT_TRUE(wait_for([&] { return page() == "home"; }, 5000));
   open_course_page(*window_);
   for (QPushButton* button : window_->start_page().findChildren<QPushButton*>())
     if (button->text() == "Devices ...") button->click();
   EXPECT_EQ(page(), "devices");
   key(Qt::Key_Escape);
-  EXPECT_EQ(page(), "start");
+  EXPECT_TRUE(wait_for([&] { return page() == "start"; }, 5000));
 }
 
 TEST_F(WindowShell, PractiseGoesOnWithTheLastChoiceAndTheTrialIsRemembered) {
@@ -243,7 +243,7 @@ TEST_F(WindowShell, SettingsAreSeenAtOnceAndTakenBackByCancel) {
   ground->setCurrentIndex(ground->findData("light"));
   dialog->findChild<QSlider*>("text_scale")->setValue(140);
   EXPECT_EQ(theme::look().ground, theme::Ground::light) << "seen at once";
-  ASSERT_TRUE(wait_for([] { return theme::look().text_scale == 1.4; }, 5000));
+  ASSERT_TRUE(wait_for([] { return std::abs(theme::look().text_scale - 1.4) < 1e-9; }, 5000));
   keep_picture(*dialog, "settings-light-large.png");
   QTest::keyClick(dialog, Qt::Key_Escape);
   ASSERT_TRUE(wait_for([&] { return dialog.isNull(); }, 5000));

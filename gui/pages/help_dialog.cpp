@@ -1,0 +1,83 @@
+#include "gui/pages/help_dialog.h"
+
+#include <QDialogButtonBox>
+#include <QFile>
+#include <QHBoxLayout>
+#include <QListWidget>
+#include <QTextBrowser>
+#include <QTextStream>
+#include <QUrl>
+#include <QVBoxLayout>
+#include <map>
+
+/// The files lie in a static library: without this the linker leaves them out. Must not stand in a namespace.
+static void reach_help() { Q_INIT_RESOURCE(help); }
+
+namespace vallecula::gui {
+namespace {
+
+/// A chapter's first line is its heading.
+QString title_of(const QString& chapter) {
+  QFile file(":/help/" + chapter + ".md");
+  if (!file.open(QIODevice::ReadOnly | QIODevice::Text)) return chapter;
+  QTextStream text(&file);
+  text.setCodec("UTF-8");
+  return text.readLine().mid(2);
+}
+
+}  // namespace
+
+QStringList help_chapters() {
+  reach_help();
+  return {"first-laryngoscopy", "trial-page", "score",   "import",         "courses",
+          "records",            "instructor", "devices", "troubleshooting"};
+}
+
+QString help_chapter_of(const QString& page) {
+  static const std::map<QString, QString> chapters = {
+      {"home", "first-laryngoscopy"}, {"start", "courses"},     {"records", "records"}, {"devices", "devices"},
+      {"import", "import"},           {"authoring", "courses"}, {"trial", "trial-page"}, {"rating", "score"},
+      {"result", "score"},            {"replay", "score"},      {"prepare", "troubleshooting"}};
+  const auto found = chapters.find(page);
+  return found == chapters.end() ? help_chapters().front() : found->second;
+}
+
+HelpDialog::HelpDialog(QWidget* parent) : QDialog(parent) {
+  setWindowTitle(tr("Help"));
+  list_ = new QListWidget(this);
+  list_->setObjectName("chapters");
+  list_->setAccessibleName(tr("Chapters"));
+  for (const QString& chapter : help_chapters()) {
+    auto* item = new QListWidgetItem(title_of(chapter), list_);
+    item->setData(Qt::UserRole, chapter);
+  }
+  list_->setFixedWidth(230);
+  list_->setWordWrap(true);
+  text_ = new QTextBrowser(this);
+  text_->setObjectName("help_text");
+  text_->setAccessibleName(tr("Text of the chapter"));
+  text_->setOpenExternalLinks(true);
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
+  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  auto* columns = new QHBoxLayout;
+  columns->addWidget(list_);
+  columns->addWidget(text_, 1);
+  auto* all = new QVBoxLayout(this);
+  all->addLayout(columns, 1);
+  all->addWidget(buttons);
+  connect(list_, &QListWidget::currentItemChanged, this, [this](const QListWidgetItem* item) {
+    if (item != nullptr) text_->setSource(QUrl("qrc:/help/" + item->data(Qt::UserRole).toString() + ".md"), QTextDocument::MarkdownResource);
+  });
+  resize(980, 700);
+}
+
+void HelpDialog::show_chapter(const QString& name) {
+  for (int row = 0; row < list_->count(); ++row)
+    if (list_->item(row)->data(Qt::UserRole).toString() == name) list_->setCurrentRow(row);
+}
+
+QString HelpDialog::chapter() const {
+  return list_->currentItem() == nullptr ? QString() : list_->currentItem()->data(Qt::UserRole).toString();
+}
+
+}  // namespace vallecula::gui

@@ -1,0 +1,166 @@
+// The window's help, its log, the first steps, and what is found at the start of a program that ended too early.
+#include <QDialog>
+#include <QElapsedTimer>
+#include <QFileDialog>
+#include <QStackedWidget>
+
+#include "gui/authoring/authoring_page.h"
+#include "gui/authoring/kept_draft.h"
+#include "gui/pages/about_dialog.h"
+#include "gui/pages/background.h"
+#include "gui/pages/devices_page.h"
+#include "gui/pages/first_run.h"
+#include "gui/pages/help_dialog.h"
+#include "gui/pages/home_page.h"
+#include "gui/pages/main_menu.h"
+#include "gui/pages/main_window.h"
+#include "gui/pages/versions.h"
+#include "gui/records_pages/records_page.h"
+#include "gui/session/curricula_files.h"
+#include "gui/session/program_log.h"
+#include "gui/session/trial_record.h"
+#include "gui/session/user_paths.h"
+#include "gui/session/user_settings.h"
+
+namespace vallecula::gui {
+namespace {
+
+constexpr const char *kOpenDraft = "draft:open", *kDropDraft = "draft:drop", *kTrialLink = "trial:";
+
+struct FoundAtStart {
+  std::vector<Tidied> tidied;
+  std::optional<LeftDraft> draft;
+};
+
+}  // namespace
+
+void MainWindow::connect_help() {
+  draft_ = new KeptDraft(authoring_->document(), user_data_folder() / "unsaved", this);
+  connect(menu_, &MainMenu::help_wanted, this, &MainWindow::show_help);
+  connect(home_, &HomePage::help_wanted, this, &MainWindow::show_help);
+  connect(home_, &HomePage::link_followed, this, &MainWindow::follow);
+  connect(menu_, &MainMenu::first_steps_wanted, this, &MainWindow::show_first_steps);
+  connect(menu_, &MainMenu::about_wanted, this, [this] {
+    auto* dialog = new AboutDialog(this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->open();
+  });
+  connect(menu_, &MainMenu::log_wanted, this, [this] {
+    const QString file =
+        QFileDialog::getSaveFileName(this, tr("Save a log to send"), "vallecula-log.txt", tr("Text (*.txt)"));
+    if (!file.isEmpty()) save_log(file.toStdString());
+  });
+  connect(&records_->desk(), &RecordsDesk::changed, this, [this] {
+    program_log::hide(records_->desk().person().name);
+    program_log::note(records_->desk().who() ? "somebody signed in" : "nobody is signed in");
+  });
+  connect(this, &MainWindow::prepared, this, [this] {
+    const bool ours = is_shipped(prepared_.curriculum);
+    program_log::note("trial prepared in " + std::to_string(prepare_time_.elapsed()) + " ms: " +
+                      (ours ? prepared_.scenario : "a scenario of an own course") + ", " +
+                      (prepared_.mode == curricula::Mode::assessment ? "assessment" : "practice") + ", device " +
+                      prepared_.device.substr(0, prepared_.device.find(':')) +
+                      (prepared_.second.empty() ? "" : " + " + prepared_.second.substr(0, prepared_.second.find(':'))));
+    trial_time_.start();
+  });
+  connect(this, &MainWindow::trial_finished, this, [this](const TrialOutcome& outcome) {
+    program_log::note("trial ended after " + std::to_string(trial_time_.elapsed() / 1000) + " s on its page");
+    if (!outcome.fault.empty()) program_log::note("fault: " + outcome.fault);
+  });
+  connect(this, &MainWindow::trial_failed, this,
+          [](const QString& message) { program_log::note("trial failed: " + message.toStdString()); });
+  connect(this, &MainWindow::replay_opened, this, [this] {
+    program_log::note("replay opened in " + std::to_string(prepare_time_.elapsed()) + " ms");
+  });
+  connect(this, &MainWindow::replay_failed, this,
+          [](const QString& message) { program_log::note("replay failed: " + message.toStdString()); });
+}
+
+void MainWindow::show_help() {
+  if (help_ == nullptr) help_ = new HelpDialog(this);
+  help_->show_chapter(help_chapter_of(page_name()));
+  help_->show();
+  help_->raise();
+  help_->activateWindow();
+}
+
+void MainWindow::save_log(const std::filesystem::path& to) {
+  run_in_background<bool>(
+      this,
+      [to, head = system_lines()] {
+        program_log::save(to, head);
+        return true;
+      },
+      [this](bool) { tell(tr("The log is saved. It names no person, no patient and no folder; look through it before you send it.")); },
+      [this](const QString& message) { tell(message); });
+}
+
+void MainWindow::welcome() {
+  if (is_first_run()) show_first_steps();
+}
+
+void MainWindow::show_first_steps() {
+  auto* dialog = new FirstRun(this);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(devices_, &DevicesPage::found, dialog, &FirstRun::set_found_devices);
+  connect(dialog, &FirstRun::device_chosen, start_, &StartPage::choose_device);
+  connect(dialog, &FirstRun::begin_wanted, this, [this](const QString& device) {
+    if (start_->curricula().empty()) return;
+    start_->select(QString::fromStdString(start_->curricula().front().scenarios.front().id), device);
+    practise();
+  });
+  devices_->refresh();
+  dialog->open();
+}
+
+void MainWindow::look_back() {
+  run_in_background<FoundAtStart>(
+      this, [folder = user_data_folder() / "unsaved"] { return FoundAtStart{tidy_records(), left_draft(folder)}; },
+      [this](const FoundAtStart& found) {
+        QStringList lines;
+        for (const Tidied& one : found.tidied) {
+          QString line = QString::fromStdString(one.sentence).toHtmlEscaped();
+          if (!line.isEmpty()) line[0] = line[0].toUpper();
+          if (!one.log.empty())
+            line += QString(". <a href=\"%1%2\">%3</a>")
+                        .arg(kTrialLink, QString::fromStdString(one.log.string()).toHtmlEscaped(), tr("Look at it"));
+          lines << line;
+        }
+        if (found.draft) {
+          left_ = std::make_unique<LeftDraft>(*found.draft);
+          lines << tr("A course was being written when the program ended.") +
+                       QString(" <a href=\"%1\">%2</a> &nbsp; <a href=\"%3\">%4</a>")
+                           .arg(kOpenDraft, tr("Go on with it"), kDropDraft, tr("Let it go"));
+        }
+        home_->set_notice(lines.join("<br>"));
+      },
+      [this](const QString& message) { tell_first(message); });
+}
+
+void MainWindow::follow(const QString& link) {
+  home_->set_notice({});
+  if (link.startsWith(kTrialLink)) return open_files({link.mid(QString(kTrialLink).size()).toStdString()});
+  if (left_ == nullptr) return;
+  const LeftDraft left = *left_;
+  left_.reset();
+  if (link == kOpenDraft) {
+    pages_->setCurrentWidget(authoring_);
+    authoring_->recover(left.from, left.text);
+  }
+  remove_draft(left.kept);
+}
+
+void MainWindow::restore_place() {
+  const auto kept = user_settings();
+  restoreGeometry(kept->value("window/geometry").toByteArray());
+  if (kept->value("window/page").toString() == "start") first_ = start_;
+}
+
+void MainWindow::keep_place() {
+  if (!has_start_) return;
+  const auto kept = user_settings();
+  kept->setValue("window/geometry", saveGeometry());
+  kept->setValue("window/page", first_ == start_ ? "start" : "home");
+}
+
+}  // namespace vallecula::gui

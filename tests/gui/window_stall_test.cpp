@@ -1,0 +1,181 @@
+// The window answers while others work. What is timed prints figures and judges nothing: it runs by hand, with
+// VALLECULA_SLOW, on a machine that does nothing else.
+#include <QApplication>
+#include <QSqlDatabase>
+#include <QSqlError>
+#include <QSqlQuery>
+#include <QTest>
+#include <cstdio>
+#include <thread>
+
+#include "curricula/records/people.h"
+#include "gui/authoring/authoring_page.h"
+#include "gui/import/import_wizard.h"
+#include "gui/import/source_page.h"
+#include "gui/pages/look_settings.h"
+#include "gui/pages/main_menu.h"
+#include "gui/pages/replay_page.h"
+#include "gui/pages/trial_page.h"
+#include "gui/records_pages/records_page.h"
+#include "gui/session/builtin_patient.h"
+#include "gui/session/user_paths.h"
+#include "pipeline/manikin/manikin.h"
+#include "tests/gui/block_patient.h"
+#include "tests/gui/program.h"
+#include "tests/gui/stall_watch.h"
+#include "tests/gui/window_home.h"
+#include "tests/gui/window_screen.h"
+
+namespace vallecula::gui::window_test {
+namespace {
+
+namespace fs = std::filesystem;
+
+class WindowStall : public Screen {
+ protected:
+  WindowStall() { setenv("VALLECULA_HOME", box_.home().c_str(), 1); }
+  ~WindowStall() override {
+    window_.reset();
+    unsetenv("VALLECULA_HOME");
+  }
+  void open() {
+    window_ = std::make_unique<MainWindow>();
+    window_->show_start({curricula::load_curriculum(default_curriculum())});
+    window_->show();
+    QApplication::processEvents();
+  }
+  void settle(int ms = 300) {
+    QElapsedTimer timer;
+    timer.start();
+    wait_for([&] { return timer.elapsed() > ms; });
+  }
+
+  test::Sandbox box_;
+  std::unique_ptr<MainWindow> window_;
+};
+
+TEST_F(WindowStall, TheWatchSeesAStallAndNoneWhereThereIsNone) {
+  StallWatch watch;
+  settle(100);
+  watch.take_longest_ms();
+  std::this_thread::sleep_for(std::chrono::milliseconds(250));
+  settle(50);
+  EXPECT_GE(watch.take_longest_ms(), 240.0);
+}
+
+TEST_F(WindowStall, ALockedDatabaseStopsNothing) {
+  open();
+  int answers = 0, troubles = 0;
+  RecordsDesk& desk = window_->records_page().desk();
+  QObject::connect(&desk, &RecordsDesk::answered, [&] { ++answers; });
+  QObject::connect(&desk, &RecordsDesk::trouble, [&] { ++troubles; });
+  ASSERT_TRUE(wait_for([&] { return answers > 0; }));
+  {
+    QSqlDatabase other = QSqlDatabase::addDatabase("QSQLITE", "another program");
+    other.setDatabaseName(QString::fromStdString(records_database().string()));
+    ASSERT_TRUE(other.open());
+    QSqlQuery query(other);
+    ASSERT_TRUE(query.exec("pragma locking_mode = exclusive")) << query.lastError().text().toStdString();
+    ASSERT_TRUE(query.exec("begin exclusive")) << query.lastError().text().toStdString();
+    bool asked = false;
+    answers = 0;
+    // A question that must write waits for the lock.
+    desk.ask<long long>(
+        &desk, [](curricula::Records& records) { return curricula::People(records).register_trainee("Kea", "1234"); },
+        [&](long long) { asked = true; });
+    for (const char* page : {"course", "records", "devices"}) {
+      emit window_->menu().home_wanted();
+      choose_at_home(*window_, page);
+      QApplication::processEvents();
+    }
+    EXPECT_EQ(window_->page_name(), "devices");
+    EXPECT_FALSE(asked) << "all of this while the records did not answer";
+    EXPECT_EQ(troubles, 0) << "and before they gave up";
+    ASSERT_TRUE(query.exec("rollback"));
+    query.clear();
+    other.close();
+    EXPECT_TRUE(wait_for([&] { return asked || troubles > 0; }));
+    EXPECT_TRUE(asked);
+  }
+  QSqlDatabase::removeDatabase("another program");
+}
+
+TEST_F(WindowStall, FiguresOfEveryFlow) {
+  if (std::getenv("VALLECULA_SLOW") == nullptr) GTEST_SKIP() << "figures for a quiet machine: VALLECULA_SLOW=1";
+  StallWatch watch;
+  const auto told = [&watch](const char* flow) { std::printf("%8.0f ms longest without an answer: %s\n", watch.take_longest_ms(), flow); };
+  open();
+  settle();
+  told("window opens at home");
+  bool ready = false, finished = false, replayed = false;
+  QObject::connect(window_.get(), &MainWindow::prepared, [&] { ready = true; });
+  QObject::connect(window_.get(), &MainWindow::trial_finished, [&] { finished = true; });
+  QObject::connect(window_.get(), &MainWindow::replay_opened, [&] { replayed = true; });
+  auto* practise = window_->home_page().findChild<QPushButton*>("practise");
+  for (const char* round : {"manikin made", "manikin cached"}) {
+    QElapsedTimer clock;
+    clock.start();
+    ready = finished = false;
+    practise->click();
+    ASSERT_TRUE(wait_for([&] { return ready; }, 300000));
+    const double opened_s = 1e-3 * static_cast<double>(clock.elapsed());
+    told("prepare and open the trial");
+    int frames = 0;
+    window_->trial_page().set_frame_hook([&](const engine::Snapshot& seen) { frames += seen.step > 0 ? 1 : 0; });
+    window_->trial_page().start();
+    ASSERT_TRUE(wait_for([&] { return frames > 0; }));
+    std::printf("%8.2f s from the click to the trial's page, %.2f s to its first moving picture (%s)\n", opened_s,
+                1e-3 * static_cast<double>(clock.elapsed()), round);
+    told("start");
+    settle(2000);
+    told("two seconds of trial");
+    window_->trial_page().reset();
+    settle();
+    told("reset");
+    window_->trial_page().end("ended by trainee");
+    ASSERT_TRUE(wait_for([&] { return finished; }));
+    window_->trial_page().set_frame_hook({});
+    settle();
+    told("end and result");
+    emit window_->menu().home_wanted();
+  }
+  const fs::path trials = user_data_folder() / "trials";
+  window_->replay(fs::directory_iterator(trials)->path());
+  ASSERT_TRUE(wait_for([&] { return replayed; }, 120000));
+  settle(2000);
+  told("replay");
+  emit window_->menu().home_wanted();
+  for (const char* page : {"course", "records", "devices"}) {
+    choose_at_home(*window_, page);
+    settle();
+    told(page);
+    emit window_->menu().home_wanted();
+    settle(100);
+  }
+  watch.take_longest_ms();
+  window_->write_course(curricula_folder() / "neonatal-intubation.yaml");
+  settle();
+  told("authoring of a large course");
+  emit window_->authoring_page().left();
+  apply_look({"light", 1.2});
+  settle();
+  told("another look");
+  apply_look({});
+  settle();
+  pipeline::ManikinOptions options;
+  options.weight_kg = 0.8;
+  pipeline::write_manikin(options, box_ / "ct");
+  watch.take_longest_ms();
+  window_->import_series(QString::fromStdString((box_ / "ct").string()));
+  ASSERT_TRUE(wait_for([&] { return !window_->import_wizard().work().busy(); }));
+  settle();
+  told("import: series listed");
+  for (QPushButton* button : window_->import_wizard().source_page().findChildren<QPushButton*>())
+    if (button->objectName() == "primary") button->click();
+  ASSERT_TRUE(wait_for([&] { return window_->import_wizard().step() == "check"; }, 300000));
+  settle(2000);
+  told("import: found structures shown");
+}
+
+}  // namespace
+}  // namespace vallecula::gui::window_test
