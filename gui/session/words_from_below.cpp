@@ -193,80 +193,6 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("FromBelow", "Figure"),
     QT_TRANSLATE_NOOP("FromBelow", "Measured"),
     QT_TRANSLATE_NOOP("FromBelow", "Demanded"),
-    QT_TRANSLATE_NOOP("FromBelow", "R"(
-                                       body {
-font:
-  16px / 1.5 "DejaVu Sans", "Segoe UI", sans - serif;
-color:
-# 222;
-  max - width : 62rem;
-margin:
-  2rem auto;
-padding:
-  0 1rem;
-                                       } h1 {
-                                         font - size : 1.6rem;
-                                         margin - bottom : 0;
-                                       } h2 {
-                                         font - size : 1.15rem;
-                                         margin - top : 2rem;
-                                       }
-                                           .sub {
-color:
-# 555;
-  margin - top : .2rem;
-                                           }
-                                           .summary {
-                                             border - left : .5rem solid;
-                                           padding:
-                                             .6rem 1rem;
-                                             font - size : 1.1rem;
-                                           background:
-#f6f4ec;
-                                           }
-                                           .passed { border - color : #009E73; }
-                                           .failed { border - color : #D55E00; } table {
-                                             border - collapse : collapse;
-                                           width:
-                                             100 % ;
-                                           } th,
-                                       td {
-                                         text - align : left;
-                                       padding:
-                                         .35rem .6rem;
-                                         border - bottom : 1px solid #ddd;
-                                       } td.figure { font - weight : bold; } td
-                                           .met {
-color:
-# 00795a;
-                                           } td
-                                           .missed {
-color:
-#b34f00;
-  font - weight : bold;
-                                           } img {
-                                             max - width : 100 % ;
-                                           height:
-                                             auto;
-                                           }
-                                           .shots {
-display:
-  flex;
-  flex - wrap : wrap;
-gap:
-  1rem;
-                                           }
-                                           .shots figure {
-margin:
-  0;
-flex:
-  1 1 26rem;
-                                           } figcaption,
-                                       .foot {
-color:
-# 555;
-  font - size : .85rem;
-                                       }) ""),
     QT_TRANSLATE_NOOP("FromBelow", "reason not recorded"),
     QT_TRANSLATE_NOOP("FromBelow", "the blade never entered the mouth."),
     QT_TRANSLATE_NOOP("FromBelow", "Not passed"),
@@ -291,7 +217,6 @@ color:
     QT_TRANSLATE_NOOP("FromBelow", "Patient package"),
     QT_TRANSLATE_NOOP("FromBelow", "Scenario"),
     QT_TRANSLATE_NOOP("FromBelow", "Tool"),
-    QT_TRANSLATE_NOOP("FromBelow", "report.html"),
     QT_TRANSLATE_NOOP("FromBelow", "Cormack-Lehane grade at best"),
     QT_TRANSLATE_NOOP("FromBelow", "3 or 4: nothing of the glottis seen"),
     QT_TRANSLATE_NOOP("FromBelow", "Glottis seen on average, while in sight"),
@@ -491,8 +416,6 @@ color:
     QT_TRANSLATE_NOOP("FromBelow", "CO2 detector yellow"),
     QT_TRANSLATE_NOOP("FromBelow", "heart below 100 a minute"),
     QT_TRANSLATE_NOOP("FromBelow", "a breath given"),
-    QT_TRANSLATE_NOOP("FromBelow", " answered rightly"),
-    QT_TRANSLATE_NOOP("FromBelow", " answered wrongly"),
     QT_TRANSLATE_NOOP("FromBelow", "glottis in sight"),
     QT_TRANSLATE_NOOP("FromBelow", "the device sent a pose that is no position and rotation; no force was shown"),
     QT_TRANSLATE_NOOP("FromBelow",
