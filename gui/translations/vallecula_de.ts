@@ -132,6 +132,10 @@
         <source>%1  (cannot be read)</source>
         <translation>%1  (nicht lesbar)</translation>
     </message>
+    <message>
+        <source>(my copy)</source>
+        <translation>(meine Kopie)</translation>
+    </message>
 </context>
 <context>
     <name>Charts</name>
@@ -4415,6 +4419,10 @@ Eine Label-Karte ohne Namen (NIfTI) wird nach diesen Werten gelesen: %1</transla
         <source>passed</source>
         <translation>bestanden</translation>
     </message>
+    <message>
+        <source>open to you</source>
+        <translation>offen für Sie</translation>
+    </message>
 </context>
 <context>
     <name>vallecula::gui::MonitorPanel</name>
@@ -4521,8 +4529,24 @@ Eine Label-Karte ohne Namen (NIfTI) wird nach diesen Werten gelesen: %1</transla
         <translation>Dieser Durchgang steht in keiner Aufzeichnung dieser Station, daher gibt es keinen Ort für Notizen.</translation>
     </message>
     <message>
-        <source>Written %1</source>
-        <translation>Geschrieben %1</translation>
+        <source>nobody signed in</source>
+        <translation>niemand angemeldet</translation>
+    </message>
+    <message>
+        <source>you</source>
+        <translation>Sie</translation>
+    </message>
+    <message>
+        <source>somebody else</source>
+        <translation>jemand anderes</translation>
+    </message>
+    <message>
+        <source>%1  (%2)</source>
+        <translation>%1  (%2)</translation>
+    </message>
+    <message>
+        <source>Written %1 (UTC) by %2</source>
+        <translation>Geschrieben %1 (UTC), %2</translation>
     </message>
 </context>
 <context>
