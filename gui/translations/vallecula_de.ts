@@ -2552,6 +2552,818 @@
         <source>The attempt at %1 s began without a breath before</source>
         <translation>Der Intubationsversuch bei %1 s begann ohne einen Beatmungshub davor</translation>
     </message>
+    <message>
+        <source>A curriculum: scenarios in the order in which they are practised. Every force is a training target, never an injury limit.</source>
+        <translation>Ein Kurs: Szenarien in der Reihenfolge, in der sie geübt werden. Jede Kraft ist ein Trainingsziel, nie eine Verletzungsgrenze.</translation>
+    </message>
+    <message>
+        <source>lower-case letters, digits and single hyphens</source>
+        <translation>Kleinbuchstaben, Ziffern und einzelne Bindestriche</translation>
+    </message>
+    <message>
+        <source>inner diameter in mm</source>
+        <translation>Innendurchmesser in mm</translation>
+    </message>
+    <message>
+        <source>percent</source>
+        <translation>Prozent</translation>
+    </message>
+    <message>
+        <source>Schema</source>
+        <translation>Schema</translation>
+    </message>
+    <message>
+        <source>Title</source>
+        <translation>Titel</translation>
+    </message>
+    <message>
+        <source>Blades by weight</source>
+        <translation>Spatel nach Gewicht</translation>
+    </message>
+    <message>
+        <source>Tubes by weight</source>
+        <translation>Tuben nach Gewicht</translation>
+    </message>
+    <message>
+        <source>Scenarios</source>
+        <translation>Szenarien</translation>
+    </message>
+    <message>
+        <source>rows by growing weight; a scenario without a blade takes the first row above its weight</source>
+        <translation>Zeilen nach wachsendem Gewicht; ein Szenario ohne Spatel nimmt die erste Zeile über seinem Gewicht</translation>
+    </message>
+    <message>
+        <source>Below</source>
+        <translation>Unter</translation>
+    </message>
+    <message>
+        <source>Blade</source>
+        <translation>Spatel</translation>
+    </message>
+    <message>
+        <source>kg</source>
+        <translation>kg</translation>
+    </message>
+    <message>
+        <source>rows by growing weight; an intubation without a tube takes the first row above the weight</source>
+        <translation>Zeilen nach wachsendem Gewicht; eine Intubation ohne Tubus nimmt die erste Zeile über dem Gewicht</translation>
+    </message>
+    <message>
+        <source>Briefing</source>
+        <translation>Einweisung</translation>
+    </message>
+    <message>
+        <source>Manikin</source>
+        <translation>Phantom</translation>
+    </message>
+    <message>
+        <source>Tongue young</source>
+        <translation>Elastizität der Zunge</translation>
+    </message>
+    <message>
+        <source>Sight</source>
+        <translation>Sicht</translation>
+    </message>
+    <message>
+        <source>Max attempt</source>
+        <translation>Längster Durchgang</translation>
+    </message>
+    <message>
+        <source>Targets</source>
+        <translation>Ziele</translation>
+    </message>
+    <message>
+        <source>Pass</source>
+        <translation>Bestehen</translation>
+    </message>
+    <message>
+        <source>Intubation</source>
+        <translation>Intubation</translation>
+    </message>
+    <message>
+        <source>Weight</source>
+        <translation>Gewicht</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Startwert</translation>
+    </message>
+    <message>
+        <source>Pa; without it the patient&apos;s own</source>
+        <translation>Pa; ohne Angabe die des Patienten</translation>
+    </message>
+    <message>
+        <source>Tongue force</source>
+        <translation>Zungenkraft</translation>
+    </message>
+    <message>
+        <source>Gum force</source>
+        <translation>Zahnleistenkraft</translation>
+    </message>
+    <message>
+        <source>Glottis visible</source>
+        <translation>Glottis sichtbar</translation>
+    </message>
+    <message>
+        <source>Time over target</source>
+        <translation>Zeit über dem Ziel</translation>
+    </message>
+    <message>
+        <source>Time over device limit</source>
+        <translation>Zeit über der Gerätegrenze</translation>
+    </message>
+    <message>
+        <source>Stylet</source>
+        <translation>Führungsstab</translation>
+    </message>
+    <message>
+        <source>Catheter</source>
+        <translation>Katheter</translation>
+    </message>
+    <message>
+        <source>Course</source>
+        <translation>Kurs</translation>
+    </message>
+    <message>
+        <source>Gestation</source>
+        <translation>Gestationsalter</translation>
+    </message>
+    <message>
+        <source>Infant seed</source>
+        <translation>Startwert des Kindes</translation>
+    </message>
+    <message>
+        <source>Added oxygen</source>
+        <translation>Zusätzlicher Sauerstoff</translation>
+    </message>
+    <message>
+        <source>Premedicated</source>
+        <translation>Prämediziert</translation>
+    </message>
+    <message>
+        <source>Breathes</source>
+        <translation>Atmet</translation>
+    </message>
+    <message>
+        <source>Laryngospasm</source>
+        <translation>Laryngospasmus</translation>
+    </message>
+    <message>
+        <source>Laryngospasm from start</source>
+        <translation>Laryngospasmus von Anfang an</translation>
+    </message>
+    <message>
+        <source>Cord closure</source>
+        <translation>Stimmlippenschluss</translation>
+    </message>
+    <message>
+        <source>Laryngeal pressure</source>
+        <translation>Kehlkopfdruck</translation>
+    </message>
+    <message>
+        <source>Breaths to confirm</source>
+        <translation>Hübe bis zur Bestätigung</translation>
+    </message>
+    <message>
+        <source>mm, diameter of its metal; without it 1.2</source>
+        <translation>mm, Durchmesser seines Metalls; ohne Angabe 1,2</translation>
+    </message>
+    <message>
+        <source>French; 0: none at hand; without it 8</source>
+        <translation>Charrière; 0: keiner zur Hand; ohne Angabe 8</translation>
+    </message>
+    <message>
+        <source>weeks</source>
+        <translation>Wochen</translation>
+    </message>
+    <message>
+        <source>percent of the gas, in breaths given; without it 10, of a preoxygenated infant 0</source>
+        <translation>Prozent des Gases in gegebenen Hüben; ohne Angabe 10, bei präoxygeniertem Kind 0</translation>
+    </message>
+    <message>
+        <source>without it as the course has it</source>
+        <translation>ohne Angabe wie im Kurs</translation>
+    </message>
+    <message>
+        <source>by itself; without it true, of a premedicated infant false</source>
+        <translation>von selbst; ohne Angabe wahr, bei prämediziertem Kind falsch</translation>
+    </message>
+    <message>
+        <source>s; 0: none</source>
+        <translation>s; 0: keiner</translation>
+    </message>
+    <message>
+        <source>s, after a touch; without it 1</source>
+        <translation>s, nach einer Berührung; ohne Angabe 1</translation>
+    </message>
+    <message>
+        <source>ml</source>
+        <translation>ml</translation>
+    </message>
+    <message>
+        <source>N, of the assistant on request; 0: none; without it 3</source>
+        <translation>N, der Assistenz auf Verlangen; 0: keiner; ohne Angabe 3</translation>
+    </message>
+    <message>
+        <source>without it 6</source>
+        <translation>ohne Angabe 6</translation>
+    </message>
+    <message>
+        <source>Outcomes</source>
+        <translation>Ergebnisse</translation>
+    </message>
+    <message>
+        <source>Tube force</source>
+        <translation>Tubuskraft</translation>
+    </message>
+    <message>
+        <source>CO2 confirmed</source>
+        <translation>CO2 bestätigt</translation>
+    </message>
+    <message>
+        <source>Depth neutral</source>
+        <translation>Tiefe neutral</translation>
+    </message>
+    <message>
+        <source>Oesophagus in time</source>
+        <translation>Ösophagus rechtzeitig</translation>
+    </message>
+    <message>
+        <source>No severe desaturation</source>
+        <translation>Kein schwerer Sättigungsabfall</translation>
+    </message>
+    <message>
+        <source>accepted; without it good-depth alone</source>
+        <translation>anerkannt; ohne Angabe nur good-depth</translation>
+    </message>
+    <message>
+        <source>per minute</source>
+        <translation>pro Minute</translation>
+    </message>
+    <message>
+        <source>A curriculum: modules in the order in which they are learned, and their scenarios. Every force is a training target, never an injury limit.</source>
+        <translation>Ein Kurs: Module in der Reihenfolge, in der sie gelernt werden, und ihre Szenarien. Jede Kraft ist ein Trainingsziel, nie eine Verletzungsgrenze.</translation>
+    </message>
+    <message>
+        <source>English text, or a text a language, { en: ..., de: ... }; Markdown</source>
+        <translation>Englischer Text oder ein Text je Sprache, { en: ..., de: ... }; Markdown</translation>
+    </message>
+    <message>
+        <source>languages like en, de, pt-BR</source>
+        <translation>Sprachen wie en, de, pt-BR</translation>
+    </message>
+    <message>
+        <source>where a number comes from, or &quot;assumed&quot;</source>
+        <translation>woher eine Zahl kommt, oder &quot;assumed&quot;</translation>
+    </message>
+    <message>
+        <source>inner diameter, in quotes</source>
+        <translation>Innendurchmesser, in Anführungszeichen</translation>
+    </message>
+    <message>
+        <source>Short name (id)</source>
+        <translation>Kurzname (Id)</translation>
+    </message>
+    <message>
+        <source>Goals</source>
+        <translation>Lernziele</translation>
+    </message>
+    <message>
+        <source>When it is mastered</source>
+        <translation>Wann es gemeistert ist</translation>
+    </message>
+    <message>
+        <source>Weights and sources of the pass marks</source>
+        <translation>Gewichte und Quellen der Kriterien</translation>
+    </message>
+    <message>
+        <source>Modules</source>
+        <translation>Module</translation>
+    </message>
+    <message>
+        <source>version of these rules</source>
+        <translation>Version dieser Regeln</translation>
+    </message>
+    <message>
+        <source>what whoever has finished can do</source>
+        <translation>was kann, wer fertig ist</translation>
+    </message>
+    <message>
+        <source>for every module that has no rule of its own</source>
+        <translation>für jedes Modul ohne eigene Regel</translation>
+    </message>
+    <message>
+        <source>for every pass mark that a scenario says nothing about</source>
+        <translation>für jedes Kriterium, zu dem ein Szenario nichts sagt</translation>
+    </message>
+    <message>
+        <source>Right blade</source>
+        <translation>Richtiger Spatel</translation>
+    </message>
+    <message>
+        <source>Right tube</source>
+        <translation>Richtiger Tubus</translation>
+    </message>
+    <message>
+        <source>in the order in which they are learned</source>
+        <translation>in der Reihenfolge, in der sie gelernt werden</translation>
+    </message>
+    <message>
+        <source>Goal</source>
+        <translation>Lernziel</translation>
+    </message>
+    <message>
+        <source>Opens after</source>
+        <translation>Öffnet sich nach</translation>
+    </message>
+    <message>
+        <source>Modes</source>
+        <translation>Modi</translation>
+    </message>
+    <message>
+        <source>their ids, in order; each belongs to one module</source>
+        <translation>ihre Ids, der Reihe nach; jede gehört zu einem Modul</translation>
+    </message>
+    <message>
+        <source>ids of modules to be mastered before this one opens</source>
+        <translation>Ids der Module, die gemeistert sein müssen, bevor dieses sich öffnet</translation>
+    </message>
+    <message>
+        <source>assessment: no helps, no replay, no variation, own rating before the score</source>
+        <translation>Prüfung: keine Hilfen, keine Wiedergabe, keine Variation, eigene Bewertung vor der Wertung</translation>
+    </message>
+    <message>
+        <source>Rule</source>
+        <translation>Regel</translation>
+    </message>
+    <message>
+        <source>Passes running</source>
+        <translation>Bestanden in Folge</translation>
+    </message>
+    <message>
+        <source>Within attempts</source>
+        <translation>Innerhalb von Versuchen</translation>
+    </message>
+    <message>
+        <source>Acceptable failure</source>
+        <translation>Annehmbarer Misserfolg</translation>
+    </message>
+    <message>
+        <source>Unacceptable failure</source>
+        <translation>Nicht annehmbarer Misserfolg</translation>
+    </message>
+    <message>
+        <source>Risk alpha</source>
+        <translation>Risiko alpha</translation>
+    </message>
+    <message>
+        <source>Risk beta</source>
+        <translation>Risiko beta</translation>
+    </message>
+    <message>
+        <source>Trials that count</source>
+        <translation>Durchgänge, die zählen</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>Quelle</translation>
+    </message>
+    <message>
+        <source>cusum: over all trials of the module, and each scenario passed once; consecutive: each scenario passed so many times running</source>
+        <translation>cusum: über alle Durchgänge des Moduls, und jedes Szenario einmal bestanden; consecutive: jedes Szenario so oft hintereinander bestanden</translation>
+    </message>
+    <message>
+        <source>running, of the rule consecutive</source>
+        <translation>hintereinander, der Regel consecutive</translation>
+    </message>
+    <message>
+        <source>a trial that took more is no success</source>
+        <translation>ein Durchgang, der mehr brauchte, ist kein Erfolg</translation>
+    </message>
+    <message>
+        <source>of the rule cusum</source>
+        <translation>der Regel cusum</translation>
+    </message>
+    <message>
+        <source>of the rule cusum: risk of calling an acceptable hand deficient</source>
+        <translation>der Regel cusum: Risiko, eine annehmbare Hand unzureichend zu nennen</translation>
+    </message>
+    <message>
+        <source>of the rule cusum: risk of calling an unacceptable hand competent</source>
+        <translation>der Regel cusum: Risiko, eine nicht annehmbare Hand kompetent zu nennen</translation>
+    </message>
+    <message>
+        <source>which trials count</source>
+        <translation>welche Durchgänge zählen</translation>
+    </message>
+    <message>
+        <source>share of the points; failing the mark fails the trial whatever its weight</source>
+        <translation>Anteil an den Punkten; ein verfehltes Kriterium lässt den Durchgang scheitern, gleich welches Gewicht es hat</translation>
+    </message>
+    <message>
+        <source>Glottis seen at least</source>
+        <translation>Glottis mindestens gesehen</translation>
+    </message>
+    <message>
+        <source>Time of an attempt</source>
+        <translation>Dauer eines Intubationsversuchs</translation>
+    </message>
+    <message>
+        <source>Time above the target</source>
+        <translation>Zeit über dem Ziel</translation>
+    </message>
+    <message>
+        <source>Time at the device&apos;s limit</source>
+        <translation>Zeit an der Gerätegrenze</translation>
+    </message>
+    <message>
+        <source>Accepted outcomes</source>
+        <translation>Anerkannte Ergebnisse</translation>
+    </message>
+    <message>
+        <source>Force along the tube</source>
+        <translation>Kraft längs des Tubus</translation>
+    </message>
+    <message>
+        <source>Time from view to cords passed</source>
+        <translation>Zeit von der Sicht bis hinter die Stimmlippen</translation>
+    </message>
+    <message>
+        <source>Confirmed by CO2</source>
+        <translation>Durch CO2 bestätigt</translation>
+    </message>
+    <message>
+        <source>Depth good with the head neutral</source>
+        <translation>Tiefe gut bei neutralem Kopf</translation>
+    </message>
+    <message>
+        <source>Oesophagus recognised in time</source>
+        <translation>Ösophagus rechtzeitig erkannt</translation>
+    </message>
+    <message>
+        <source>weight and source of each pass mark; none of them is validated</source>
+        <translation>Gewicht und Quelle jedes Kriteriums; keines ist validiert</translation>
+    </message>
+    <message>
+        <source>The infant</source>
+        <translation>Das Kind</translation>
+    </message>
+    <message>
+        <source>Varies from attempt to attempt</source>
+        <translation>Wechselt von Durchgang zu Durchgang</translation>
+    </message>
+    <message>
+        <source>Blades to choose from</source>
+        <translation>Spatel zur Auswahl</translation>
+    </message>
+    <message>
+        <source>Stiffness of the tongue</source>
+        <translation>Steifigkeit der Zunge</translation>
+    </message>
+    <message>
+        <source>In sight from</source>
+        <translation>In Sicht ab</translation>
+    </message>
+    <message>
+        <source>The trial ends after</source>
+        <translation>Der Durchgang endet nach</translation>
+    </message>
+    <message>
+        <source>Training targets</source>
+        <translation>Trainingsziele</translation>
+    </message>
+    <message>
+        <source>Passes with</source>
+        <translation>Bestanden mit</translation>
+    </message>
+    <message>
+        <source>Helps on the screen</source>
+        <translation>Hilfen auf dem Bildschirm</translation>
+    </message>
+    <message>
+        <source>Distractions</source>
+        <translation>Ablenkungen</translation>
+    </message>
+    <message>
+        <source>ids of modules to be mastered before this scenario opens</source>
+        <translation>Ids der Module, die gemeistert sein müssen, bevor dieses Szenario sich öffnet</translation>
+    </message>
+    <message>
+        <source>Which infant (seed)</source>
+        <translation>Welches Kind (Startwert)</translation>
+    </message>
+    <message>
+        <source>Mouth opening</source>
+        <translation>Mundöffnung</translation>
+    </message>
+    <message>
+        <source>Tongue size</source>
+        <translation>Zungengröße</translation>
+    </message>
+    <message>
+        <source>Larynx height</source>
+        <translation>Kehlkopfhöhe</translation>
+    </message>
+    <message>
+        <source>Epiglottis length</source>
+        <translation>Länge der Epiglottis</translation>
+    </message>
+    <message>
+        <source>one infant of that weight; 0 is the unvaried design</source>
+        <translation>ein Kind dieses Gewichts; 0 ist der unveränderte Entwurf</translation>
+    </message>
+    <message>
+        <source>sets the way from the cords to the carina</source>
+        <translation>bestimmt den Weg von den Stimmlippen zur Carina</translation>
+    </message>
+    <message>
+        <source>on 22 mm between the gums at term</source>
+        <translation>bezogen auf 22 mm zwischen den Zahnleisten bei Termingeborenen</translation>
+    </message>
+    <message>
+        <source>on width and height</source>
+        <translation>auf Breite und Höhe</translation>
+    </message>
+    <message>
+        <source>towards the head, in a term infant; a smaller one&apos;s is as much smaller</source>
+        <translation>kopfwärts, bei einem Termingeborenen; bei einem kleineren entsprechend weniger</translation>
+    </message>
+    <message>
+        <source>the trainee takes one before the trial; blade is the right one and among them</source>
+        <translation>Lernende nehmen einen vor dem Durchgang; blade ist der richtige und darunter</translation>
+    </message>
+    <message>
+        <source>stiffness of the tongue</source>
+        <translation>Steifigkeit der Zunge</translation>
+    </message>
+    <message>
+        <source>from here on the glottis counts as in sight</source>
+        <translation>ab hier zählt die Glottis als in Sicht</translation>
+    </message>
+    <message>
+        <source>the trial ends by itself</source>
+        <translation>der Durchgang endet von selbst</translation>
+    </message>
+    <message>
+        <source>Force on the tongue</source>
+        <translation>Kraft auf die Zunge</translation>
+    </message>
+    <message>
+        <source>Force on the gums</source>
+        <translation>Kraft auf die Zahnleisten</translation>
+    </message>
+    <message>
+        <source>what is trained for; never injury limits</source>
+        <translation>worauf trainiert wird; nie Verletzungsgrenzen</translation>
+    </message>
+    <message>
+        <source>to be reached once</source>
+        <translation>einmal zu erreichen</translation>
+    </message>
+    <message>
+        <source>at most, blade into the mouth to blade out</source>
+        <translation>höchstens, Spatel in den Mund bis Spatel heraus</translation>
+    </message>
+    <message>
+        <source>at most, of the tongue&apos;s force</source>
+        <translation>höchstens, der Kraft auf die Zunge</translation>
+    </message>
+    <message>
+        <source>Ghost path</source>
+        <translation>Weg des Experten</translation>
+    </message>
+    <message>
+        <source>Glottis highlight</source>
+        <translation>Glottis hervorgehoben</translation>
+    </message>
+    <message>
+        <source>Sagittal cut</source>
+        <translation>Sagittalschnitt</translation>
+    </message>
+    <message>
+        <source>Force bars</source>
+        <translation>Kraftbalken</translation>
+    </message>
+    <message>
+        <source>helps on the screen; all off in assessment</source>
+        <translation>Hilfen auf dem Bildschirm; in der Prüfung alle aus</translation>
+    </message>
+    <message>
+        <source>the expert&apos;s way as a grey blade</source>
+        <translation>der Weg des Experten als grauer Spatel</translation>
+    </message>
+    <message>
+        <source>the sagittal cut beside the operator&apos;s view</source>
+        <translation>der Sagittalschnitt neben der Sicht der Intubierenden</translation>
+    </message>
+    <message>
+        <source>the live bars of force</source>
+        <translation>die mitlaufenden Kraftbalken</translation>
+    </message>
+    <message>
+        <source>by growing time</source>
+        <translation>nach wachsender Zeit</translation>
+    </message>
+    <message>
+        <source>Blade taken</source>
+        <translation>Genommener Spatel</translation>
+    </message>
+    <message>
+        <source>Tube taken</source>
+        <translation>Genommener Tubus</translation>
+    </message>
+    <message>
+        <source>written by a trial into its log, never in a curriculum</source>
+        <translation>von einem Durchgang in seine Aufzeichnung geschrieben, nie in einen Kurs</translation>
+    </message>
+    <message>
+        <source>what the variation was drawn with; 0: as written</source>
+        <translation>womit die Variation gezogen wurde; 0: wie geschrieben</translation>
+    </message>
+    <message>
+        <source>what the trainee took of those offered</source>
+        <translation>was vom Angebotenen genommen wurde</translation>
+    </message>
+    <message>
+        <source>likewise</source>
+        <translation>ebenso</translation>
+    </message>
+    <message>
+        <source>Infants</source>
+        <translation>Kinder</translation>
+    </message>
+    <message>
+        <source>Another course each time</source>
+        <translation>Jedes Mal ein anderer Verlauf</translation>
+    </message>
+    <message>
+        <source>Distraction delay</source>
+        <translation>Verzögerung der Ablenkungen</translation>
+    </message>
+    <message>
+        <source>each attempt in practice draws from these ranges by its own seed; assessment takes what is written</source>
+        <translation>jeder Übungsdurchgang zieht aus diesen Bereichen mit eigenem Startwert; eine Prüfung nimmt, was geschrieben steht</translation>
+    </message>
+    <message>
+        <source>so many infants in turn, each with a seed and a shape of its own; each is made at its first use</source>
+        <translation>so viele Kinder der Reihe nach, jedes mit eigenem Startwert und eigener Form; jedes wird beim ersten Gebrauch gemacht</translation>
+    </message>
+    <message>
+        <source>of the infants, from to</source>
+        <translation>der Kinder, von bis</translation>
+    </message>
+    <message>
+        <source>from to</source>
+        <translation>von bis</translation>
+    </message>
+    <message>
+        <source>from to; needs an intubation</source>
+        <translation>von bis; braucht eine Intubation</translation>
+    </message>
+    <message>
+        <source>another infant&apos;s saturation and heart each time; needs an intubation</source>
+        <translation>jedes Mal Sättigung und Herz eines anderen Kindes; braucht eine Intubation</translation>
+    </message>
+    <message>
+        <source>from to, added to all distractions</source>
+        <translation>von bis, zu allen Ablenkungen addiert</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Text</translation>
+    </message>
+    <message>
+        <source>Answers</source>
+        <translation>Antworten</translation>
+    </message>
+    <message>
+        <source>Right answer</source>
+        <translation>Richtige Antwort</translation>
+    </message>
+    <message>
+        <source>Time allowed</source>
+        <translation>Erlaubte Zeit</translation>
+    </message>
+    <message>
+        <source>trial time</source>
+        <translation>Zeit im Durchgang</translation>
+    </message>
+    <message>
+        <source>question: to be answered; alarm: to be silenced; talk: what the team says, to be ignored</source>
+        <translation>question: zu beantworten; alarm: stumm zu schalten; talk: was das Team sagt, zu überhören</translation>
+    </message>
+    <message>
+        <source>of a question</source>
+        <translation>einer Frage</translation>
+    </message>
+    <message>
+        <source>which of the answers, counted from 1</source>
+        <translation>welche der Antworten, ab 1 gezählt</translation>
+    </message>
+    <message>
+        <source>of a question or an alarm</source>
+        <translation>einer Frage oder eines Alarms</translation>
+    </message>
+    <message>
+        <source>Tubes to choose from</source>
+        <translation>Tuben zur Auswahl</translation>
+    </message>
+    <message>
+        <source>Stylet&apos;s diameter</source>
+        <translation>Durchmesser des Führungsstabs</translation>
+    </message>
+    <message>
+        <source>Suction catheter</source>
+        <translation>Absaugkatheter</translation>
+    </message>
+    <message>
+        <source>Saturation and heart</source>
+        <translation>Sättigung und Herz</translation>
+    </message>
+    <message>
+        <source>the trainee takes one before the trial; tube is the right one and among them</source>
+        <translation>Lernende nehmen einen vor dem Durchgang; tube ist der richtige und darunter</translation>
+    </message>
+    <message>
+        <source>diameter of its metal</source>
+        <translation>Durchmesser seines Metalls</translation>
+    </message>
+    <message>
+        <source>0: none at hand</source>
+        <translation>0: keiner zur Hand</translation>
+    </message>
+    <message>
+        <source>of saturation and heart; only the first is calibrated to a published one</source>
+        <translation>von Sättigung und Herz; nur der erste ist an einem veröffentlichten kalibriert</translation>
+    </message>
+    <message>
+        <source>one infant of the population; 0 its median</source>
+        <translation>ein Kind der Population; 0 ihr Median</translation>
+    </message>
+    <message>
+        <source>of the gas, in breaths given</source>
+        <translation>des Gases, in gegebenen Hüben</translation>
+    </message>
+    <message>
+        <source>atropine and a muscle relaxant</source>
+        <translation>Atropin und ein Muskelrelaxans</translation>
+    </message>
+    <message>
+        <source>by itself, all through the trial; the cords open with it</source>
+        <translation>von selbst, den ganzen Durchgang lang; die Stimmlippen öffnen sich dabei</translation>
+    </message>
+    <message>
+        <source>after a touch; 0: none</source>
+        <translation>nach einer Berührung; 0: keiner</translation>
+    </message>
+    <message>
+        <source>after a touch</source>
+        <translation>nach einer Berührung</translation>
+    </message>
+    <message>
+        <source>of the assistant on request; 0: none</source>
+        <translation>der Assistenz auf Verlangen; 0: keiner</translation>
+    </message>
+    <message>
+        <source>no colour after so many: not in the trachea</source>
+        <translation>nach so vielen keine Farbe: nicht in der Trachea</translation>
+    </message>
+    <message>
+        <source>accepted</source>
+        <translation>anerkannt</translation>
+    </message>
+    <message>
+        <source>displayed, at least</source>
+        <translation>angezeigt, mindestens</translation>
+    </message>
+    <message>
+        <source>at most, along the tube</source>
+        <translation>höchstens, längs des Tubus</translation>
+    </message>
+    <message>
+        <source>at most, from the view to the cords passed</source>
+        <translation>höchstens, von der Sicht bis hinter die Stimmlippen</translation>
+    </message>
+    <message>
+        <source>within breaths_to_confirm</source>
+        <translation>innerhalb von breaths_to_confirm</translation>
+    </message>
+    <message>
+        <source>a tube in the trachea lies in the middle third with the head neutral, too</source>
+        <translation>ein Tubus in der Trachea liegt auch bei neutralem Kopf im mittleren Drittel</translation>
+    </message>
+    <message>
+        <source>never more than breaths_to_confirm breaths in one stay in the oesophagus</source>
+        <translation>nie mehr als breaths_to_confirm Hübe in einem Aufenthalt im Ösophagus</translation>
+    </message>
+    <message>
+        <source>in no attempt a fall by 20 points or more</source>
+        <translation>in keinem Intubationsversuch ein Abfall um 20 Punkte oder mehr</translation>
+    </message>
 </context>
 <context>
     <name>GivenLabels</name>
