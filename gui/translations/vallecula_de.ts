@@ -4079,7 +4079,7 @@
     </message>
     <message>
         <source>Save a copy ...</source>
-        <translation>Kopie speichern ...</translation>
+        <translation>Kopie ...</translation>
     </message>
     <message>
         <source>One file, to hand on or keep elsewhere</source>
@@ -4103,7 +4103,7 @@
     </message>
     <message>
         <source>Try this scenario</source>
-        <translation>Szenario ausprobieren</translation>
+        <translation>Ausprobieren</translation>
     </message>
     <message>
         <source>Play it as it stands here, saved or not (F5)</source>
@@ -4270,7 +4270,7 @@
     </message>
     <message>
         <source>It is not saved. Save a copy keeps both; Open shows what the file has now.</source>
-        <translation>Nicht gespeichert. „Kopie speichern“ behält beide; „Öffnen“ zeigt, was jetzt in der Datei steht.</translation>
+        <translation>Nicht gespeichert. „Kopie ...“ behält beide; „Öffnen“ zeigt, was jetzt in der Datei steht.</translation>
     </message>
     <message>
         <source>Saved as %1.</source>
@@ -4396,7 +4396,7 @@
     </message>
     <message>
         <source>&amp;Practise with this patient</source>
-        <translation>Mit diesem Patienten ü&amp;ben</translation>
+        <translation>Damit ü&amp;ben</translation>
     </message>
     <message>
         <source>&amp;Leave mouth and neck as scanned</source>
@@ -4486,7 +4486,7 @@
     </message>
     <message>
         <source>Crosshair</source>
-        <translation>Fadenkreuz</translation>
+        <translation>Kreuz</translation>
     </message>
     <message>
         <source>Take all slices to a point; drag landmarks</source>
@@ -4529,10 +4529,6 @@
         <translation>Fensterung, HU</translation>
     </message>
     <message>
-        <source>Labels</source>
-        <translation>Strukturen</translation>
-    </message>
-    <message>
         <source>Opacity of the labels</source>
         <translation>Deckkraft der Strukturen</translation>
     </message>
@@ -4562,7 +4558,7 @@
     </message>
     <message>
         <source>Save &amp;for 3D Slicer ...</source>
-        <translation>&amp;Für 3D Slicer speichern ...</translation>
+        <translation>&amp;Für 3D Slicer ...</translation>
     </message>
     <message>
         <source>L&amp;oad ...</source>
@@ -4596,7 +4592,7 @@ Eine Label-Karte ohne Namen (NIfTI) wird nach diesen Werten gelesen: %1</transla
     </message>
     <message>
         <source>Run a&amp;gain with the edits</source>
-        <translation>Mit den Än&amp;derungen erneut ausführen</translation>
+        <translation>Erneut a&amp;usführen</translation>
     </message>
     <message>
         <source>Finds the structures anew with the seeds, thresholds, label maps and landmarks given</source>
@@ -6348,6 +6344,22 @@ Eine Label-Karte ohne Namen (NIfTI) wird nach diesen Werten gelesen: %1</transla
         <source>%1 is not a patient package (it holds no patient.yaml); make one with `vallecula import`.</source>
         <translation>%1 ist kein Patientenpaket (es enthält keine patient.yaml); erstellen Sie eines mit `vallecula import`.</translation>
     </message>
+    <message>
+        <source>Mode</source>
+        <translation>Modus</translation>
+    </message>
+    <message>
+        <source>Patient</source>
+        <translation>Patient</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>Gerät</translation>
+    </message>
+    <message>
+        <source>Tube&apos;s hand</source>
+        <translation>Hand des Tubus</translation>
+    </message>
 </context>
 <context>
     <name>vallecula::gui::StatementDelivery</name>
@@ -6477,7 +6489,7 @@ Eine Label-Karte ohne Namen (NIfTI) wird nach diesen Werten gelesen: %1</transla
     </message>
     <message>
         <source>&amp;Load a label map ...</source>
-        <translation>Label-Karte &amp;laden ...</translation>
+        <translation>Karte &amp;laden ...</translation>
     </message>
     <message>
         <source>Takes this structure from a label map made elsewhere (3D Slicer)</source>
@@ -6485,7 +6497,7 @@ Eine Label-Karte ohne Namen (NIfTI) wird nach diesen Werten gelesen: %1</transla
     </message>
     <message>
         <source>&amp;Drop edits</source>
-        <translation>Änderungen ver&amp;werfen</translation>
+        <translation>Ver&amp;werfen</translation>
     </message>
     <message>
         <source>Takes back seed, threshold and label map of this structure</source>

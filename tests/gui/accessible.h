@@ -27,8 +27,8 @@ inline bool is_inner(const QWidget& widget, const QWidget& page) {
   if (widget.objectName().startsWith("qt_")) return true;
   for (const QWidget* up = widget.parentWidget(); up != nullptr && up != &page; up = up->parentWidget())
     if (qobject_cast<const QAbstractSpinBox*>(up) != nullptr || qobject_cast<const QComboBox*>(up) != nullptr ||
-        qobject_cast<const QCalendarWidget*>(up) != nullptr || qobject_cast<const QTabBar*>(up) != nullptr ||
-        qobject_cast<const QAbstractItemView*>(up) != nullptr)
+        qobject_cast<const QCalendarWidget*>(up) != nullptr || qobject_cast<const QLineEdit*>(up) != nullptr ||
+        qobject_cast<const QTabBar*>(up) != nullptr || qobject_cast<const QAbstractItemView*>(up) != nullptr)
       return true;
   return false;
 }
@@ -61,6 +61,16 @@ inline std::vector<std::string> nameless_controls(const QWidget& page) {
     for (const QLabel* label : labels) named = named || (label->buddy() == one && !label->text().isEmpty());
     if (!named) found.push_back(described(*one));
   }
+  return found;
+}
+
+/// Every visible control that the Tab key does not lead to.
+inline std::vector<std::string> unreachable_controls(const QWidget& page) {
+  std::vector<std::string> found;
+  for (const QWidget* one : page.findChildren<QWidget*>())
+    if (is_control(*one) && one->isVisible() && qobject_cast<const QScrollBar*>(one) == nullptr &&
+        !is_inner(*one, page) && (one->focusPolicy() & Qt::TabFocus) == 0)
+      found.push_back(described(*one));
   return found;
 }
 

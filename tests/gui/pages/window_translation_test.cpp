@@ -86,11 +86,13 @@ TEST(Translation, EveryMessageIsFinishedAndKeepsItsFixedParts) {
     const std::string which = one.context.toStdString() + ": " + one.source.toStdString();
     EXPECT_TRUE(one.finished) << which;
     EXPECT_EQ(one.translations.size(), one.plural ? 2 : 1) << which;
-    for (const QString& text : one.translations) {
+    for (int i = 0; i < one.translations.size(); ++i) {
+      const QString& text = one.translations[i];
       EXPECT_FALSE(text.isEmpty()) << which;
-      EXPECT_EQ(fixed_parts(text).join(" ").toStdString(), fixed_parts(one.source).join(" ").toStdString())
-          << which << "\n"
-          << text.toStdString();
+      QStringList wanted = fixed_parts(one.source);
+      if (one.plural && i == 0 && !text.contains("%n")) wanted.removeAll("%n");  // "one thing" may be a word
+      EXPECT_EQ(fixed_parts(text).join(" ").toStdString(), wanted.join(" ").toStdString()) << which << "\n"
+                                                                                           << text.toStdString();
     }
   }
 }
@@ -120,11 +122,13 @@ QString literals_below() {
   QString all;
   for (const char* folder :
        {"curricula", "device", "pipeline", "gui/session", "gui/report", "gui/views", "gui/pages"}) {
-    QDirIterator files(sources_folder() + "/" + folder, {"*.cpp", "*.h"}, QDir::Files, QDirIterator::Subdirectories);
+    QDirIterator files(sources_folder() + "/" + folder, {"*.cpp", "*.h", "*.json"}, QDir::Files,
+                       QDirIterator::Subdirectories);
     while (files.hasNext()) {
       if (files.next().endsWith("words_from_below.cpp")) continue;
       QFile file(files.filePath());
-      if (file.open(QIODevice::ReadOnly)) all += QString::fromUtf8(file.readAll()).remove(between);
+      if (file.open(QIODevice::ReadOnly))
+        all += QString::fromUtf8(file.readAll()).remove(between).replace("\\\"", "\"");
     }
   }
   return all;
@@ -139,7 +143,7 @@ TEST(Translation, WhatIsListedFromBelowIsStillSaidThere) {
     ++looked_for;
     // The last words of one that is put together of two.
     EXPECT_TRUE(below.contains(text) || below.contains(text.mid(text.indexOf(": ") + 2)) ||
-                below.contains(text.right(20)))
+                below.contains(text.right(16)))
         << sentence;
   }
   EXPECT_GT(looked_for, 100);
@@ -162,7 +166,10 @@ class WindowTranslation : public Screen {
     page.resize(1024, 700);
     page.show();
     wait_for([] { return false; }, 150);
+    EXPECT_LE(page.minimumSizeHint().width(), 1024) << name;
+    EXPECT_LE(page.minimumSizeHint().height(), 700) << name;
     EXPECT_EQ(nameless_controls(page), std::vector<std::string>()) << name << lines(nameless_controls(page));
+    EXPECT_EQ(unreachable_controls(page), std::vector<std::string>()) << name << lines(unreachable_controls(page));
     EXPECT_EQ(cut_texts(page), std::vector<std::string>()) << name << lines(cut_texts(page));
     keep_picture(page, name + ".png");
     page.hide();
