@@ -4400,7 +4400,7 @@
     </message>
     <message>
         <source>&amp;Leave mouth and neck as scanned</source>
-        <translation>&amp;Mund und Hals lassen wie gescannt</translation>
+        <translation>&amp;Mund und Hals wie gescannt</translation>
     </message>
     <message>
         <source>Else a closed mouth is opened and the neck extended, as for an intubation</source>
@@ -4408,7 +4408,7 @@
     </message>
     <message>
         <source>Scale to a &amp;newborn&apos;s size</source>
-        <translation>Auf die Größe eines &amp;Neugeborenen skalieren</translation>
+        <translation>Auf &amp;Neugeborenengröße skalieren</translation>
     </message>
     <message>
         <source>All lengths, so that the skull is as broad as a term newborn&apos;s</source>

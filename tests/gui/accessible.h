@@ -102,6 +102,18 @@ inline std::vector<std::string> cut_texts(const QWidget& page) {
   return found;
 }
 
+/// The innermost widgets that ask for more than so many pixels across: what keeps a page from being narrow.
+inline std::vector<std::string> wider_than(const QWidget& page, int px) {
+  std::vector<std::string> found;
+  for (const QWidget* one : page.findChildren<QWidget*>()) {
+    if (one->minimumSizeHint().width() <= px) continue;
+    bool inner = true;
+    for (const QWidget* child : one->findChildren<QWidget*>()) inner = inner && child->minimumSizeHint().width() <= px;
+    if (inner) found.push_back(described(*one) + ": " + std::to_string(one->minimumSizeHint().width()) + " px");
+  }
+  return found;
+}
+
 /// For a test's message.
 inline std::string lines(const std::vector<std::string>& all) {
   std::string text;
