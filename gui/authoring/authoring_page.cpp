@@ -137,6 +137,7 @@ QWidget* AuthoringPage::make_head() {
   shortcut(nullptr, QKeySequence(Qt::Key_F5), [this] { try_scenario(); });
   name_ = new QLabel(head);
   name_->setObjectName("heading");
+  name_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // its whole text is its tooltip
   state_ = new QLabel(this);
   auto* row = new QHBoxLayout(head);
   row->setContentsMargins(0, 0, 0, 0);
@@ -234,7 +235,7 @@ void AuthoringPage::show_state() {
   const QString where = file.empty() ? tr("not saved yet") : QString::fromStdString(file.filename().string());
   const bool shipped = !file.empty() && is_shipped(file);
   name_->setText(where + (document_.modified() ? " *" : ""));
-  name_->setToolTip(QString::fromStdString(file.string()));
+  name_->setToolTip(file.empty() ? name_->text() : QString::fromStdString(file.string()));
   save_->setText(shipped ? tr("Save as mine") : tr("Save"));
   save_->setToolTip(shipped ? tr("A shipped course stays as it is: this is kept among your own (Ctrl+S)")
                             : QString("Ctrl+S"));

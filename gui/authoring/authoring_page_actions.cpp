@@ -38,6 +38,15 @@ QString title_of(const fs::path& file) {
   return title;
 }
 
+/// A copy and what it was made from stand beside each other in lists: its title says which it is.
+std::string as_own(const std::string& course) {
+  const YamlText text(course);
+  const auto* title = text.find("title");
+  const std::string mark = " " + QCoreApplication::translate("AuthoringPage", "(my copy)").toStdString();
+  if (title == nullptr || title->value.empty() || title->value.find(mark) != std::string::npos) return course;
+  return curricula::with_value(text, "title", curricula::yaml_text(title->value + mark));
+}
+
 }  // namespace
 
 void AuthoringPage::begin() {
@@ -66,7 +75,7 @@ void AuthoringPage::copy_course(const fs::path& file) {
     const YamlText text(read_file(file));
     const auto* given = text.find("id");
     const std::string copied = "my-" + (given == nullptr ? std::string("course") : given->value).substr(0, 55);
-    document_.start_new(curricula::with_value(text, "id", curricula::yaml_text(copied)));
+    document_.start_new(as_own(curricula::with_value(text, "id", curricula::yaml_text(copied))));
     set_message(tr("A copy of %1, not saved yet.").arg(title_of(file)));
   } catch (const std::exception& error) {
     set_message(QString::fromUtf8(error.what()));
@@ -161,7 +170,7 @@ bool AuthoringPage::save() {
   if (own.stem() != id()) {
     // Two courses of one id would be taken for one in the records.
     edit(tr("Give it an id of its own"), [&](const YamlText& text) {
-      return curricula::with_value(text, "id", curricula::yaml_text(own.stem().string()));
+      return as_own(curricula::with_value(text, "id", curricula::yaml_text(own.stem().string())));
     });
   }
   return write(own);

@@ -11,6 +11,7 @@
 #include "curricula/authoring/yaml_edit.h"
 #include "curricula/schema/schema_text.h"
 #include "gui/authoring/field_row.h"
+#include "gui/authoring/field_words.h"
 #include "gui/authoring/form_section.h"
 
 namespace vallecula::gui {
@@ -130,7 +131,7 @@ void CourseForm::rebuild() {
   const char* schema = document_.schema() == 1 ? curricula::curriculum_schema_1() : curricula::curriculum_schema_2();
   const QString definition = part_.isEmpty() ? "curriculum" : part_.startsWith("modules") ? "module" : "scenario";
   if (!shape_.isEmpty())
-    add_fields(curricula::fields_of(schema, definition, {"schema", "modules", "scenarios", "attempt"}), part_, layout);
+    add_fields(fields_in_words(schema, definition, {"schema", "modules", "scenarios", "attempt"}), part_, layout);
   layout->addStretch(1);
   if (QWidget* old = takeWidget()) {
     old->hide();

@@ -4,6 +4,7 @@
 
 #include "curricula/authoring/field_rules.h"
 #include "curricula/schema/schema_text.h"
+#include "gui/authoring/field_words.h"
 
 namespace vallecula::gui {
 
@@ -33,7 +34,7 @@ ProblemList::ProblemList(CourseDocument& document, QWidget* parent) : QTreeWidge
 
 QString ProblemList::place_of(const curricula::Problem& problem) const {
   static const std::vector<curricula::FieldRule> course =
-      curricula::fields_of(curricula::curriculum_schema_2(), "curriculum");
+      fields_in_words(curricula::curriculum_schema_2(), "curriculum");
   const std::vector<curricula::FieldRule>* rules = &course;
   QStringList words;
   std::string path;

@@ -77,6 +77,7 @@ QJsonObject json_of(const Curriculum& curriculum) {
   return {{"id", text(curriculum.id)},
           {"title", text(curriculum.title)},
           {"file", text(curriculum.file.filename().string())},
+          {"shipped", is_shipped(curriculum.file)},
           {"schema", curriculum.schema},
           {"modules", modules}};
 }
@@ -98,8 +99,14 @@ std::string after(const std::vector<std::string>& modules) {
   return text;
 }
 
+/// Which of the two folders a course is in; nothing of another one, which whoever asks has named.
+const char* folder_of(const fs::path& file) {
+  return is_shipped(file) ? ", shipped" : file.parent_path() == own_curricula_folder() ? ", one of your own" : "";
+}
+
 void print(const Curriculum& curriculum, bool marks) {
-  std::cout << curriculum.id << ": " << curriculum.title << " (" << curriculum.file.filename().string() << ")\n";
+  std::cout << curriculum.id << ": " << curriculum.title << " (" << curriculum.file.filename().string()
+            << folder_of(curriculum.file) << ")\n";
   for (const curricula::Text& goal : curriculum.goals) std::cout << "  goal: " << goal.in("en") << "\n";
   for (const curricula::Module& module : curriculum.modules) {
     std::cout << "  " << module.id << ": " << module.title << after(module.after) << "\n"

@@ -145,21 +145,19 @@ QWidget* CheckPage::make_tools() {
   grey_ = new QLabel(bar);
   grey_->setObjectName("faint");
   grey_->setToolTip(tr("Window and level, HU"));
+  grey_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // a small window has no room for it
   connect(&scene_, &SliceScene::changed, grey_, [this] {
     grey_->setText(QString("W %1  L %2").arg(scene_.grey().width, 0, 'f', 0).arg(scene_.grey().centre, 0, 'f', 0));
   });
-  row->addWidget(grey_);
-  row->addSpacing(10);
-  row->addWidget(new QLabel(tr("Labels"), bar));
+  row->addWidget(grey_, 1);
   auto* opacity = new QSlider(Qt::Horizontal, bar);
   opacity->setAccessibleName(tr("Opacity of the labels"));
   opacity->setToolTip(tr("Opacity of the structures' colours in the slices, %"));
   opacity->setRange(0, 100);
   opacity->setValue(static_cast<int>(100.0 * scene_.opacity()));
-  opacity->setFixedWidth(80);
+  opacity->setFixedWidth(70);
   connect(opacity, &QSlider::valueChanged, this, [this](int percent) { scene_.set_opacity(0.01 * percent); });
   row->addWidget(opacity);
-  row->addStretch(1);
   add_step(bar, tr("Undo"), true, QKeySequence::Undo);
   add_step(bar, tr("Redo"), false, QKeySequence::Redo);
   return bar;
@@ -168,7 +166,9 @@ QWidget* CheckPage::make_tools() {
 void CheckPage::add_step(QWidget* bar, const QString& text, bool undo, const QKeySequence& key) {
   QUndoStack& stack = history_.stack();
   auto* button = new QToolButton(bar);
-  button->setText(text);
+  button->setText(undo ? QString::fromUtf8("\u21b6") : QString::fromUtf8("\u21b7"));
+  button->setAccessibleName(text);
+  button->setToolTip(QString("%1 (%2)").arg(text, key.toString(QKeySequence::NativeText)));
   button->setShortcut(key);
   button->setFocusPolicy(Qt::TabFocus);
   button->setEnabled(false);
@@ -183,7 +183,8 @@ void CheckPage::add_step(QWidget* bar, const QString& text, bool undo, const QKe
 
 QWidget* CheckPage::make_side() {
   auto* side = new QWidget(this);
-  side->setFixedWidth(400);
+  side->setMinimumWidth(330);
+  side->setMaximumWidth(400);
   tabs_ = new QTabWidget(side);
   tabs_->setDocumentMode(true);
   tabs_->tabBar()->setDrawBase(false);

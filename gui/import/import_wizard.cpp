@@ -79,6 +79,7 @@ QWidget* ImportWizard::make_segment_page() {
   title->setObjectName("title");
   auto* about = new QLabel(tr("Nothing is written yet. You look at the result before it becomes a patient."), page);
   about->setObjectName("faint");
+  for (QLabel* text : {title, about}) text->setWordWrap(true);
   strip_ = new WorkStrip(work_, page);
   auto* column = new QVBoxLayout(page);
   column->setContentsMargins(160, 0, 160, 0);

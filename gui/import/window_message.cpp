@@ -1,5 +1,6 @@
 #include "gui/import/window_message.h"
 
+#include <QCoreApplication>
 #include <QRegularExpression>
 #include <QStringList>
 
@@ -20,8 +21,11 @@ QString window_message(const QString& message) {
   text.replace(QRegularExpression("say what its values mean: --label-value [^)]*\\)?"),
                "a file without names is read by this list of values: " + label_values_text() +
                    "; give it these, or save it with names (.seg.nrrd)");
-  text.replace("import the scan as it lies with --keep-position",
-               "choose \"Leave mouth and neck as scanned\" in the last step and build again");
+  text.replace(
+      "import the scan as it lies with --keep-position",
+      "choose \"" +
+          QCoreApplication::translate("vallecula::gui::BuildPage", "&Leave mouth and neck as scanned").remove('&') +
+          "\" in the last step and build again");
   text.replace("give it with --labels", "load it in the check");
   text.replace("; coordinates are LPS mm (x to the left, y to the back, z to the head)", "; click a point inside it");
   text.replace("(x to the left, y to the back, z to the head, mm)?", "? Click a point inside it");

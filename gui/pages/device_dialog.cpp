@@ -13,6 +13,7 @@
 #include <cmath>
 
 #include "gui/session/user_settings.h"
+#include "gui/session/words_from_below.h"
 #include "gui/views/capitalised.h"
 
 namespace vallecula::gui {
@@ -49,7 +50,7 @@ void add_row(QFormLayout& form, const QString& name, QWidget* field, const QStri
 
 DeviceDialog::DeviceDialog(const device::DeviceInfo& info, QWidget* parent) : QDialog(parent) {
   setWindowTitle(tr("Device settings"));
-  auto* title = new QLabel(capitalised(QString::fromStdString(info.model)), this);
+  auto* title = new QLabel(capitalised(in_words(info.model)), this);
   title->setObjectName("heading");
   auto* form = new QFormLayout;
   form->setVerticalSpacing(10);

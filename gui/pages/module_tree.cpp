@@ -60,16 +60,16 @@ void ModuleTree::show_course(const curricula::Curriculum* course, const std::vec
         QFont font = row->font(kTitle);
         font.setBold(true);
         row->setFont(kTitle, font);
-        row->setText(kState, state_of(progress_[m]));
-        row->setForeground(kState, progress_[m].mastered ? theme::within().lighter(130)
-                                   : progress_[m].open   ? theme::text()
-                                                         : theme::faint());
+        row->setText(kState, state(m));
+        row->setForeground(kState, progress_[m].mastered            ? theme::within().lighter(130)
+                                   : progress_[m].open || all_open_ ? theme::text()
+                                                                    : theme::faint());
       }
       for (const std::string& id : module.scenarios)
         add_scenario(row, id, std::any_of(past.begin(), past.end(), [&](const curricula::PastResult& result) {
                        return result.scenario_id == id && result.device_kind == hands && result.passed;
                      }));
-      if (!alone) row->setExpanded(progress_[m].open && !progress_[m].mastered);
+      if (!alone) row->setExpanded((progress_[m].open || all_open_) && !progress_[m].mastered);
     }
     QTreeWidgetItem* before = key.isEmpty() ? nullptr : item_of(key);
     setCurrentItem(before != nullptr ? before : next_to_do());
@@ -127,10 +127,16 @@ QString ModuleTree::why_closed(const curricula::Scenario& scenario) const {
   return all_open_ ? QString() : gui::why_closed(*course_, progress_, scenario.id);
 }
 
+/// Closed by the course's rule, it may still be open to who looks: an instructor, or somebody who only watches.
+QString ModuleTree::state(std::size_t module) const {
+  const curricula::ModuleProgress& progress = progress_[module];
+  return all_open_ && !progress.open && !progress.mastered ? tr("open to you") : state_of(progress);
+}
+
 QStringList ModuleTree::states() const {
   QStringList states;
   for (std::size_t m = 0; m < progress_.size(); ++m)
-    states << QString::fromStdString(course_->modules[m].title) + ": " + state_of(progress_[m]);
+    states << QString::fromStdString(course_->modules[m].title) + ": " + state(m);
   return states;
 }
 

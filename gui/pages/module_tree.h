@@ -37,6 +37,7 @@ class ModuleTree : public QTreeWidget {
 
  private:
   void add_scenario(QTreeWidgetItem* to, const std::string& id, bool passed);
+  QString state(std::size_t module) const;
   QTreeWidgetItem* item_of(const QString& key) const;
   QTreeWidgetItem* next_to_do() const;
   QString chosen_key() const;

@@ -126,8 +126,10 @@ void NotesPanel::show_notes(const std::vector<curricula::Note>& notes) {
   list_->clear();
   std::vector<double> at_s;
   for (const curricula::Note& note : notes) {
-    list_->add(note.at_s, QString::fromStdString(note.text), theme::text(),
-               tr("Written %1").arg(QString::fromStdString(note.written_utc)), note.id);
+    const bool own = who_ && note.author_id == who_->id();
+    const QString author = note.author_id == 0 ? tr("nobody signed in") : own ? tr("you") : tr("somebody else");
+    list_->add(note.at_s, tr("%1  (%2)").arg(QString::fromStdString(note.text), author), theme::text(),
+               tr("Written %1 (UTC) by %2").arg(QString::fromStdString(note.written_utc), author), note.id);
     at_s.push_back(note.at_s);
   }
   emit listed(at_s);

@@ -18,6 +18,8 @@ OfferedTools::OfferedTools(QWidget* parent) : QWidget(parent) {
   tube_label_ = new QLabel(tr("Tube"), this);
   tube_ = new QComboBox(this);
   tube_->setObjectName("tube");
+  blade_->setAccessibleName(blade_label_->text());
+  tube_->setAccessibleName(tube_label_->text());
   form->addRow(blade_label_, blade_);
   form->addRow(tube_label_, tube_);
   for (QComboBox* box : {blade_, tube_})

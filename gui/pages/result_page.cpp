@@ -103,7 +103,7 @@ ResultPage::ResultPage(QWidget* parent) : QWidget(parent) {
   middle->addLayout(plots, 17);
   middle->addWidget(scrolled, 11);
   auto* foot = new QHBoxLayout;
-  again_ = new QPushButton(this);
+  again_ = new QPushButton(tr("Again"), this);
   again_->setObjectName("primary");
   again_->setToolTip(QCoreApplication::translate("ResultPage", "Enter"));
   same_ = new QPushButton(QCoreApplication::translate("ResultPage", "Same attempt again"), this);

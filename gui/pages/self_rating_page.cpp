@@ -9,6 +9,7 @@
 #include <QVBoxLayout>
 
 #include "curricula/score/checklist.h"
+#include "gui/session/words_from_below.h"
 #include "gui/views/capitalised.h"
 
 namespace vallecula::gui {
@@ -52,8 +53,8 @@ SelfRatingPage::SelfRatingPage(QWidget* parent) : QWidget(parent) {
   // The instructor's scale: the two are read beside each other.
   for (std::size_t i = 0; i < curricula::kGlobalRatingWords.size(); ++i) {
     const int value = static_cast<int>(i) + 1;
-    column->addWidget(
-        choice(QString("%1  %2").arg(value).arg(capitalised(curricula::kGlobalRatingWords[i])), global_, value, panel));
+    column->addWidget(choice(QString("%1  %2").arg(value).arg(capitalised(in_words(curricula::kGlobalRatingWords[i]))),
+                             global_, value, panel));
   }
   of_tube_ = new QWidget(panel);
   auto* tube = new QVBoxLayout(of_tube_);

@@ -82,8 +82,16 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
   second_->setObjectName("second");
   second_->addItem(tr("The same device, blade and tube in turn (X changes)"), QString());
   second_->addItem(tr("The mouse"), "mouse");
-  mode_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);  // a small window cuts it short
-  mode_->setMinimumContentsLength(20);
+  for (const auto& [box, name] : {std::pair(mode_, tr("Mode")),
+                                  {patient_, tr("Patient")},
+                                  {device_, tr("Device")},
+                                  {second_, tr("Tube's hand")}}) {
+    box->setAccessibleName(name);
+    box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);  // a small window cuts it short
+    box->setMinimumContentsLength(16);
+    connect(box, &QComboBox::currentTextChanged, box, &QWidget::setToolTip);
+    box->setToolTip(box->currentText());
+  }
   connect(mode_, qOverload<int>(&QComboBox::activated), this,
           [this] { mode_wanted_ = static_cast<curricula::Mode>(mode_->currentData().toInt()); });
   auto* browse = new QPushButton(tr("Other patient ..."), this);

@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "curricula/score/checklist.h"
+#include "gui/session/words_from_below.h"
 
 namespace vallecula::gui {
 namespace {
@@ -76,7 +77,8 @@ void RatingDialog::add_global(QVBoxLayout* column, const std::map<std::string, d
   column->addSpacing(8);
   column->addWidget(heading(tr("How was it, all in all?  (Alt+1 to Alt+5)"), this));
   for (int step = 1; step <= 5; ++step) {
-    auto* button = new QRadioButton(QString("&%1  %2").arg(step).arg(curricula::kGlobalRatingWords[step - 1]), this);
+    auto* button =
+        new QRadioButton(QString("&%1  %2").arg(step).arg(in_words(curricula::kGlobalRatingWords[step - 1])), this);
     global_->addButton(button, step);
     column->addWidget(button);
   }

@@ -193,80 +193,6 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("FromBelow", "Figure"),
     QT_TRANSLATE_NOOP("FromBelow", "Measured"),
     QT_TRANSLATE_NOOP("FromBelow", "Demanded"),
-    QT_TRANSLATE_NOOP("FromBelow", "R"(
-                                       body {
-font:
-  16px / 1.5 "DejaVu Sans", "Segoe UI", sans - serif;
-color:
-# 222;
-  max - width : 62rem;
-margin:
-  2rem auto;
-padding:
-  0 1rem;
-                                       } h1 {
-                                         font - size : 1.6rem;
-                                         margin - bottom : 0;
-                                       } h2 {
-                                         font - size : 1.15rem;
-                                         margin - top : 2rem;
-                                       }
-                                           .sub {
-color:
-# 555;
-  margin - top : .2rem;
-                                           }
-                                           .summary {
-                                             border - left : .5rem solid;
-                                           padding:
-                                             .6rem 1rem;
-                                             font - size : 1.1rem;
-                                           background:
-#f6f4ec;
-                                           }
-                                           .passed { border - color : #009E73; }
-                                           .failed { border - color : #D55E00; } table {
-                                             border - collapse : collapse;
-                                           width:
-                                             100 % ;
-                                           } th,
-                                       td {
-                                         text - align : left;
-                                       padding:
-                                         .35rem .6rem;
-                                         border - bottom : 1px solid #ddd;
-                                       } td.figure { font - weight : bold; } td
-                                           .met {
-color:
-# 00795a;
-                                           } td
-                                           .missed {
-color:
-#b34f00;
-  font - weight : bold;
-                                           } img {
-                                             max - width : 100 % ;
-                                           height:
-                                             auto;
-                                           }
-                                           .shots {
-display:
-  flex;
-  flex - wrap : wrap;
-gap:
-  1rem;
-                                           }
-                                           .shots figure {
-margin:
-  0;
-flex:
-  1 1 26rem;
-                                           } figcaption,
-                                       .foot {
-color:
-# 555;
-  font - size : .85rem;
-                                       }) ""),
     QT_TRANSLATE_NOOP("FromBelow", "reason not recorded"),
     QT_TRANSLATE_NOOP("FromBelow", "the blade never entered the mouth."),
     QT_TRANSLATE_NOOP("FromBelow", "Not passed"),
@@ -291,7 +217,6 @@ color:
     QT_TRANSLATE_NOOP("FromBelow", "Patient package"),
     QT_TRANSLATE_NOOP("FromBelow", "Scenario"),
     QT_TRANSLATE_NOOP("FromBelow", "Tool"),
-    QT_TRANSLATE_NOOP("FromBelow", "report.html"),
     QT_TRANSLATE_NOOP("FromBelow", "Cormack-Lehane grade at best"),
     QT_TRANSLATE_NOOP("FromBelow", "3 or 4: nothing of the glottis seen"),
     QT_TRANSLATE_NOOP("FromBelow", "Glottis seen on average, while in sight"),
@@ -491,8 +416,6 @@ color:
     QT_TRANSLATE_NOOP("FromBelow", "CO2 detector yellow"),
     QT_TRANSLATE_NOOP("FromBelow", "heart below 100 a minute"),
     QT_TRANSLATE_NOOP("FromBelow", "a breath given"),
-    QT_TRANSLATE_NOOP("FromBelow", " answered rightly"),
-    QT_TRANSLATE_NOOP("FromBelow", " answered wrongly"),
     QT_TRANSLATE_NOOP("FromBelow", "glottis in sight"),
     QT_TRANSLATE_NOOP("FromBelow", "the device sent a pose that is no position and rotation; no force was shown"),
     QT_TRANSLATE_NOOP("FromBelow",
@@ -682,6 +605,222 @@ color:
     QT_TRANSLATE_NOOP("FromBelow", "%1 ml at first, %2 ml at the end"),
     QT_TRANSLATE_NOOP("FromBelow", "%1 ml at first, %2 ml at the end, no catheter took them"),
     QT_TRANSLATE_NOOP("FromBelow", "The attempt at %1 s began without a breath before"),
+    // The form of a course: fields and their helps (curricula/schema)
+    QT_TRANSLATE_NOOP("FromBelow",
+                      "A curriculum: scenarios in the order in which they are practised. Every force is a training "
+                      "target, never an injury limit."),
+    QT_TRANSLATE_NOOP("FromBelow", "lower-case letters, digits and single hyphens"),
+    QT_TRANSLATE_NOOP("FromBelow", "inner diameter in mm"),
+    QT_TRANSLATE_NOOP("FromBelow", "percent"),
+    QT_TRANSLATE_NOOP("FromBelow", "Schema"),
+    QT_TRANSLATE_NOOP("FromBelow", "Title"),
+    QT_TRANSLATE_NOOP("FromBelow", "Blades by weight"),
+    QT_TRANSLATE_NOOP("FromBelow", "Tubes by weight"),
+    QT_TRANSLATE_NOOP("FromBelow", "Scenarios"),
+    QT_TRANSLATE_NOOP("FromBelow",
+                      "rows by growing weight; a scenario without a blade takes the first row above its weight"),
+    QT_TRANSLATE_NOOP("FromBelow", "Below"),
+    QT_TRANSLATE_NOOP("FromBelow", "Blade"),
+    QT_TRANSLATE_NOOP("FromBelow", "kg"),
+    QT_TRANSLATE_NOOP("FromBelow",
+                      "rows by growing weight; an intubation without a tube takes the first row above the weight"),
+    QT_TRANSLATE_NOOP("FromBelow", "Briefing"),
+    QT_TRANSLATE_NOOP("FromBelow", "Manikin"),
+    QT_TRANSLATE_NOOP("FromBelow", "Tongue young"),
+    QT_TRANSLATE_NOOP("FromBelow", "Sight"),
+    QT_TRANSLATE_NOOP("FromBelow", "Max attempt"),
+    QT_TRANSLATE_NOOP("FromBelow", "Targets"),
+    QT_TRANSLATE_NOOP("FromBelow", "Pass"),
+    QT_TRANSLATE_NOOP("FromBelow", "Intubation"),
+    QT_TRANSLATE_NOOP("FromBelow", "Weight"),
+    QT_TRANSLATE_NOOP("FromBelow", "Seed"),
+    QT_TRANSLATE_NOOP("FromBelow", "Pa; without it the patient's own"),
+    QT_TRANSLATE_NOOP("FromBelow", "Tongue force"),
+    QT_TRANSLATE_NOOP("FromBelow", "Gum force"),
+    QT_TRANSLATE_NOOP("FromBelow", "Glottis visible"),
+    QT_TRANSLATE_NOOP("FromBelow", "Time over target"),
+    QT_TRANSLATE_NOOP("FromBelow", "Time over device limit"),
+    QT_TRANSLATE_NOOP("FromBelow", "Stylet"),
+    QT_TRANSLATE_NOOP("FromBelow", "Catheter"),
+    QT_TRANSLATE_NOOP("FromBelow", "Course"),
+    QT_TRANSLATE_NOOP("FromBelow", "Gestation"),
+    QT_TRANSLATE_NOOP("FromBelow", "Infant seed"),
+    QT_TRANSLATE_NOOP("FromBelow", "Added oxygen"),
+    QT_TRANSLATE_NOOP("FromBelow", "Premedicated"),
+    QT_TRANSLATE_NOOP("FromBelow", "Breathes"),
+    QT_TRANSLATE_NOOP("FromBelow", "Laryngospasm"),
+    QT_TRANSLATE_NOOP("FromBelow", "Laryngospasm from start"),
+    QT_TRANSLATE_NOOP("FromBelow", "Cord closure"),
+    QT_TRANSLATE_NOOP("FromBelow", "Laryngeal pressure"),
+    QT_TRANSLATE_NOOP("FromBelow", "Breaths to confirm"),
+    QT_TRANSLATE_NOOP("FromBelow", "mm, diameter of its metal; without it 1.2"),
+    QT_TRANSLATE_NOOP("FromBelow", "French; 0: none at hand; without it 8"),
+    QT_TRANSLATE_NOOP("FromBelow", "weeks"),
+    QT_TRANSLATE_NOOP("FromBelow", "percent of the gas, in breaths given; without it 10, of a preoxygenated infant 0"),
+    QT_TRANSLATE_NOOP("FromBelow", "without it as the course has it"),
+    QT_TRANSLATE_NOOP("FromBelow", "by itself; without it true, of a premedicated infant false"),
+    QT_TRANSLATE_NOOP("FromBelow", "s; 0: none"),
+    QT_TRANSLATE_NOOP("FromBelow", "s, after a touch; without it 1"),
+    QT_TRANSLATE_NOOP("FromBelow", "ml"),
+    QT_TRANSLATE_NOOP("FromBelow", "N, of the assistant on request; 0: none; without it 3"),
+    QT_TRANSLATE_NOOP("FromBelow", "without it 6"),
+    QT_TRANSLATE_NOOP("FromBelow", "Outcomes"),
+    QT_TRANSLATE_NOOP("FromBelow", "Tube force"),
+    QT_TRANSLATE_NOOP("FromBelow", "CO2 confirmed"),
+    QT_TRANSLATE_NOOP("FromBelow", "Depth neutral"),
+    QT_TRANSLATE_NOOP("FromBelow", "Oesophagus in time"),
+    QT_TRANSLATE_NOOP("FromBelow", "No severe desaturation"),
+    QT_TRANSLATE_NOOP("FromBelow", "accepted; without it good-depth alone"),
+    QT_TRANSLATE_NOOP("FromBelow", "per minute"),
+    QT_TRANSLATE_NOOP("FromBelow",
+                      "A curriculum: modules in the order in which they are learned, and their scenarios. Every force "
+                      "is a training target, never an injury limit."),
+    QT_TRANSLATE_NOOP("FromBelow", "English text, or a text a language, { en: ..., de: ... }; Markdown"),
+    QT_TRANSLATE_NOOP("FromBelow", "languages like en, de, pt-BR"),
+    QT_TRANSLATE_NOOP("FromBelow", "where a number comes from, or \"assumed\""),
+    QT_TRANSLATE_NOOP("FromBelow", "inner diameter, in quotes"),
+    QT_TRANSLATE_NOOP("FromBelow", "Short name (id)"),
+    QT_TRANSLATE_NOOP("FromBelow", "Goals"),
+    QT_TRANSLATE_NOOP("FromBelow", "When it is mastered"),
+    QT_TRANSLATE_NOOP("FromBelow", "Weights and sources of the pass marks"),
+    QT_TRANSLATE_NOOP("FromBelow", "Modules"),
+    QT_TRANSLATE_NOOP("FromBelow", "version of these rules"),
+    QT_TRANSLATE_NOOP("FromBelow", "what whoever has finished can do"),
+    QT_TRANSLATE_NOOP("FromBelow", "for every module that has no rule of its own"),
+    QT_TRANSLATE_NOOP("FromBelow", "for every pass mark that a scenario says nothing about"),
+    QT_TRANSLATE_NOOP("FromBelow", "Right blade"),
+    QT_TRANSLATE_NOOP("FromBelow", "Right tube"),
+    QT_TRANSLATE_NOOP("FromBelow", "in the order in which they are learned"),
+    QT_TRANSLATE_NOOP("FromBelow", "Goal"),
+    QT_TRANSLATE_NOOP("FromBelow", "Opens after"),
+    QT_TRANSLATE_NOOP("FromBelow", "Modes"),
+    QT_TRANSLATE_NOOP("FromBelow", "their ids, in order; each belongs to one module"),
+    QT_TRANSLATE_NOOP("FromBelow", "ids of modules to be mastered before this one opens"),
+    QT_TRANSLATE_NOOP("FromBelow", "assessment: no helps, no replay, no variation, own rating before the score"),
+    QT_TRANSLATE_NOOP("FromBelow", "Rule"),
+    QT_TRANSLATE_NOOP("FromBelow", "Passes running"),
+    QT_TRANSLATE_NOOP("FromBelow", "Within attempts"),
+    QT_TRANSLATE_NOOP("FromBelow", "Acceptable failure"),
+    QT_TRANSLATE_NOOP("FromBelow", "Unacceptable failure"),
+    QT_TRANSLATE_NOOP("FromBelow", "Risk alpha"),
+    QT_TRANSLATE_NOOP("FromBelow", "Risk beta"),
+    QT_TRANSLATE_NOOP("FromBelow", "Trials that count"),
+    QT_TRANSLATE_NOOP("FromBelow", "Source"),
+    QT_TRANSLATE_NOOP("FromBelow",
+                      "cusum: over all trials of the module, and each scenario passed once; consecutive: each scenario "
+                      "passed so many times running"),
+    QT_TRANSLATE_NOOP("FromBelow", "running, of the rule consecutive"),
+    QT_TRANSLATE_NOOP("FromBelow", "a trial that took more is no success"),
+    QT_TRANSLATE_NOOP("FromBelow", "of the rule cusum"),
+    QT_TRANSLATE_NOOP("FromBelow", "of the rule cusum: risk of calling an acceptable hand deficient"),
+    QT_TRANSLATE_NOOP("FromBelow", "of the rule cusum: risk of calling an unacceptable hand competent"),
+    QT_TRANSLATE_NOOP("FromBelow", "which trials count"),
+    QT_TRANSLATE_NOOP("FromBelow", "share of the points; failing the mark fails the trial whatever its weight"),
+    QT_TRANSLATE_NOOP("FromBelow", "Glottis seen at least"),
+    QT_TRANSLATE_NOOP("FromBelow", "Time of an attempt"),
+    QT_TRANSLATE_NOOP("FromBelow", "Time above the target"),
+    QT_TRANSLATE_NOOP("FromBelow", "Time at the device's limit"),
+    QT_TRANSLATE_NOOP("FromBelow", "Accepted outcomes"),
+    QT_TRANSLATE_NOOP("FromBelow", "Force along the tube"),
+    QT_TRANSLATE_NOOP("FromBelow", "Time from view to cords passed"),
+    QT_TRANSLATE_NOOP("FromBelow", "Confirmed by CO2"),
+    QT_TRANSLATE_NOOP("FromBelow", "Depth good with the head neutral"),
+    QT_TRANSLATE_NOOP("FromBelow", "Oesophagus recognised in time"),
+    QT_TRANSLATE_NOOP("FromBelow", "weight and source of each pass mark; none of them is validated"),
+    QT_TRANSLATE_NOOP("FromBelow", "The infant"),
+    QT_TRANSLATE_NOOP("FromBelow", "Varies from attempt to attempt"),
+    QT_TRANSLATE_NOOP("FromBelow", "Blades to choose from"),
+    QT_TRANSLATE_NOOP("FromBelow", "Stiffness of the tongue"),
+    QT_TRANSLATE_NOOP("FromBelow", "In sight from"),
+    QT_TRANSLATE_NOOP("FromBelow", "The trial ends after"),
+    QT_TRANSLATE_NOOP("FromBelow", "Training targets"),
+    QT_TRANSLATE_NOOP("FromBelow", "Passes with"),
+    QT_TRANSLATE_NOOP("FromBelow", "Helps on the screen"),
+    QT_TRANSLATE_NOOP("FromBelow", "Distractions"),
+    QT_TRANSLATE_NOOP("FromBelow", "ids of modules to be mastered before this scenario opens"),
+    QT_TRANSLATE_NOOP("FromBelow", "Which infant (seed)"),
+    QT_TRANSLATE_NOOP("FromBelow", "Mouth opening"),
+    QT_TRANSLATE_NOOP("FromBelow", "Tongue size"),
+    QT_TRANSLATE_NOOP("FromBelow", "Larynx height"),
+    QT_TRANSLATE_NOOP("FromBelow", "Epiglottis length"),
+    QT_TRANSLATE_NOOP("FromBelow", "one infant of that weight; 0 is the unvaried design"),
+    QT_TRANSLATE_NOOP("FromBelow", "sets the way from the cords to the carina"),
+    QT_TRANSLATE_NOOP("FromBelow", "on 22 mm between the gums at term"),
+    QT_TRANSLATE_NOOP("FromBelow", "on width and height"),
+    QT_TRANSLATE_NOOP("FromBelow", "towards the head, in a term infant; a smaller one's is as much smaller"),
+    QT_TRANSLATE_NOOP("FromBelow", "the trainee takes one before the trial; blade is the right one and among them"),
+    QT_TRANSLATE_NOOP("FromBelow", "stiffness of the tongue"),
+    QT_TRANSLATE_NOOP("FromBelow", "from here on the glottis counts as in sight"),
+    QT_TRANSLATE_NOOP("FromBelow", "the trial ends by itself"),
+    QT_TRANSLATE_NOOP("FromBelow", "Force on the tongue"),
+    QT_TRANSLATE_NOOP("FromBelow", "Force on the gums"),
+    QT_TRANSLATE_NOOP("FromBelow", "what is trained for; never injury limits"),
+    QT_TRANSLATE_NOOP("FromBelow", "to be reached once"),
+    QT_TRANSLATE_NOOP("FromBelow", "at most, blade into the mouth to blade out"),
+    QT_TRANSLATE_NOOP("FromBelow", "at most, of the tongue's force"),
+    QT_TRANSLATE_NOOP("FromBelow", "Ghost path"),
+    QT_TRANSLATE_NOOP("FromBelow", "Glottis highlight"),
+    QT_TRANSLATE_NOOP("FromBelow", "Sagittal cut"),
+    QT_TRANSLATE_NOOP("FromBelow", "Force bars"),
+    QT_TRANSLATE_NOOP("FromBelow", "helps on the screen; all off in assessment"),
+    QT_TRANSLATE_NOOP("FromBelow", "the expert's way as a grey blade"),
+    QT_TRANSLATE_NOOP("FromBelow", "the sagittal cut beside the operator's view"),
+    QT_TRANSLATE_NOOP("FromBelow", "the live bars of force"),
+    QT_TRANSLATE_NOOP("FromBelow", "by growing time"),
+    QT_TRANSLATE_NOOP("FromBelow", "Blade taken"),
+    QT_TRANSLATE_NOOP("FromBelow", "Tube taken"),
+    QT_TRANSLATE_NOOP("FromBelow", "written by a trial into its log, never in a curriculum"),
+    QT_TRANSLATE_NOOP("FromBelow", "what the variation was drawn with; 0: as written"),
+    QT_TRANSLATE_NOOP("FromBelow", "what the trainee took of those offered"),
+    QT_TRANSLATE_NOOP("FromBelow", "likewise"),
+    QT_TRANSLATE_NOOP("FromBelow", "Infants"),
+    QT_TRANSLATE_NOOP("FromBelow", "Another course each time"),
+    QT_TRANSLATE_NOOP("FromBelow", "Distraction delay"),
+    QT_TRANSLATE_NOOP(
+        "FromBelow",
+        "each attempt in practice draws from these ranges by its own seed; assessment takes what is written"),
+    QT_TRANSLATE_NOOP(
+        "FromBelow", "so many infants in turn, each with a seed and a shape of its own; each is made at its first use"),
+    QT_TRANSLATE_NOOP("FromBelow", "of the infants, from to"),
+    QT_TRANSLATE_NOOP("FromBelow", "from to"),
+    QT_TRANSLATE_NOOP("FromBelow", "from to; needs an intubation"),
+    QT_TRANSLATE_NOOP("FromBelow", "another infant's saturation and heart each time; needs an intubation"),
+    QT_TRANSLATE_NOOP("FromBelow", "from to, added to all distractions"),
+    QT_TRANSLATE_NOOP("FromBelow", "Kind"),
+    QT_TRANSLATE_NOOP("FromBelow", "Text"),
+    QT_TRANSLATE_NOOP("FromBelow", "Answers"),
+    QT_TRANSLATE_NOOP("FromBelow", "Right answer"),
+    QT_TRANSLATE_NOOP("FromBelow", "Time allowed"),
+    QT_TRANSLATE_NOOP("FromBelow", "trial time"),
+    QT_TRANSLATE_NOOP("FromBelow",
+                      "question: to be answered; alarm: to be silenced; talk: what the team says, to be ignored"),
+    QT_TRANSLATE_NOOP("FromBelow", "of a question"),
+    QT_TRANSLATE_NOOP("FromBelow", "which of the answers, counted from 1"),
+    QT_TRANSLATE_NOOP("FromBelow", "of a question or an alarm"),
+    QT_TRANSLATE_NOOP("FromBelow", "Tubes to choose from"),
+    QT_TRANSLATE_NOOP("FromBelow", "Stylet's diameter"),
+    QT_TRANSLATE_NOOP("FromBelow", "Suction catheter"),
+    QT_TRANSLATE_NOOP("FromBelow", "Saturation and heart"),
+    QT_TRANSLATE_NOOP("FromBelow", "the trainee takes one before the trial; tube is the right one and among them"),
+    QT_TRANSLATE_NOOP("FromBelow", "diameter of its metal"),
+    QT_TRANSLATE_NOOP("FromBelow", "0: none at hand"),
+    QT_TRANSLATE_NOOP("FromBelow", "of saturation and heart; only the first is calibrated to a published one"),
+    QT_TRANSLATE_NOOP("FromBelow", "one infant of the population; 0 its median"),
+    QT_TRANSLATE_NOOP("FromBelow", "of the gas, in breaths given"),
+    QT_TRANSLATE_NOOP("FromBelow", "atropine and a muscle relaxant"),
+    QT_TRANSLATE_NOOP("FromBelow", "by itself, all through the trial; the cords open with it"),
+    QT_TRANSLATE_NOOP("FromBelow", "after a touch; 0: none"),
+    QT_TRANSLATE_NOOP("FromBelow", "after a touch"),
+    QT_TRANSLATE_NOOP("FromBelow", "of the assistant on request; 0: none"),
+    QT_TRANSLATE_NOOP("FromBelow", "no colour after so many: not in the trachea"),
+    QT_TRANSLATE_NOOP("FromBelow", "accepted"),
+    QT_TRANSLATE_NOOP("FromBelow", "displayed, at least"),
+    QT_TRANSLATE_NOOP("FromBelow", "at most, along the tube"),
+    QT_TRANSLATE_NOOP("FromBelow", "at most, from the view to the cords passed"),
+    QT_TRANSLATE_NOOP("FromBelow", "within breaths_to_confirm"),
+    QT_TRANSLATE_NOOP("FromBelow", "a tube in the trachea lies in the middle third with the head neutral, too"),
+    QT_TRANSLATE_NOOP("FromBelow", "never more than breaths_to_confirm breaths in one stay in the oesophagus"),
+    QT_TRANSLATE_NOOP("FromBelow", "in no attempt a fall by 20 points or more"),
 };
 
 }  // namespace

@@ -5,302 +5,306 @@
     <name>AccountTab</name>
     <message>
         <source>Nobody is registered here yet: register as a trainee, or set up the first instructor.</source>
-        <translation type="unfinished"></translation>
+        <translation>Hier ist noch niemand registriert: Registrieren Sie sich als Lernende oder richten Sie die erste Lehrperson ein.</translation>
     </message>
 </context>
 <context>
     <name>Advice</name>
     <message>
         <source>Draw the tube as soon as six breaths bring no colour and no faster heart: it was in the oesophagus, and that must be known early.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ziehen Sie den Tubus, sobald sechs Beatmungshübe weder Farbe noch eine schnellere Herzfrequenz bringen: Er lag im Ösophagus, und das muss früh erkannt werden.</translation>
     </message>
     <message>
         <source>Watch the tip pass between the cords, and give breaths until the detector tells: the tube went behind the larynx.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sehen Sie zu, wie die Spitze zwischen den Stimmlippen passiert, und beatmen Sie, bis der Detektor es zeigt: Der Tubus ging hinter den Kehlkopf.</translation>
     </message>
     <message>
         <source>Stop when the black mark stands at the cords: deeper, the tube goes into one lung.</source>
-        <translation type="unfinished"></translation>
+        <translation>Halten Sie an, wenn die schwarze Marke an den Stimmlippen steht: Tiefer gelangt der Tubus in eine einzelne Lunge.</translation>
     </message>
     <message>
         <source>Draw the tube back until the black mark stands at the cords, and keep the mark at the lips in mind.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ziehen Sie den Tubus zurück, bis die schwarze Marke an den Stimmlippen steht, und merken Sie sich die Marke an den Lippen.</translation>
     </message>
     <message>
         <source>Bring the tube on until the black mark stands at the cords: a shallow tube slips out when the head moves.</source>
-        <translation type="unfinished"></translation>
+        <translation>Schieben Sie den Tubus vor, bis die schwarze Marke an den Stimmlippen steht: Ein flacher Tubus rutscht heraus, wenn sich der Kopf bewegt.</translation>
     </message>
     <message>
         <source>Take a smaller tube: what does not pass the cricoid with a gentle turn must not be pushed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nehmen Sie einen kleineren Tubus: Was den Ringknorpel nicht mit sanfter Drehung passiert, darf nicht gedrückt werden.</translation>
     </message>
     <message>
         <source>Wait before closed cords until they open with a breath; closed for long, take the blade out and ventilate.</source>
-        <translation type="unfinished"></translation>
+        <translation>Warten Sie vor geschlossenen Stimmlippen, bis sie sich mit einem Atemzug öffnen; bleiben sie lange geschlossen, nehmen Sie den Spatel heraus und beatmen.</translation>
     </message>
     <message>
         <source>See the glottis first, then take the tube in beside the blade without losing sight of the cords.</source>
-        <translation type="unfinished"></translation>
+        <translation>Stellen Sie zuerst die Glottis ein, dann führen Sie den Tubus neben dem Spatel ein, ohne die Stimmlippen aus dem Blick zu verlieren.</translation>
     </message>
     <message>
         <source>Stop the attempt earlier: the heart slowed down. Blade and tube out, ventilate until it is above 100, then again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Brechen Sie den Intubationsversuch früher ab: Das Herz wurde langsam. Spatel und Tubus heraus, beatmen, bis es über 100 ist, dann erneut.</translation>
     </message>
     <message>
         <source>Give breaths until the saturation is back before each attempt: the display is late, and it goes on falling.</source>
-        <translation type="unfinished"></translation>
+        <translation>Beatmen Sie vor jedem Intubationsversuch, bis die Sättigung zurück ist: Die Anzeige hinkt nach, und sie fällt weiter.</translation>
     </message>
     <message>
         <source>Confirm the tube&apos;s place: give five or six breaths through it and watch the detector before you end.</source>
-        <translation type="unfinished"></translation>
+        <translation>Bestätigen Sie die Lage des Tubus: Geben Sie fünf oder sechs Beatmungshübe hindurch und beobachten Sie den Detektor, bevor Sie beenden.</translation>
     </message>
     <message>
         <source>Turn or draw back where the tube meets resistance; pushing swells the airway it has to go through.</source>
-        <translation type="unfinished"></translation>
+        <translation>Drehen Sie oder ziehen Sie zurück, wo der Tubus auf Widerstand trifft; Drücken lässt den Atemweg anschwellen, durch den er muss.</translation>
     </message>
     <message>
         <source>Prepare more before the blade goes in: tube at hand, throat clear, infant ventilated. Each attempt costs the infant.</source>
-        <translation type="unfinished"></translation>
+        <translation>Bereiten Sie mehr vor, ehe der Spatel eingeht: Tubus zur Hand, Rachen frei, Kind beatmet. Jeder Intubationsversuch belastet das Kind.</translation>
     </message>
     <message>
         <source>Have the tube at the corner of the mouth when the glottis comes into sight: the way from there took too long.</source>
-        <translation type="unfinished"></translation>
+        <translation>Halten Sie den Tubus am Mundwinkel bereit, wenn die Glottis in Sicht kommt: Der Weg von dort dauerte zu lange.</translation>
     </message>
     <message>
         <source>The blade never entered the mouth: bring its tip in at the right corner, then follow the tongue down.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Spatel war nie im Mund: Führen Sie seine Spitze am rechten Mundwinkel ein und folgen Sie dann der Zunge nach unten.</translation>
     </message>
     <message>
         <source>Lift the whole blade along its handle, to the ceiling and the feet, clear of both gums: turning it about a gum presses there and opens no view.</source>
-        <translation type="unfinished"></translation>
+        <translation>Heben Sie den ganzen Spatel längs des Griffs, zur Decke und zu den Füßen, frei von beiden Zahnleisten: Ihn um eine Zahnleiste zu drehen drückt dort und öffnet keine Sicht.</translation>
     </message>
     <message>
         <source>Stop pressing when the grey blade parts from the steel one: the device is at its limit, and more hand gives no more view.</source>
-        <translation type="unfinished"></translation>
+        <translation>Drücken Sie nicht weiter, wenn sich der graue Spatel vom stählernen trennt: Das Gerät ist an seiner Grenze, und mehr Hand gibt nicht mehr Sicht.</translation>
     </message>
     <message>
         <source>Place the tip deeper in the vallecula before you lift: from there the same view takes less force on the tongue.</source>
-        <translation type="unfinished"></translation>
+        <translation>Setzen Sie die Spitze tiefer in die Vallecula, bevor Sie heben: Von dort braucht dieselbe Sicht weniger Kraft auf die Zunge.</translation>
     </message>
     <message>
         <source>Follow the tongue down to the vallecula before you lift: short of it the lift does not carry the epiglottis away.</source>
-        <translation type="unfinished"></translation>
+        <translation>Folgen Sie der Zunge bis zur Vallecula, bevor Sie heben: Davor nimmt das Heben die Epiglottis nicht mit.</translation>
     </message>
     <message>
         <source>Keep lifting along the handle for a little longer: the view opens from the arytenoids forward.</source>
-        <translation type="unfinished"></translation>
+        <translation>Heben Sie etwas länger längs des Griffs: Die Sicht öffnet sich von den Aryknorpeln nach vorn.</translation>
     </message>
     <message>
         <source>Lower the lift a little once the glottis is in sight: holding the tongue above its target adds force, not view.</source>
-        <translation type="unfinished"></translation>
+        <translation>Senken Sie den Zug etwas, sobald die Glottis in Sicht ist: Die Zunge über ihrem Ziel zu halten bringt Kraft, keine Sicht.</translation>
     </message>
     <message>
         <source>End the attempt at %1 seconds, whatever is to be seen: take the blade out, ventilate, and begin again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Beenden Sie den Intubationsversuch nach %1 Sekunden, was auch immer zu sehen ist: Spatel heraus, beatmen, neu beginnen.</translation>
     </message>
     <message>
         <source>Look at the reasons below and change one of them at a time.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sehen Sie sich die Gründe unten an und ändern Sie jeweils einen.</translation>
     </message>
     <message>
         <source>Well done. Next time keep the blade clear of the gums from beginning to end.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gut gemacht. Halten Sie den Spatel nächstes Mal von Anfang bis Ende frei von den Zahnleisten.</translation>
     </message>
     <message>
         <source>Well done. Next time try for the same view with a gentler lift.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gut gemacht. Versuchen Sie nächstes Mal dieselbe Sicht mit sanfterem Zug.</translation>
     </message>
     <message>
         <source>Well done. Next time go the same way with fewer pauses.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gut gemacht. Gehen Sie nächstes Mal denselben Weg mit weniger Pausen.</translation>
     </message>
 </context>
 <context>
     <name>AirwayMarks</name>
     <message>
         <source>good depth</source>
-        <translation type="unfinished"></translation>
+        <translation>gute Tiefe</translation>
     </message>
 </context>
 <context>
     <name>AuthoringPage</name>
     <message>
         <source>Courses (*.yaml *.yml);;All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>Kurse (*.yaml *.yml);;Alle Dateien (*)</translation>
     </message>
     <message>
         <source>%1  (cannot be read)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1  (nicht lesbar)</translation>
+    </message>
+    <message>
+        <source>(my copy)</source>
+        <translation>(meine Kopie)</translation>
     </message>
 </context>
 <context>
     <name>Charts</name>
     <message>
         <source>time since the trial began (s)</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeit seit Beginn des Durchgangs (s)</translation>
     </message>
     <message>
         <source>trial</source>
-        <translation type="unfinished"></translation>
+        <translation>Durchgang</translation>
     </message>
     <message>
         <source>peak force on the tongue (N); ● passed, ○ not</source>
-        <translation type="unfinished"></translation>
+        <translation>höchste Kraft auf die Zunge (N); ● bestanden, ○ nicht</translation>
     </message>
     <message>
         <source>cumulative sum; down is success</source>
-        <translation type="unfinished"></translation>
+        <translation>kumulative Summe; abwärts ist Erfolg</translation>
     </message>
     <message>
         <source>competent</source>
-        <translation type="unfinished"></translation>
+        <translation>kompetent</translation>
     </message>
     <message>
         <source>deficient</source>
-        <translation type="unfinished"></translation>
+        <translation>unzureichend</translation>
     </message>
     <message>
         <source>Force over time: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Kraft über die Zeit: %1</translation>
     </message>
     <message>
         <source>tongue</source>
-        <translation type="unfinished"></translation>
+        <translation>Zunge</translation>
     </message>
     <message>
         <source>gum</source>
-        <translation type="unfinished"></translation>
+        <translation>Zahnleiste</translation>
     </message>
     <message>
         <source>shown by the device</source>
-        <translation type="unfinished"></translation>
+        <translation>vom Gerät gezeigt</translation>
     </message>
     <message>
         <source>force (N)</source>
-        <translation type="unfinished"></translation>
+        <translation>Kraft (N)</translation>
     </message>
     <message>
         <source>seen (%)</source>
-        <translation type="unfinished"></translation>
+        <translation>sichtbar (%)</translation>
     </message>
     <message>
         <source>glottis seen (%)</source>
-        <translation type="unfinished"></translation>
+        <translation>Glottis sichtbar (%)</translation>
     </message>
     <message>
         <source>paused</source>
-        <translation type="unfinished"></translation>
+        <translation>angehalten</translation>
     </message>
     <message>
         <source>device limit %1 N</source>
-        <translation type="unfinished"></translation>
+        <translation>Gerätegrenze %1 N</translation>
     </message>
     <message>
         <source>training target, tongue %1 N</source>
-        <translation type="unfinished"></translation>
+        <translation>Trainingsziel, Zunge %1 N</translation>
     </message>
     <message>
         <source>counts as in sight from %1 %</source>
-        <translation type="unfinished"></translation>
+        <translation>zählt als in Sicht ab %1 %</translation>
     </message>
     <message>
         <source>first sight, %1 s into the attempt</source>
-        <translation type="unfinished"></translation>
+        <translation>erste Sicht, nach %1 s im Intubationsversuch</translation>
     </message>
     <message>
         <source>gum peak %1 N</source>
-        <translation type="unfinished"></translation>
+        <translation>Spitze Zahnleiste %1 N</translation>
     </message>
     <message>
         <source>tongue peak %1 N</source>
-        <translation type="unfinished"></translation>
+        <translation>Spitze Zunge %1 N</translation>
     </message>
     <message>
         <source>The monitor: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Monitor: %1</translation>
     </message>
     <message>
         <source>saturation as displayed</source>
-        <translation type="unfinished"></translation>
+        <translation>Sättigung wie angezeigt</translation>
     </message>
     <message>
         <source>as it really was</source>
-        <translation type="unfinished"></translation>
+        <translation>wie sie wirklich war</translation>
     </message>
     <message>
         <source>heart</source>
-        <translation type="unfinished"></translation>
+        <translation>Herz</translation>
     </message>
     <message>
         <source>a breath given</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Beatmungshub</translation>
     </message>
     <message>
         <source>tip in the oesophagus</source>
-        <translation type="unfinished"></translation>
+        <translation>Spitze im Ösophagus</translation>
     </message>
     <message>
         <source>heart (per minute)</source>
-        <translation type="unfinished"></translation>
+        <translation>Herzfrequenz (pro Minute)</translation>
     </message>
     <message>
         <source>not below %1 %</source>
-        <translation type="unfinished"></translation>
+        <translation>nicht unter %1 %</translation>
     </message>
     <message>
         <source>bradycardia below %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Bradykardie unter %1</translation>
     </message>
     <message>
         <source>view</source>
-        <translation type="unfinished"></translation>
+        <translation>Sicht</translation>
     </message>
     <message>
         <source>tube past the cords</source>
-        <translation type="unfinished"></translation>
+        <translation>Tubus hinter den Stimmlippen</translation>
     </message>
     <message>
         <source>CO2: detector yellow</source>
-        <translation type="unfinished"></translation>
+        <translation>CO2: Detektor gelb</translation>
     </message>
     <message>
         <source>lowest %1 %</source>
-        <translation type="unfinished"></translation>
+        <translation>niedrigste %1 %</translation>
     </message>
     <message>
         <source>lowest %1 per minute</source>
-        <translation type="unfinished"></translation>
+        <translation>niedrigste %1 pro Minute</translation>
     </message>
 </context>
 <context>
     <name>CohortModel</name>
     <message>
         <source>Trainee</source>
-        <translation type="unfinished"></translation>
+        <translation>Lernende</translation>
     </message>
     <message>
         <source>Course</source>
-        <translation type="unfinished"></translation>
+        <translation>Kurs</translation>
     </message>
     <message>
         <source>Scenario</source>
-        <translation type="unfinished"></translation>
+        <translation>Szenario</translation>
     </message>
     <message>
         <source>Device</source>
-        <translation type="unfinished"></translation>
+        <translation>Gerät</translation>
     </message>
     <message>
         <source>kinds of device are never pooled</source>
-        <translation type="unfinished"></translation>
+        <translation>Gerätearten werden nie zusammengefasst</translation>
     </message>
     <message>
         <source>Trials</source>
-        <translation type="unfinished"></translation>
+        <translation>Durchgänge</translation>
     </message>
     <message>
         <source>whole ones</source>
-        <translation type="unfinished"></translation>
+        <translation>vollständige</translation>
     </message>
     <message>
         <source>Passed</source>
@@ -308,150 +312,150 @@
     </message>
     <message>
         <source>within two attempts; no pass mark is validated</source>
-        <translation type="unfinished"></translation>
+        <translation>innerhalb von zwei Intubationsversuchen; keine Bestehensgrenze ist validiert</translation>
     </message>
     <message>
         <source>In a row</source>
-        <translation type="unfinished"></translation>
+        <translation>In Folge</translation>
     </message>
     <message>
         <source>successes up to the last trial</source>
-        <translation type="unfinished"></translation>
+        <translation>Erfolge bis zum letzten Durchgang</translation>
     </message>
     <message>
         <source>CUSUM</source>
-        <translation type="unfinished"></translation>
+        <translation>CUSUM</translation>
     </message>
     <message>
         <source>the last verdict of the cumulative sum by the published rule: 80 % success within two attempts (PMC8290971), its other numbers assumed</source>
-        <translation type="unfinished"></translation>
+        <translation>letztes Urteil der kumulativen Summe nach der veröffentlichten Regel: 80 % Erfolg innerhalb von zwei Intubationsversuchen (PMC8290971), ihre übrigen Zahlen angenommen</translation>
     </message>
     <message>
         <source>Cut off</source>
-        <translation type="unfinished"></translation>
+        <translation>Abgebrochen</translation>
     </message>
     <message>
         <source>interrupted trials: in no other figure</source>
-        <translation type="unfinished"></translation>
+        <translation>unterbrochene Durchgänge: in keiner anderen Zahl</translation>
     </message>
     <message>
         <source>Last</source>
-        <translation type="unfinished"></translation>
+        <translation>Zuletzt</translation>
     </message>
     <message>
         <source>when the last trial ended</source>
-        <translation type="unfinished"></translation>
+        <translation>wann der letzte Durchgang endete</translation>
     </message>
 </context>
 <context>
     <name>CourseTree</name>
     <message>
         <source>(no title)</source>
-        <translation type="unfinished"></translation>
+        <translation>(ohne Titel)</translation>
     </message>
 </context>
 <context>
     <name>CurveCharts</name>
     <message>
         <source>interrupted</source>
-        <translation type="unfinished"></translation>
+        <translation>unterbrochen</translation>
     </message>
     <message>
         <source>passed</source>
-        <translation type="unfinished"></translation>
+        <translation>bestanden</translation>
     </message>
     <message>
         <source>not passed</source>
-        <translation type="unfinished"></translation>
+        <translation>nicht bestanden</translation>
     </message>
     <message>
         <source>No trial yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch kein Durchgang.</translation>
     </message>
     <message>
         <source>trial %1, %2: %3%4</source>
-        <translation type="unfinished"></translation>
+        <translation>Durchgang %1, %2: %3%4</translation>
     </message>
     <message>
         <source>target</source>
-        <translation type="unfinished"></translation>
+        <translation>Ziel</translation>
     </message>
     <message>
         <source>passed from here up</source>
-        <translation type="unfinished"></translation>
+        <translation>bestanden ab hier aufwärts</translation>
     </message>
     <message>
         <source>passed up to here</source>
-        <translation type="unfinished"></translation>
+        <translation>bestanden bis hierher</translation>
     </message>
     <message>
         <source>Cumulative sum (CUSUM) over whole trials</source>
-        <translation type="unfinished"></translation>
+        <translation>Kumulative Summe (CUSUM) über vollständige Durchgänge</translation>
     </message>
     <message>
         <source>No whole trial yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch kein vollständiger Durchgang.</translation>
     </message>
     <message>
         <source>trial %1: %2, sum %3, %4</source>
-        <translation type="unfinished"></translation>
+        <translation>Durchgang %1: %2, Summe %3, %4</translation>
     </message>
     <message>
         <source>success</source>
-        <translation type="unfinished"></translation>
+        <translation>Erfolg</translation>
     </message>
     <message>
         <source>failure</source>
-        <translation type="unfinished"></translation>
+        <translation>Misserfolg</translation>
     </message>
     <message>
         <source>competent below</source>
-        <translation type="unfinished"></translation>
+        <translation>kompetent darunter</translation>
     </message>
     <message>
         <source>not competent above</source>
-        <translation type="unfinished"></translation>
+        <translation>nicht kompetent darüber</translation>
     </message>
 </context>
 <context>
     <name>CurveReading</name>
     <message>
         <source>By the rule of the module &quot;%1&quot; (%2), on this scenario alone, and on assessments alone.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nach der Regel des Moduls „%1“ (%2), nur für dieses Szenario und nur für Prüfungen.</translation>
     </message>
     <message>
         <source>By the rule of the module &quot;%1&quot; (%2), on this scenario alone.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nach der Regel des Moduls „%1“ (%2), nur für dieses Szenario.</translation>
     </message>
     <message>
         <source>By the published rule: 80 % success within two attempts (PMC8290971); unacceptable rate and risks are assumed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nach der veröffentlichten Regel: 80 % Erfolg innerhalb von zwei Intubationsversuchen (PMC8290971); nicht annehmbare Rate und Risiken sind angenommen.</translation>
     </message>
     <message>
         <source>%1 (trial %2)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 (Durchgang %2)</translation>
     </message>
 </context>
 <context>
     <name>DistractionPanel</name>
     <message>
         <source>Alarm</source>
-        <translation type="unfinished"></translation>
+        <translation>Alarm</translation>
     </message>
     <message>
         <source>Question</source>
-        <translation type="unfinished"></translation>
+        <translation>Frage</translation>
     </message>
     <message>
         <source>The team talks</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Team spricht</translation>
     </message>
 </context>
 <context>
     <name>FieldRow</name>
     <message>
         <source>left out: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>weggelassen: %1</translation>
     </message>
 </context>
 <context>
@@ -506,7 +510,7 @@
     </message>
     <message>
         <source>move its handle once through the whole workspace before a trial; no force is shown until then</source>
-        <translation>bewegen Sie seinen Griff vor einem Versuch einmal durch den ganzen Arbeitsraum; bis dahin wird keine Kraft gezeigt</translation>
+        <translation>bewegen Sie seinen Griff vor einem Durchgang einmal durch den ganzen Arbeitsraum; bis dahin wird keine Kraft gezeigt</translation>
     </message>
     <message>
         <source>to be done by hand</source>
@@ -514,7 +518,7 @@
     </message>
     <message>
         <source>a stylus goes into its ink well, a Falcon&apos;s grip is pulled all the way out and pushed in, before a trial; no force is shown until then</source>
-        <translation>vor einem Versuch kommt ein Stift in seine Halterung, der Griff eines Falcon wird ganz herausgezogen und hineingeschoben; bis dahin wird keine Kraft gezeigt</translation>
+        <translation>vor einem Durchgang kommt ein Stift in seine Halterung, der Griff eines Falcon wird ganz herausgezogen und hineingeschoben; bis dahin wird keine Kraft gezeigt</translation>
     </message>
     <message>
         <source>The device works.</source>
@@ -538,7 +542,7 @@
     </message>
     <message>
         <source>A force that is not a number was held back and zero force was sent: please report this trial&apos;s log.</source>
-        <translation>Eine Kraft, die keine Zahl ist, wurde zurückgehalten und die Kraft null gesendet: Bitte melden Sie die Aufzeichnung dieses Versuchs.</translation>
+        <translation>Eine Kraft, die keine Zahl ist, wurde zurückgehalten und die Kraft null gesendet: Bitte melden Sie die Aufzeichnung dieses Durchgangs.</translation>
     </message>
     <message>
         <source>The servo loop is late: close other programs, and set up real-time priority.</source>
@@ -730,7 +734,7 @@
     </message>
     <message>
         <source>integral of the model force on the tongue over the trial</source>
-        <translation>Integral der Modellkraft auf die Zunge über den Versuch</translation>
+        <translation>Integral der Modellkraft auf die Zunge über den Durchgang</translation>
     </message>
     <message>
         <source>Peak tongue pressure</source>
@@ -974,855 +978,851 @@
     </message>
     <message>
         <source>Glottis seen, at best</source>
-        <translation type="unfinished"></translation>
+        <translation>Glottis sichtbar, bestenfalls</translation>
     </message>
     <message>
         <source>at least</source>
-        <translation type="unfinished"></translation>
+        <translation>mindestens</translation>
     </message>
     <message>
         <source>never</source>
-        <translation type="unfinished"></translation>
+        <translation>nie</translation>
     </message>
     <message>
         <source>Longest attempt, blade in to blade out</source>
-        <translation type="unfinished"></translation>
+        <translation>Längster Intubationsversuch, Spatel hinein bis heraus</translation>
     </message>
     <message>
         <source>Attempt time, blade in to blade out</source>
-        <translation type="unfinished"></translation>
+        <translation>Dauer des Intubationsversuchs, Spatel hinein bis heraus</translation>
     </message>
     <message>
         <source>at most</source>
-        <translation type="unfinished"></translation>
+        <translation>höchstens</translation>
     </message>
     <message>
         <source>no attempt</source>
-        <translation type="unfinished"></translation>
+        <translation>kein Intubationsversuch</translation>
     </message>
     <message>
         <source>Peak force on the tongue</source>
-        <translation type="unfinished"></translation>
+        <translation>Höchste Kraft auf die Zunge</translation>
     </message>
     <message>
         <source>Peak force on the gums</source>
-        <translation type="unfinished"></translation>
+        <translation>Höchste Kraft auf die Zahnleisten</translation>
     </message>
     <message>
         <source>Peak force on the epiglottis</source>
-        <translation type="unfinished"></translation>
+        <translation>Höchste Kraft auf die Epiglottis</translation>
     </message>
     <message>
         <source>Peak force on the palate</source>
-        <translation type="unfinished"></translation>
+        <translation>Höchste Kraft auf den Gaumen</translation>
     </message>
     <message>
         <source>Peak force on the larynx</source>
-        <translation type="unfinished"></translation>
+        <translation>Höchste Kraft auf den Kehlkopf</translation>
     </message>
     <message>
         <source>Paused, which counts for nothing</source>
-        <translation type="unfinished"></translation>
+        <translation>Angehalten, was für nichts zählt</translation>
     </message>
     <message>
         <source>report.html: the monitor&apos;s chart could not be encoded</source>
-        <translation type="unfinished"></translation>
+        <translation>report.html: das Diagramm des Monitors ließ sich nicht kodieren</translation>
     </message>
     <message>
         <source>Figure</source>
-        <translation type="unfinished"></translation>
+        <translation>Größe</translation>
     </message>
     <message>
         <source>Measured</source>
-        <translation type="unfinished"></translation>
+        <translation>Gemessen</translation>
     </message>
     <message>
         <source>Demanded</source>
-        <translation type="unfinished"></translation>
+        <translation>Gefordert</translation>
     </message>
     <message>
         <source>reason not recorded</source>
-        <translation type="unfinished"></translation>
+        <translation>Grund nicht aufgezeichnet</translation>
     </message>
     <message>
         <source>the blade never entered the mouth.</source>
-        <translation type="unfinished"></translation>
+        <translation>der Spatel war nie im Mund.</translation>
     </message>
     <message>
         <source>Not passed</source>
-        <translation type="unfinished"></translation>
+        <translation>Nicht bestanden</translation>
     </message>
     <message>
         <source>passed</source>
-        <translation type="unfinished"></translation>
+        <translation>bestanden</translation>
     </message>
     <message>
         <source>Why it was passed</source>
-        <translation type="unfinished"></translation>
+        <translation>Warum bestanden</translation>
     </message>
     <message>
         <source>Why it was not passed</source>
-        <translation type="unfinished"></translation>
+        <translation>Warum nicht bestanden</translation>
     </message>
     <message>
         <source>Figures</source>
-        <translation type="unfinished"></translation>
+        <translation>Messwerte</translation>
     </message>
     <message>
         <source>The monitor</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Monitor</translation>
     </message>
     <message>
         <source>Saturation, heart rate and glottis in sight over time, with attempts, breaths and the tube&apos;s passing marked</source>
-        <translation type="unfinished"></translation>
+        <translation>Sättigung, Herzfrequenz und sichtbare Glottis über die Zeit, mit Intubationsversuchen, Beatmungshüben und der Tubuspassage</translation>
     </message>
     <message>
         <source>Force over time</source>
-        <translation type="unfinished"></translation>
+        <translation>Kraft über die Zeit</translation>
     </message>
     <message>
         <source>Force on tongue and gum over time, with limit, target, peak and first sight marked</source>
-        <translation type="unfinished"></translation>
+        <translation>Kraft auf Zunge und Zahnleiste über die Zeit, mit Grenze, Ziel, Höchstwert und erster Sicht</translation>
     </message>
     <message>
         <source>Debriefing</source>
-        <translation type="unfinished"></translation>
+        <translation>Nachbesprechung</translation>
     </message>
     <message>
         <source>Pictures</source>
-        <translation type="unfinished"></translation>
+        <translation>Bilder</translation>
     </message>
     <message>
         <source>How it was recorded</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie aufgezeichnet wurde</translation>
     </message>
     <message>
         <source>Device</source>
-        <translation type="unfinished"></translation>
+        <translation>Gerät</translation>
     </message>
     <message>
         <source>Servo loop</source>
-        <translation type="unfinished"></translation>
+        <translation>Regelschleife</translation>
     </message>
     <message>
         <source>Real-time set-up</source>
-        <translation type="unfinished"></translation>
+        <translation>Echtzeit-Einrichtung</translation>
     </message>
     <message>
         <source>How it ended</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie es endete</translation>
     </message>
     <message>
         <source>Patient package</source>
-        <translation type="unfinished"></translation>
+        <translation>Patientenpaket</translation>
     </message>
     <message>
         <source>Scenario</source>
-        <translation type="unfinished"></translation>
+        <translation>Szenario</translation>
     </message>
     <message>
         <source>Tool</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>report.html</source>
-        <translation type="unfinished"></translation>
+        <translation>Instrument</translation>
     </message>
     <message>
         <source>Cormack-Lehane grade at best</source>
-        <translation type="unfinished"></translation>
+        <translation>Bester Grad nach Cormack-Lehane</translation>
     </message>
     <message>
         <source>3 or 4: nothing of the glottis seen</source>
-        <translation type="unfinished"></translation>
+        <translation>3 oder 4: nichts von der Glottis gesehen</translation>
     </message>
     <message>
         <source>Glottis seen on average, while in sight</source>
-        <translation type="unfinished"></translation>
+        <translation>Glottis im Mittel sichtbar, solange in Sicht</translation>
     </message>
     <message>
         <source>Force on the tongue, mean and over time</source>
-        <translation type="unfinished"></translation>
+        <translation>Kraft auf die Zunge, im Mittel und über die Zeit</translation>
     </message>
     <message>
         <source>Peak pressure on the tongue, over the contact</source>
-        <translation type="unfinished"></translation>
+        <translation>Höchster Druck auf die Zunge, über die Berührfläche</translation>
     </message>
     <message>
         <source>Blade in, from the midline</source>
-        <translation type="unfinished"></translation>
+        <translation>Spatel eingeführt, neben der Mittellinie</translation>
     </message>
     <message>
         <source>Blade&apos;s tip, nearest to the vallecula</source>
-        <translation type="unfinished"></translation>
+        <translation>Spatelspitze, am nächsten an der Vallecula</translation>
     </message>
     <message>
         <source>Blade&apos;s tip then, from the midline</source>
-        <translation type="unfinished"></translation>
+        <translation>Spatelspitze dabei, neben der Mittellinie</translation>
     </message>
     <message>
         <source>Blade&apos;s tip beyond the vallecula</source>
-        <translation type="unfinished"></translation>
+        <translation>Spatelspitze hinter der Vallecula</translation>
     </message>
     <message>
         <source>Questions and alarms</source>
-        <translation type="unfinished"></translation>
+        <translation>Fragen und Alarme</translation>
     </message>
     <message>
         <source>missed</source>
-        <translation type="unfinished"></translation>
+        <translation>verfehlt</translation>
     </message>
     <message>
         <source>answered to nothing</source>
-        <translation type="unfinished"></translation>
+        <translation>auf nichts geantwortet</translation>
     </message>
     <message>
         <source>Reaction to them, on average</source>
-        <translation type="unfinished"></translation>
+        <translation>Reaktion darauf, im Mittel</translation>
     </message>
     <message>
         <source>Tube&apos;s depth, from the middle of the good third</source>
-        <translation type="unfinished"></translation>
+        <translation>Tubustiefe, von der Mitte des guten Drittels</translation>
     </message>
     <message>
         <source>Checklist</source>
-        <translation type="unfinished"></translation>
+        <translation>Checkliste</translation>
     </message>
     <message>
         <source>Item</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkt</translation>
     </message>
     <message>
         <source>Done</source>
-        <translation type="unfinished"></translation>
+        <translation>Getan</translation>
     </message>
     <message>
         <source>Why</source>
-        <translation type="unfinished"></translation>
+        <translation>Warum</translation>
     </message>
     <message>
         <source>met</source>
-        <translation type="unfinished"></translation>
+        <translation>erfüllt</translation>
     </message>
     <message>
         <source>What the log has not seen is left to the instructor. The items are not validated.</source>
-        <translation type="unfinished"></translation>
+        <translation>Was die Aufzeichnung nicht gesehen hat, bleibt der Lehrperson überlassen. Die Punkte sind nicht validiert.</translation>
     </message>
     <message>
         <source>Global rating, by a person:</source>
-        <translation type="unfinished"></translation>
+        <translation>Gesamturteil, durch eine Person:</translation>
     </message>
     <message>
         <source>Points</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkte</translation>
     </message>
     <message>
         <source>Limit by</source>
-        <translation type="unfinished"></translation>
+        <translation>Grenze nach</translation>
     </message>
     <message>
         <source>Points inform; what fails a trial is the mark, whatever its weight.</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkte informieren; nicht bestanden ist, wessen Kriterium verfehlt wurde, gleich welches Gewicht es hat.</translation>
     </message>
     <message>
         <source>not in larynx or trachea</source>
-        <translation type="unfinished"></translation>
+        <translation>nicht in Kehlkopf oder Trachea</translation>
     </message>
     <message>
         <source>nothing touched</source>
-        <translation type="unfinished"></translation>
+        <translation>nichts berührt</translation>
     </message>
     <message>
         <source>Outcome</source>
-        <translation type="unfinished"></translation>
+        <translation>Ergebnis</translation>
     </message>
     <message>
         <source>The blade never entered the mouth.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Spatel war nie im Mund.</translation>
     </message>
     <message>
         <source>attempt</source>
-        <translation type="unfinished"></translation>
+        <translation>Intubationsversuch</translation>
     </message>
     <message>
         <source>Tip&apos;s depth</source>
-        <translation type="unfinished"></translation>
+        <translation>Tiefe der Spitze</translation>
     </message>
     <message>
         <source>Time to view, blade in to glottis in sight</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeit bis zur Sicht, Spatel hinein bis Glottis in Sicht</translation>
     </message>
     <message>
         <source>Time to pass, view to cords passed</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeit bis zur Passage, Sicht bis hinter die Stimmlippen</translation>
     </message>
     <message>
         <source>passed before the blade was in</source>
-        <translation type="unfinished"></translation>
+        <translation>passiert, bevor der Spatel im Mund war</translation>
     </message>
     <message>
         <source>Lowest saturation, displayed</source>
-        <translation type="unfinished"></translation>
+        <translation>Niedrigste Sättigung, angezeigt</translation>
     </message>
     <message>
         <source>CO2 detector</source>
-        <translation type="unfinished"></translation>
+        <translation>CO2-Detektor</translation>
     </message>
     <message>
         <source>yellow, with breath</source>
-        <translation type="unfinished"></translation>
+        <translation>gelb, mit Beatmungshub</translation>
     </message>
     <message>
         <source>Peak force along the tube</source>
-        <translation type="unfinished"></translation>
+        <translation>Höchste Kraft längs des Tubus</translation>
     </message>
     <message>
         <source>Tube&apos;s peak load by part</source>
-        <translation type="unfinished"></translation>
+        <translation>Höchste Last des Tubus nach Abschnitt</translation>
     </message>
     <message>
         <source>Breaths given, mask and tube</source>
-        <translation type="unfinished"></translation>
+        <translation>Beatmungshübe, Maske und Tubus</translation>
     </message>
     <message>
         <source>Tip in the oesophagus</source>
-        <translation type="unfinished"></translation>
+        <translation>Spitze im Ösophagus</translation>
     </message>
     <message>
         <source>Secretions</source>
-        <translation type="unfinished"></translation>
+        <translation>Sekret</translation>
     </message>
     <message>
         <source>From, to (s)</source>
-        <translation type="unfinished"></translation>
+        <translation>Von, bis (s)</translation>
     </message>
     <message>
         <source>Took</source>
-        <translation type="unfinished"></translation>
+        <translation>Dauer</translation>
     </message>
     <message>
         <source>Breaths before</source>
-        <translation type="unfinished"></translation>
+        <translation>Hübe davor</translation>
     </message>
     <message>
         <source>To view</source>
-        <translation type="unfinished"></translation>
+        <translation>Bis Sicht</translation>
     </message>
     <message>
         <source>To pass</source>
-        <translation type="unfinished"></translation>
+        <translation>Bis Passage</translation>
     </message>
     <message>
         <source>Saturation, before and lowest</source>
-        <translation type="unfinished"></translation>
+        <translation>Sättigung, davor und niedrigste</translation>
     </message>
     <message>
         <source>Lowest heart</source>
-        <translation type="unfinished"></translation>
+        <translation>Niedrigste Herzfrequenz</translation>
     </message>
     <message>
         <source>severe desaturation</source>
-        <translation type="unfinished"></translation>
+        <translation>schwerer Sättigungsabfall</translation>
     </message>
     <message>
         <source>bradycardia</source>
-        <translation type="unfinished"></translation>
+        <translation>Bradykardie</translation>
     </message>
     <message>
         <source>Mark</source>
-        <translation type="unfinished"></translation>
+        <translation>Kriterium</translation>
     </message>
     <message>
         <source>Where the mark comes from</source>
-        <translation type="unfinished"></translation>
+        <translation>Woher das Kriterium kommt</translation>
     </message>
     <message>
         <source>This trial was cut off: what stands here is what was recorded until then.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dieser Durchgang wurde abgebrochen: Hier steht, was bis dahin aufgezeichnet wurde.</translation>
     </message>
     <message>
         <source>Over time</source>
-        <translation type="unfinished"></translation>
+        <translation>Über die Zeit</translation>
     </message>
     <message>
         <source>Ticks</source>
-        <translation type="unfinished"></translation>
+        <translation>Takte</translation>
     </message>
     <message>
         <source>Trials of nobody</source>
-        <translation type="unfinished"></translation>
+        <translation>Durchgänge ohne Zuordnung</translation>
     </message>
     <message>
         <source>not yet</source>
-        <translation type="unfinished"></translation>
+        <translation>noch nicht</translation>
     </message>
     <message>
         <source>cut off</source>
-        <translation type="unfinished"></translation>
+        <translation>abgebrochen</translation>
     </message>
     <message>
         <source>not passed</source>
-        <translation type="unfinished"></translation>
+        <translation>nicht bestanden</translation>
     </message>
     <message>
         <source>By scenario and device</source>
-        <translation type="unfinished"></translation>
+        <translation>Nach Szenario und Gerät</translation>
     </message>
     <message>
         <source>Curriculum</source>
-        <translation type="unfinished"></translation>
+        <translation>Kurs</translation>
     </message>
     <message>
         <source>Trials</source>
-        <translation type="unfinished"></translation>
+        <translation>Durchgänge</translation>
     </message>
     <message>
         <source>Cut off</source>
-        <translation type="unfinished"></translation>
+        <translation>Abgebrochen</translation>
     </message>
     <message>
         <source>CUSUM says competent</source>
-        <translation type="unfinished"></translation>
+        <translation>Nach CUSUM kompetent</translation>
     </message>
     <message>
         <source>Passed: every mark met, within the attempts of the rule, which each curve names (two by the published one). Figures of different kinds of device are never put together.</source>
-        <translation type="unfinished"></translation>
+        <translation>Bestanden: jedes Kriterium erfüllt, innerhalb der Intubationsversuche der Regel, die jede Kurve nennt (zwei nach der veröffentlichten). Zahlen verschiedener Gerätearten werden nie zusammengefasst.</translation>
     </message>
     <message>
         <source>Learning curves</source>
-        <translation type="unfinished"></translation>
+        <translation>Lernkurven</translation>
     </message>
     <message>
         <source>All trials</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Durchgänge</translation>
     </message>
     <message>
         <source>Finished (UTC)</source>
-        <translation type="unfinished"></translation>
+        <translation>Beendet (UTC)</translation>
     </message>
     <message>
         <source>Mode</source>
-        <translation type="unfinished"></translation>
+        <translation>Modus</translation>
     </message>
     <message>
         <source>Result</source>
-        <translation type="unfinished"></translation>
+        <translation>Ergebnis</translation>
     </message>
     <message>
         <source>Tube</source>
-        <translation type="unfinished"></translation>
+        <translation>Tubus</translation>
     </message>
     <message>
         <source>Attempt (s)</source>
-        <translation type="unfinished"></translation>
+        <translation>Versuch (s)</translation>
     </message>
     <message>
         <source>Tongue (N)</source>
-        <translation type="unfinished"></translation>
+        <translation>Zunge (N)</translation>
     </message>
     <message>
         <source>Tip past the cords</source>
-        <translation type="unfinished"></translation>
+        <translation>Spitze hinter den Stimmlippen</translation>
     </message>
     <message>
         <source>Lowest SpO2</source>
-        <translation type="unfinished"></translation>
+        <translation>Niedrigste SpO2</translation>
     </message>
     <message>
         <source>Time to view</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeit bis Sicht</translation>
     </message>
     <message>
         <source>Time to pass</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeit bis Passage</translation>
     </message>
     <message>
         <source>Peak force, tube</source>
-        <translation type="unfinished"></translation>
+        <translation>Höchste Kraft, Tubus</translation>
     </message>
     <message>
         <source>In the oesophagus</source>
-        <translation type="unfinished"></translation>
+        <translation>Im Ösophagus</translation>
     </message>
     <message>
         <source>Peak force, tongue</source>
-        <translation type="unfinished"></translation>
+        <translation>Höchste Kraft, Zunge</translation>
     </message>
     <message>
         <source>Peak force, gum</source>
-        <translation type="unfinished"></translation>
+        <translation>Höchste Kraft, Zahnleiste</translation>
     </message>
     <message>
         <source>Glottis visible, best</source>
-        <translation type="unfinished"></translation>
+        <translation>Glottis sichtbar, bestenfalls</translation>
     </message>
     <message>
         <source>Time to sight</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeit bis Sicht</translation>
     </message>
     <message>
         <source>Longest attempt</source>
-        <translation type="unfinished"></translation>
+        <translation>Längster Versuch</translation>
     </message>
     <message>
         <source>Attempt</source>
-        <translation type="unfinished"></translation>
+        <translation>Intubationsversuch</translation>
     </message>
     <message>
         <source>Over the target</source>
-        <translation type="unfinished"></translation>
+        <translation>Über dem Ziel</translation>
     </message>
     <message>
         <source>Over the device limit</source>
-        <translation type="unfinished"></translation>
+        <translation>Über der Gerätegrenze</translation>
     </message>
     <message>
         <source>Paused</source>
-        <translation type="unfinished"></translation>
+        <translation>Angehalten</translation>
     </message>
     <message>
         <source>Loop</source>
-        <translation type="unfinished"></translation>
+        <translation>Schleife</translation>
     </message>
     <message>
         <source>not there</source>
-        <translation type="unfinished"></translation>
+        <translation>nicht dort</translation>
     </message>
     <message>
         <source>yellow</source>
-        <translation type="unfinished"></translation>
+        <translation>gelb</translation>
     </message>
     <message>
         <source>never yellow</source>
-        <translation type="unfinished"></translation>
+        <translation>nie gelb</translation>
     </message>
     <message>
         <source>recognised late</source>
-        <translation type="unfinished"></translation>
+        <translation>spät erkannt</translation>
     </message>
     <message>
         <source>no real time</source>
-        <translation type="unfinished"></translation>
+        <translation>nicht in Echtzeit</translation>
     </message>
     <message>
         <source>with breath</source>
-        <translation type="unfinished"></translation>
+        <translation>mit Hub</translation>
     </message>
     <message>
         <source>at most %1 N</source>
-        <translation type="unfinished"></translation>
+        <translation>höchstens %1 N</translation>
     </message>
     <message>
         <source>at most %1 s</source>
-        <translation type="unfinished"></translation>
+        <translation>höchstens %1 s</translation>
     </message>
     <message>
         <source>at most %1</source>
-        <translation type="unfinished"></translation>
+        <translation>höchstens %1</translation>
     </message>
     <message>
         <source>at least %1 %</source>
-        <translation type="unfinished"></translation>
+        <translation>mindestens %1 %</translation>
     </message>
     <message>
         <source>at least %1</source>
-        <translation type="unfinished"></translation>
+        <translation>mindestens %1</translation>
     </message>
     <message>
         <source>at least %1 1/min</source>
-        <translation type="unfinished"></translation>
+        <translation>mindestens %1 1/min</translation>
     </message>
     <message>
         <source>at least %1 /min</source>
-        <translation type="unfinished"></translation>
+        <translation>mindestens %1 /min</translation>
     </message>
     <message>
         <source>with breath %1</source>
-        <translation type="unfinished"></translation>
+        <translation>mit Hub %1</translation>
     </message>
     <message>
         <source>yellow, with breath %1</source>
-        <translation type="unfinished"></translation>
+        <translation>gelb, mit Hub %1</translation>
     </message>
     <message>
         <source>%1 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 mm</translation>
     </message>
     <message>
         <source>from %1 %</source>
-        <translation type="unfinished"></translation>
+        <translation>ab %1 %</translation>
     </message>
     <message>
         <source>%1 late, %2 steps dropped</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 zu spät, %2 Schritte verworfen</translation>
     </message>
     <message>
         <source>%1 breaths</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Hübe</translation>
     </message>
     <message>
         <source>%1 % of the way; good: %2 to %3 %</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 % des Weges; gut: %2 bis %3 %</translation>
     </message>
     <message>
         <source>%1 N, at %2 s</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 N, bei %2 s</translation>
     </message>
     <message>
         <source>%1 %, at %2 s</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 %, bei %2 s</translation>
     </message>
     <message>
         <source>%1 per minute, at %2 s</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 pro Minute, bei %2 s</translation>
     </message>
     <message>
         <source>%1 per minute</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 pro Minute</translation>
     </message>
     <message>
         <source>%1 of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 von %2</translation>
     </message>
     <message>
         <source>1 trial</source>
-        <translation type="unfinished"></translation>
+        <translation>1 Durchgang</translation>
     </message>
     <message>
         <source>%1 trials</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Durchgänge</translation>
     </message>
     <message>
         <source>Trainee %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Lernende Nr. %1</translation>
     </message>
     <message>
         <source>at trial %1</source>
-        <translation type="unfinished"></translation>
+        <translation>bei Durchgang %1</translation>
     </message>
     <message>
         <source>limit %1 N</source>
-        <translation type="unfinished"></translation>
+        <translation>Grenze %1 N</translation>
     </message>
     <message>
         <source>%1, %2 deadline misses, %3 simulation steps dropped</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, %2 verpasste Termine, %3 verworfene Simulationsschritte</translation>
     </message>
     <message>
         <source>Points: %1 of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkte: %1 von %2</translation>
     </message>
     <message>
         <source>Time to glottis in sight (%1 %)</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeit bis Glottis in Sicht (%1 %)</translation>
     </message>
     <message>
         <source>Time over the training target (tongue, %1 N)</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeit über dem Trainingsziel (Zunge, %1 N)</translation>
     </message>
     <message>
         <source>Time over the device limit (%1 N)</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeit über der Gerätegrenze (%1 N)</translation>
     </message>
     <message>
         <source>Time to a stable view (%1 s in one piece)</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeit bis zur stabilen Sicht (%1 s am Stück)</translation>
     </message>
     <message>
         <source>the glottis came into sight after %1 s (%2 % at best)</source>
-        <translation type="unfinished"></translation>
+        <translation>die Glottis kam nach %1 s in Sicht (bestenfalls %2 %)</translation>
     </message>
     <message>
         <source>the glottis never came into sight (%1 % at best)</source>
-        <translation type="unfinished"></translation>
+        <translation>die Glottis kam nie in Sicht (bestenfalls %1 %)</translation>
     </message>
     <message>
         <source>with at most %1 N on the tongue and %2 N on the gums</source>
-        <translation type="unfinished"></translation>
+        <translation>mit höchstens %1 N auf die Zunge und %2 N auf die Zahnleisten</translation>
     </message>
     <message>
         <source>in an attempt of %1 s.</source>
-        <translation type="unfinished"></translation>
+        <translation>in einem Intubationsversuch von %1 s.</translation>
     </message>
     <message>
         <source>with at most %1 N on the tongue and %2 N along the tube.</source>
-        <translation type="unfinished"></translation>
+        <translation>mit höchstens %1 N auf die Zunge und %2 N längs des Tubus.</translation>
     </message>
     <message>
         <source>%1 attempt of %2 s</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Intubationsversuch von %2 s</translation>
     </message>
     <message>
         <source>%1 attempts, the longest of %2 s</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Intubationsversuche, der längste von %2 s</translation>
     </message>
     <message>
         <source>saturation down to %1 %, heart to %2 per minute</source>
-        <translation type="unfinished"></translation>
+        <translation>Sättigung bis %1 %, Herzfrequenz bis %2 pro Minute</translation>
     </message>
     <message>
         <source>An attempt is one way of the blade into the mouth and out. Its lowest values count until the next one begins, for the display is late. Severe desaturation: %1 points or more. Bradycardia: below %2 per minute (both NEAR4NEOS).</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Intubationsversuch ist ein Weg des Spatels in den Mund und heraus. Seine niedrigsten Werte zählen, bis der nächste beginnt, denn die Anzeige hinkt nach. Schwerer Sättigungsabfall: %1 Punkte oder mehr. Bradykardie: unter %2 pro Minute (beides NEAR4NEOS).</translation>
     </message>
     <message>
         <source>%1 mm to the left</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 mm nach links</translation>
     </message>
     <message>
         <source>%1 mm to the right</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 mm nach rechts</translation>
     </message>
     <message>
         <source>%1 % lifted</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 % angehoben</translation>
     </message>
     <message>
         <source>%1 % lifted, at most %2 N levered, at %3 s</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 % angehoben, höchstens %2 N gehebelt, bei %3 s</translation>
     </message>
     <message>
         <source>%1 mm, at %2 s: reached</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 mm, bei %2 s: erreicht</translation>
     </message>
     <message>
         <source>%1 mm, at %2 s: not reached</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 mm, bei %2 s: nicht erreicht</translation>
     </message>
     <message>
         <source>%1 kPa, at %2 s</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 kPa, bei %2 s</translation>
     </message>
     <message>
         <source>%1 s, at %2 s</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 s, bei %2 s</translation>
     </message>
     <message>
         <source>%1 N, %2 N s in %3 s</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 N, %2 N s in %3 s</translation>
     </message>
     <message>
         <source>%1 mm deeper</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 mm tiefer</translation>
     </message>
     <message>
         <source>%1 mm shallower</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 mm flacher</translation>
     </message>
     <message>
         <source>%1 right, %2 wrong, %3 missed</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 richtig, %2 falsch, %3 versäumt</translation>
     </message>
     <message>
         <source>%1 Hz over %2 ticks, %3 deadline misses, %4 simulation steps dropped</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Hz über %2 Takte, %3 verpasste Termine, %4 verworfene Simulationsschritte</translation>
     </message>
     <message>
         <source>%1 ticks of %2 ms, not in real time</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Takte von %2 ms, nicht in Echtzeit</translation>
     </message>
     <message>
         <source>finished</source>
-        <translation type="unfinished"></translation>
+        <translation>beendet</translation>
     </message>
     <message>
         <source>the scenario&apos;s time was over</source>
-        <translation type="unfinished"></translation>
+        <translation>die Zeit des Szenarios war um</translation>
     </message>
     <message>
         <source>the device did not come back</source>
-        <translation type="unfinished"></translation>
+        <translation>das Gerät kam nicht zurück</translation>
     </message>
     <message>
         <source>interrupted</source>
-        <translation type="unfinished"></translation>
+        <translation>unterbrochen</translation>
     </message>
     <message>
         <source>reset</source>
-        <translation type="unfinished"></translation>
+        <translation>zurückgesetzt</translation>
     </message>
     <message>
         <source>practice</source>
-        <translation type="unfinished"></translation>
+        <translation>Übung</translation>
     </message>
     <message>
         <source>assessment</source>
-        <translation type="unfinished"></translation>
+        <translation>Prüfung</translation>
     </message>
     <message>
         <source>competent</source>
-        <translation type="unfinished"></translation>
+        <translation>kompetent</translation>
     </message>
     <message>
         <source>not competent</source>
-        <translation type="unfinished"></translation>
+        <translation>nicht kompetent</translation>
     </message>
     <message>
         <source>undecided</source>
-        <translation type="unfinished"></translation>
+        <translation>unentschieden</translation>
     </message>
     <message>
         <source>yes</source>
-        <translation type="unfinished"></translation>
+        <translation>ja</translation>
     </message>
     <message>
         <source>no</source>
-        <translation type="unfinished"></translation>
+        <translation>nein</translation>
     </message>
     <message>
         <source>unsafe</source>
-        <translation type="unfinished"></translation>
+        <translation>unsicher</translation>
     </message>
     <message>
         <source>with help at every step</source>
-        <translation type="unfinished"></translation>
+        <translation>mit Hilfe bei jedem Schritt</translation>
     </message>
     <message>
         <source>with help at some steps</source>
-        <translation type="unfinished"></translation>
+        <translation>mit Hilfe bei einigen Schritten</translation>
     </message>
     <message>
         <source>alone, with flaws</source>
-        <translation type="unfinished"></translation>
+        <translation>allein, mit Mängeln</translation>
     </message>
     <message>
         <source>alone and well</source>
-        <translation type="unfinished"></translation>
+        <translation>allein und gut</translation>
     </message>
     <message>
         <source>good depth</source>
-        <translation type="unfinished"></translation>
+        <translation>gute Tiefe</translation>
     </message>
     <message>
         <source>too shallow</source>
-        <translation type="unfinished"></translation>
+        <translation>zu flach</translation>
     </message>
     <message>
         <source>too deep</source>
-        <translation type="unfinished"></translation>
+        <translation>zu tief</translation>
     </message>
     <message>
         <source>oesophagus</source>
-        <translation type="unfinished"></translation>
+        <translation>Ösophagus</translation>
     </message>
     <message>
         <source>mainstem</source>
-        <translation type="unfinished"></translation>
+        <translation>Hauptbronchus</translation>
     </message>
     <message>
         <source>cricoid too narrow</source>
-        <translation type="unfinished"></translation>
+        <translation>Ringknorpel zu eng</translation>
     </message>
     <message>
         <source>cords closed</source>
-        <translation type="unfinished"></translation>
+        <translation>Stimmlippen geschlossen</translation>
     </message>
     <message>
         <source>out of time</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeit abgelaufen</translation>
     </message>
     <message>
         <source>abandoned</source>
-        <translation type="unfinished"></translation>
+        <translation>aufgegeben</translation>
     </message>
     <message>
         <source>none</source>
@@ -1830,1138 +1830,1942 @@
     </message>
     <message>
         <source>person deleted</source>
-        <translation type="unfinished"></translation>
+        <translation>Person gelöscht</translation>
     </message>
     <message>
         <source>data exported</source>
-        <translation type="unfinished"></translation>
+        <translation>Daten exportiert</translation>
     </message>
     <message>
         <source>note removed</source>
-        <translation type="unfinished"></translation>
+        <translation>Notiz entfernt</translation>
     </message>
     <message>
         <source>PIN changed</source>
-        <translation type="unfinished"></translation>
+        <translation>PIN geändert</translation>
     </message>
     <message>
         <source>PIN reset</source>
-        <translation type="unfinished"></translation>
+        <translation>PIN zurückgesetzt</translation>
     </message>
     <message>
         <source>renamed</source>
-        <translation type="unfinished"></translation>
+        <translation>umbenannt</translation>
     </message>
     <message>
         <source>trial rated</source>
-        <translation type="unfinished"></translation>
+        <translation>Durchgang bewertet</translation>
     </message>
     <message>
         <source>registered</source>
-        <translation type="unfinished"></translation>
+        <translation>registriert</translation>
     </message>
     <message>
         <source>signed in</source>
-        <translation type="unfinished"></translation>
+        <translation>angemeldet</translation>
     </message>
     <message>
         <source>wrong PIN</source>
-        <translation type="unfinished"></translation>
+        <translation>falsche PIN</translation>
     </message>
     <message>
         <source>at the device&apos;s limit</source>
-        <translation type="unfinished"></translation>
+        <translation>an der Grenze des Geräts</translation>
     </message>
     <message>
         <source>tube&apos;s tip past the cords</source>
-        <translation type="unfinished"></translation>
+        <translation>Tubusspitze hinter den Stimmlippen</translation>
     </message>
     <message>
         <source>tube&apos;s tip in the oesophagus</source>
-        <translation type="unfinished"></translation>
+        <translation>Tubusspitze im Ösophagus</translation>
     </message>
     <message>
         <source>CO2 detector yellow</source>
-        <translation type="unfinished"></translation>
+        <translation>CO2-Detektor gelb</translation>
     </message>
     <message>
         <source>heart below 100 a minute</source>
-        <translation type="unfinished"></translation>
+        <translation>Herzfrequenz unter 100 pro Minute</translation>
     </message>
     <message>
         <source>a breath given</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source> answered rightly</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source> answered wrongly</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Beatmungshub</translation>
     </message>
     <message>
         <source>glottis in sight</source>
-        <translation type="unfinished"></translation>
+        <translation>Glottis in Sicht</translation>
     </message>
     <message>
         <source>the device sent a pose that is no position and rotation; no force was shown</source>
-        <translation type="unfinished"></translation>
+        <translation>das Gerät sandte eine Lage, die weder Ort noch Drehung ist; es wurde keine Kraft gezeigt</translation>
     </message>
     <message>
         <source>the tissue&apos;s motion was no longer finite; it was put back to rest and no force was shown</source>
-        <translation type="unfinished"></translation>
+        <translation>die Bewegung des Gewebes war nicht mehr endlich; es wurde in Ruhe zurückversetzt und keine Kraft gezeigt</translation>
     </message>
     <message>
         <source>a force was not finite; none was shown</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Kraft war nicht endlich; es wurde keine gezeigt</translation>
     </message>
     <message>
         <source>The recorded hand was paused here; it goes on by itself.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die aufgezeichnete Hand hatte hier eine Pause; sie geht von selbst weiter.</translation>
     </message>
     <message>
         <source>The device is back. To go on press Enter or a button of the device, or hold the grey blade on the steel one for half a second.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Gerät ist zurück. Um fortzufahren, drücken Sie Enter oder eine Taste des Geräts, oder halten Sie den grauen Spatel eine halbe Sekunde auf dem stählernen.</translation>
     </message>
     <message>
         <source>stopped before its end</source>
-        <translation type="unfinished"></translation>
+        <translation>vor seinem Ende angehalten</translation>
     </message>
     <message>
         <source>This trial was an assessment: it is not replayed, so that nobody practises on what is assessed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dieser Durchgang war eine Prüfung: Er wird nicht wiedergegeben, damit niemand an dem übt, was geprüft wird.</translation>
     </message>
     <message>
         <source>Reading the trial</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Durchgang wird gelesen</translation>
     </message>
     <message>
         <source>Looking for the patient</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Patient wird gesucht</translation>
     </message>
     <message>
         <source>Scoring</source>
-        <translation type="unfinished"></translation>
+        <translation>Wird bewertet</translation>
     </message>
     <message>
         <source>Building the scene</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Szene wird aufgebaut</translation>
     </message>
     <message>
         <source>Light and colour</source>
-        <translation type="unfinished"></translation>
+        <translation>Licht und Farbe</translation>
     </message>
     <message>
         <source>Ready</source>
-        <translation type="unfinished"></translation>
+        <translation>Bereit</translation>
     </message>
     <message>
         <source>tongue force over its training target of %1 N</source>
-        <translation type="unfinished"></translation>
+        <translation>Zungenkraft über ihrem Trainingsziel von %1 N</translation>
     </message>
     <message>
         <source>attempt begins: blade into the mouth</source>
-        <translation type="unfinished"></translation>
+        <translation>Intubationsversuch beginnt: Spatel in den Mund</translation>
     </message>
     <message>
         <source>attempt ends: blade out</source>
-        <translation type="unfinished"></translation>
+        <translation>Intubationsversuch endet: Spatel heraus</translation>
     </message>
     <message>
         <source>attempt %1 begins: blade into the mouth</source>
-        <translation type="unfinished"></translation>
+        <translation>Intubationsversuch %1 beginnt: Spatel in den Mund</translation>
     </message>
     <message>
         <source>attempt %1 ends: blade out</source>
-        <translation type="unfinished"></translation>
+        <translation>Intubationsversuch %1 endet: Spatel heraus</translation>
     </message>
     <message>
         <source>peak force along the tube, %1 N</source>
-        <translation type="unfinished"></translation>
+        <translation>höchste Kraft längs des Tubus, %1 N</translation>
     </message>
     <message>
         <source>peak force on the tongue, %1 N</source>
-        <translation type="unfinished"></translation>
+        <translation>höchste Kraft auf die Zunge, %1 N</translation>
     </message>
     <message>
         <source>peak force on the gum, %1 N</source>
-        <translation type="unfinished"></translation>
+        <translation>höchste Kraft auf die Zahnleiste, %1 N</translation>
     </message>
     <message>
         <source>question begins</source>
-        <translation type="unfinished"></translation>
+        <translation>Frage beginnt</translation>
     </message>
     <message>
         <source>alarm begins</source>
-        <translation type="unfinished"></translation>
+        <translation>Alarm beginnt</translation>
     </message>
     <message>
         <source>talk begins</source>
-        <translation type="unfinished"></translation>
+        <translation>Gespräch beginnt</translation>
     </message>
     <message>
         <source>question silenced</source>
-        <translation type="unfinished"></translation>
+        <translation>Frage stumm geschaltet</translation>
     </message>
     <message>
         <source>alarm silenced</source>
-        <translation type="unfinished"></translation>
+        <translation>Alarm stumm geschaltet</translation>
     </message>
     <message>
         <source>question answered rightly</source>
-        <translation type="unfinished"></translation>
+        <translation>Frage richtig beantwortet</translation>
     </message>
     <message>
         <source>question answered wrongly</source>
-        <translation type="unfinished"></translation>
+        <translation>Frage falsch beantwortet</translation>
     </message>
     <message>
         <source>question missed</source>
-        <translation type="unfinished"></translation>
+        <translation>Frage versäumt</translation>
     </message>
     <message>
         <source>alarm missed</source>
-        <translation type="unfinished"></translation>
+        <translation>Alarm versäumt</translation>
     </message>
     <message>
         <source>from %1 s on the tissue&apos;s shape may be a little different from what it was</source>
-        <translation type="unfinished"></translation>
+        <translation>ab %1 s kann die Form des Gewebes etwas anders sein, als sie war</translation>
     </message>
     <message>
         <source>skin</source>
-        <translation type="unfinished"></translation>
+        <translation>Haut</translation>
     </message>
     <message>
         <source>skull</source>
-        <translation type="unfinished"></translation>
+        <translation>Schädel</translation>
     </message>
     <message>
         <source>mandible</source>
-        <translation type="unfinished"></translation>
+        <translation>Unterkiefer</translation>
     </message>
     <message>
         <source>tongue</source>
-        <translation type="unfinished"></translation>
+        <translation>Zunge</translation>
     </message>
     <message>
         <source>epiglottis</source>
-        <translation type="unfinished"></translation>
+        <translation>Epiglottis</translation>
     </message>
     <message>
         <source>airway</source>
-        <translation type="unfinished"></translation>
+        <translation>Atemweg</translation>
     </message>
     <message>
         <source>larynx</source>
-        <translation type="unfinished"></translation>
+        <translation>Kehlkopf</translation>
     </message>
     <message>
         <source>soft palate</source>
-        <translation type="unfinished"></translation>
+        <translation>weicher Gaumen</translation>
     </message>
     <message>
         <source>spine</source>
-        <translation type="unfinished"></translation>
+        <translation>Wirbelsäule</translation>
     </message>
     <message>
         <source>measured</source>
-        <translation type="unfinished"></translation>
+        <translation>gemessen</translation>
     </message>
     <message>
         <source>inferred</source>
-        <translation type="unfinished"></translation>
+        <translation>abgeleitet</translation>
     </message>
     <message>
         <source>given</source>
-        <translation type="unfinished"></translation>
+        <translation>gegeben</translation>
     </message>
     <message>
         <source>template</source>
-        <translation type="unfinished"></translation>
+        <translation>Vorlage</translation>
     </message>
     <message>
         <source>Axial</source>
-        <translation type="unfinished"></translation>
+        <translation>Axial</translation>
     </message>
     <message>
         <source>Coronal</source>
-        <translation type="unfinished"></translation>
+        <translation>Koronal</translation>
     </message>
     <message>
         <source>Sagittal</source>
-        <translation type="unfinished"></translation>
+        <translation>Sagittal</translation>
     </message>
     <message>
         <source>Soft tissue</source>
-        <translation type="unfinished"></translation>
+        <translation>Weichteile</translation>
     </message>
     <message>
         <source>Bone</source>
-        <translation type="unfinished"></translation>
+        <translation>Knochen</translation>
     </message>
     <message>
         <source>Airway</source>
-        <translation type="unfinished"></translation>
+        <translation>Atemweg</translation>
     </message>
     <message>
         <source>upper gum midline</source>
-        <translation type="unfinished"></translation>
+        <translation>Mitte der oberen Zahnleiste</translation>
     </message>
     <message>
         <source>lower gum midline</source>
-        <translation type="unfinished"></translation>
+        <translation>Mitte der unteren Zahnleiste</translation>
     </message>
     <message>
         <source>vallecula</source>
-        <translation type="unfinished"></translation>
+        <translation>Vallecula</translation>
     </message>
     <message>
         <source>glottis centre</source>
-        <translation type="unfinished"></translation>
+        <translation>Mitte der Glottis</translation>
     </message>
     <message>
         <source>glottis normal</source>
-        <translation type="unfinished"></translation>
+        <translation>Richtung der Glottis</translation>
     </message>
     <message>
         <source>operator eye</source>
-        <translation type="unfinished"></translation>
+        <translation>Auge der Intubierenden</translation>
     </message>
     <message>
         <source>hyoid</source>
-        <translation type="unfinished"></translation>
+        <translation>Zungenbein</translation>
     </message>
     <message>
         <source>carina</source>
-        <translation type="unfinished"></translation>
+        <translation>Carina</translation>
     </message>
     <message>
         <source>condyle axis</source>
-        <translation type="unfinished"></translation>
+        <translation>Kiefergelenkachse</translation>
     </message>
     <message>
         <source>epiglottis tip</source>
-        <translation type="unfinished"></translation>
+        <translation>Spitze der Epiglottis</translation>
     </message>
     <message>
         <source>To be checked first</source>
-        <translation type="unfinished"></translation>
+        <translation>Zuerst zu prüfen</translation>
     </message>
     <message>
         <source>Within limits</source>
-        <translation type="unfinished"></translation>
+        <translation>Innerhalb der Grenzen</translation>
     </message>
     <message>
         <source>For information</source>
-        <translation type="unfinished"></translation>
+        <translation>Zur Information</translation>
     </message>
     <message>
         <source>tetrahedra</source>
-        <translation type="unfinished"></translation>
+        <translation>Tetraeder</translation>
     </message>
     <message>
         <source>tetrahedra volume</source>
-        <translation type="unfinished"></translation>
+        <translation>Volumen der Tetraeder</translation>
     </message>
     <message>
         <source>volume kept by the tetrahedra</source>
-        <translation type="unfinished"></translation>
+        <translation>von den Tetraedern erhaltenes Volumen</translation>
     </message>
     <message>
         <source>smallest dihedral angle</source>
-        <translation type="unfinished"></translation>
+        <translation>kleinster Diederwinkel</translation>
     </message>
     <message>
         <source>tetrahedra below 10 degrees</source>
-        <translation type="unfinished"></translation>
+        <translation>Tetraeder unter 10 Grad</translation>
     </message>
     <message>
         <source>shortest edge</source>
-        <translation type="unfinished"></translation>
+        <translation>kürzeste Kante</translation>
     </message>
     <message>
         <source>tongue inside the jaw&apos;s bone</source>
-        <translation type="unfinished"></translation>
+        <translation>Zunge im Kieferknochen</translation>
     </message>
     <message>
         <source>tongue inside the tissue around it</source>
-        <translation type="unfinished"></translation>
+        <translation>Zunge im Gewebe um sie herum</translation>
     </message>
     <message>
         <source>gap where the tongue is held</source>
-        <translation type="unfinished"></translation>
+        <translation>Spalt, wo die Zunge gehalten wird</translation>
     </message>
     <message>
         <source>head size</source>
-        <translation type="unfinished"></translation>
+        <translation>Kopfgröße</translation>
     </message>
     <message>
         <source>child size</source>
-        <translation type="unfinished"></translation>
+        <translation>Kindesgröße</translation>
     </message>
     <message>
         <source>adult size</source>
-        <translation type="unfinished"></translation>
+        <translation>Erwachsenengröße</translation>
     </message>
     <message>
         <source>position corrected</source>
-        <translation type="unfinished"></translation>
+        <translation>Lage berichtigt</translation>
     </message>
     <message>
         <source>scaled</source>
-        <translation type="unfinished"></translation>
+        <translation>skaliert</translation>
     </message>
     <message>
         <source>tongue volume</source>
-        <translation type="unfinished"></translation>
+        <translation>Volumen der Zunge</translation>
     </message>
     <message>
         <source>epiglottis volume</source>
-        <translation type="unfinished"></translation>
+        <translation>Volumen der Epiglottis</translation>
     </message>
     <message>
         <source>airway volume</source>
-        <translation type="unfinished"></translation>
+        <translation>Volumen des Atemwegs</translation>
     </message>
     <message>
         <source>mandible volume</source>
-        <translation type="unfinished"></translation>
+        <translation>Volumen des Unterkiefers</translation>
     </message>
     <message>
         <source>mouth open</source>
-        <translation type="unfinished"></translation>
+        <translation>Mund offen</translation>
     </message>
     <message>
         <source>mouth opened</source>
-        <translation type="unfinished"></translation>
+        <translation>Mund geöffnet</translation>
     </message>
     <message>
         <source>head extended</source>
-        <translation type="unfinished"></translation>
+        <translation>Kopf gestreckt</translation>
     </message>
     <message>
         <source>gap between the gums</source>
-        <translation type="unfinished"></translation>
+        <translation>Abstand der Zahnleisten</translation>
     </message>
     <message>
         <source>glottis area</source>
-        <translation type="unfinished"></translation>
+        <translation>Fläche der Glottis</translation>
     </message>
     <message>
         <source>nodes held by the mandible</source>
-        <translation type="unfinished"></translation>
+        <translation>vom Unterkiefer gehaltene Knoten</translation>
     </message>
     <message>
         <source>nodes held by the hyoid</source>
-        <translation type="unfinished"></translation>
+        <translation>vom Zungenbein gehaltene Knoten</translation>
     </message>
     <message>
         <source>nodes held by the larynx</source>
-        <translation type="unfinished"></translation>
+        <translation>vom Kehlkopf gehaltene Knoten</translation>
     </message>
     <message>
         <source>epiglottis stiffness</source>
-        <translation type="unfinished"></translation>
+        <translation>Steifigkeit der Epiglottis</translation>
     </message>
     <message>
         <source>check by playing</source>
-        <translation type="unfinished"></translation>
+        <translation>Probe durch Spielen</translation>
     </message>
     <message>
         <source>glottis in sight at rest</source>
-        <translation type="unfinished"></translation>
+        <translation>Glottis in Sicht in Ruhe</translation>
     </message>
     <message>
         <source>glottis in sight when lifted</source>
-        <translation type="unfinished"></translation>
+        <translation>Glottis in Sicht beim Anheben</translation>
     </message>
     <message>
         <source>the deepest node</source>
-        <translation type="unfinished"></translation>
+        <translation>der tiefste Knoten</translation>
     </message>
     <message>
         <source>the lips stand apart</source>
-        <translation type="unfinished"></translation>
+        <translation>die Lippen stehen auseinander</translation>
     </message>
     <message>
         <source>the lips stand apart after the opening</source>
-        <translation type="unfinished"></translation>
+        <translation>die Lippen stehen nach dem Öffnen auseinander</translation>
     </message>
     <message>
         <source>the mouth is closed: good for pressing on the tongue, not for a view</source>
-        <translation type="unfinished"></translation>
+        <translation>der Mund ist geschlossen: gut, um auf die Zunge zu drücken, nicht für eine Sicht</translation>
     </message>
     <message>
         <source>hidden by tongue and epiglottis, as it should be</source>
-        <translation type="unfinished"></translation>
+        <translation>von Zunge und Epiglottis verdeckt, wie es sein soll</translation>
     </message>
     <message>
         <source>expected to be hidden before the lift</source>
-        <translation type="unfinished"></translation>
+        <translation>sollte vor dem Anheben verdeckt sein</translation>
     </message>
     <message>
         <source>The trial was recorded to its end at %1 s</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Durchgang wurde bis zu seinem Ende bei %1 s aufgezeichnet</translation>
     </message>
     <message>
         <source>The blade entered the mouth at %1 s</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Spatel kam bei %1 s in den Mund</translation>
     </message>
     <message>
         <source>The attempt never began: the blade&apos;s tip did not enter the mouth</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Intubationsversuch begann nie: Die Spatelspitze kam nicht in den Mund</translation>
     </message>
     <message>
         <source>The glottis was never in sight; %1 % of it must be seen</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Glottis war nie in Sicht; %1 % von ihr müssen zu sehen sein</translation>
     </message>
     <message>
         <source>Glottis seen to %1 % at %2 s, at least the %3 % asked for</source>
-        <translation type="unfinished"></translation>
+        <translation>Glottis bei %2 s zu %1 % gesehen, mindestens die verlangten %3 %</translation>
     </message>
     <message>
         <source>Glottis seen to %1 % at %2 s, less than the %3 % asked for</source>
-        <translation type="unfinished"></translation>
+        <translation>Glottis bei %2 s zu %1 % gesehen, weniger als die verlangten %3 %</translation>
     </message>
     <message>
         <source>The attempt took %1 s (%2 s to %3 s), within the %4 s allowed</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Intubationsversuch dauerte %1 s (%2 s bis %3 s), innerhalb der erlaubten %4 s</translation>
     </message>
     <message>
         <source>The attempt took %1 s (%2 s to %3 s), more than the %4 s allowed</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Intubationsversuch dauerte %1 s (%2 s bis %3 s), mehr als die erlaubten %4 s</translation>
     </message>
     <message>
         <source>The attempt took %1 s (%2 s to %3 s, the blade was still in the mouth), within the %4 s allowed</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Intubationsversuch dauerte %1 s (%2 s bis %3 s, der Spatel war noch im Mund), innerhalb der erlaubten %4 s</translation>
     </message>
     <message>
         <source>The attempt took %1 s (%2 s to %3 s, the blade was still in the mouth), more than the %4 s allowed</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Intubationsversuch dauerte %1 s (%2 s bis %3 s, der Spatel war noch im Mund), mehr als die erlaubten %4 s</translation>
     </message>
     <message>
         <source>Peak force on the tongue %1 N at %2 s, within the %3 N allowed</source>
-        <translation type="unfinished"></translation>
+        <translation>Höchste Kraft auf die Zunge %1 N bei %2 s, innerhalb der erlaubten %3 N</translation>
     </message>
     <message>
         <source>Peak force on the tongue %1 N at %2 s, more than the %3 N allowed</source>
-        <translation type="unfinished"></translation>
+        <translation>Höchste Kraft auf die Zunge %1 N bei %2 s, mehr als die erlaubten %3 N</translation>
     </message>
     <message>
         <source>Peak force on the tongue %1 N, within the %2 N allowed</source>
-        <translation type="unfinished"></translation>
+        <translation>Höchste Kraft auf die Zunge %1 N, innerhalb der erlaubten %2 N</translation>
     </message>
     <message>
         <source>Peak force on the tongue %1 N, more than the %2 N allowed</source>
-        <translation type="unfinished"></translation>
+        <translation>Höchste Kraft auf die Zunge %1 N, mehr als die erlaubten %2 N</translation>
     </message>
     <message>
         <source>Peak force on the gums %1 N at %2 s, within the %3 N allowed</source>
-        <translation type="unfinished"></translation>
+        <translation>Höchste Kraft auf die Zahnleisten %1 N bei %2 s, innerhalb der erlaubten %3 N</translation>
     </message>
     <message>
         <source>Peak force on the gums %1 N at %2 s, more than the %3 N allowed</source>
-        <translation type="unfinished"></translation>
+        <translation>Höchste Kraft auf die Zahnleisten %1 N bei %2 s, mehr als die erlaubten %3 N</translation>
     </message>
     <message>
         <source>Peak force on the gums %1 N, within the %2 N allowed</source>
-        <translation type="unfinished"></translation>
+        <translation>Höchste Kraft auf die Zahnleisten %1 N, innerhalb der erlaubten %2 N</translation>
     </message>
     <message>
         <source>Peak force on the gums %1 N, more than the %2 N allowed</source>
-        <translation type="unfinished"></translation>
+        <translation>Höchste Kraft auf die Zahnleisten %1 N, mehr als die erlaubten %2 N</translation>
     </message>
     <message>
         <source>Force on the tongue above its target of %1 N for %2 s (first at %3 s), within the %4 s allowed</source>
-        <translation type="unfinished"></translation>
+        <translation>Kraft auf die Zunge über ihrem Ziel von %1 N für %2 s (zuerst bei %3 s), innerhalb der erlaubten %4 s</translation>
     </message>
     <message>
         <source>Force on the tongue above its target of %1 N for %2 s (first at %3 s), more than the %4 s allowed</source>
-        <translation type="unfinished"></translation>
+        <translation>Kraft auf die Zunge über ihrem Ziel von %1 N für %2 s (zuerst bei %3 s), mehr als die erlaubten %4 s</translation>
     </message>
     <message>
         <source>Force on the tongue above its target of %1 N for %2 s, within the %3 s allowed</source>
-        <translation type="unfinished"></translation>
+        <translation>Kraft auf die Zunge über ihrem Ziel von %1 N für %2 s, innerhalb der erlaubten %3 s</translation>
     </message>
     <message>
         <source>Force on the tongue above its target of %1 N for %2 s, more than the %3 s allowed</source>
-        <translation type="unfinished"></translation>
+        <translation>Kraft auf die Zunge über ihrem Ziel von %1 N für %2 s, mehr als die erlaubten %3 s</translation>
     </message>
     <message>
         <source>Device at its force limit of %1 N or lost, for %2 s (longest from %3 s), within the %4 s allowed</source>
-        <translation type="unfinished"></translation>
+        <translation>Gerät an seiner Kraftgrenze von %1 N oder verloren, für %2 s (am längsten ab %3 s), innerhalb der erlaubten %4 s</translation>
     </message>
     <message>
         <source>Device at its force limit of %1 N or lost, for %2 s (longest from %3 s), more than the %4 s allowed</source>
-        <translation type="unfinished"></translation>
+        <translation>Gerät an seiner Kraftgrenze von %1 N oder verloren, für %2 s (am längsten ab %3 s), mehr als die erlaubten %4 s</translation>
     </message>
     <message>
         <source>Device at its force limit of %1 N or lost, for %2 s, within the %3 s allowed</source>
-        <translation type="unfinished"></translation>
+        <translation>Gerät an seiner Kraftgrenze von %1 N oder verloren, für %2 s, innerhalb der erlaubten %3 s</translation>
     </message>
     <message>
         <source>Device at its force limit of %1 N or lost, for %2 s, more than the %3 s allowed</source>
-        <translation type="unfinished"></translation>
+        <translation>Gerät an seiner Kraftgrenze von %1 N oder verloren, für %2 s, mehr als die erlaubten %3 s</translation>
     </message>
     <message>
         <source>Saturation fell to %1 % at %2 s, at least the %3 % asked for</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Sättigung fiel bei %2 s auf %1 %, mindestens die verlangten %3 %</translation>
     </message>
     <message>
         <source>Saturation fell to %1 % at %2 s, less than the %3 % asked for</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Sättigung fiel bei %2 s auf %1 %, weniger als die verlangten %3 %</translation>
     </message>
     <message>
         <source>The heart fell to %1 per minute at %2 s, at least the %3 per minute asked for</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Herzfrequenz fiel bei %2 s auf %1 pro Minute, mindestens die verlangten %3 pro Minute</translation>
     </message>
     <message>
         <source>The heart fell to %1 per minute at %2 s, less than the %3 per minute asked for</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Herzfrequenz fiel bei %2 s auf %1 pro Minute, weniger als die verlangten %3 pro Minute</translation>
     </message>
     <message>
         <source>In no attempt did saturation fall by %1 points or more</source>
-        <translation type="unfinished"></translation>
+        <translation>In keinem Intubationsversuch fiel die Sättigung um %1 Punkte oder mehr</translation>
     </message>
     <message>
         <source>The tube was never in the oesophagus</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Tubus war nie im Ösophagus</translation>
     </message>
     <message>
         <source>The tube lies in the oesophagus</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Tubus liegt im Ösophagus</translation>
     </message>
     <message>
         <source>The tube was stopped by the cricoid and never came past it</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Tubus wurde vom Ringknorpel aufgehalten und kam nie hindurch</translation>
     </message>
     <message>
         <source>The cords were closed, and the tube is not past them</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Stimmlippen waren geschlossen, und der Tubus ist nicht dahinter</translation>
     </message>
     <message>
         <source>The tube is not in the trachea: the intubation was given up</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Tubus ist nicht in der Trachea: Die Intubation wurde aufgegeben</translation>
     </message>
     <message>
         <source>The trial&apos;s time was over before the tube was in the trachea</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Zeit war um, bevor der Tubus in der Trachea war</translation>
     </message>
     <message>
         <source>The cords were passed before the blade was in the mouth, so not under sight</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Stimmlippen wurden passiert, bevor der Spatel im Mund war, also nicht unter Sicht</translation>
     </message>
     <message>
         <source>The tube&apos;s tip lies %1 mm past the cords, %2 % of the way to the carina: good depth</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Tubusspitze liegt %1 mm hinter den Stimmlippen, %2 % des Weges zur Carina: gute Tiefe</translation>
     </message>
     <message>
         <source>The tube&apos;s tip lies %1 mm past the cords, %2 % of the way to the carina: in the trachea, but to be advanced</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Tubusspitze liegt %1 mm hinter den Stimmlippen, %2 % des Weges zur Carina: in der Trachea, aber vorzuschieben</translation>
     </message>
     <message>
         <source>The tube&apos;s tip lies %1 mm past the cords, %2 % of the way to the carina: in the trachea, but to be drawn back</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Tubusspitze liegt %1 mm hinter den Stimmlippen, %2 % des Weges zur Carina: in der Trachea, aber zurückzuziehen</translation>
     </message>
     <message>
         <source>The tube&apos;s tip lies in the right main bronchus: only one lung gets air</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Tubusspitze liegt im rechten Hauptbronchus: Nur eine Lunge bekommt Luft</translation>
     </message>
     <message>
         <source>The tube&apos;s tip lies in the left main bronchus: only one lung gets air</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Tubusspitze liegt im linken Hauptbronchus: Nur eine Lunge bekommt Luft</translation>
     </message>
     <message>
         <source>The tube&apos;s tip lies in a main bronchus: only one lung gets air</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Tubusspitze liegt in einem Hauptbronchus: Nur eine Lunge bekommt Luft</translation>
     </message>
     <message>
         <source>The detector turned yellow with breath %1, within the %2 breaths allowed</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Detektor wurde mit Hub %1 gelb, innerhalb der erlaubten %2 Hübe</translation>
     </message>
     <message>
         <source>The detector turned yellow with breath %1, more than the %2 breaths allowed</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Detektor wurde mit Hub %1 gelb, mehr als die erlaubten %2 Hübe</translation>
     </message>
     <message>
         <source>%1 attempt, within the %2 allowed</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Intubationsversuch, innerhalb der erlaubten %2</translation>
     </message>
     <message>
         <source>%1 attempts, within the %2 allowed</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Intubationsversuche, innerhalb der erlaubten %2</translation>
     </message>
     <message>
         <source>%1 attempts, more than the %2 allowed</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Intubationsversuche, mehr als die erlaubten %2</translation>
     </message>
     <message>
         <source>The tip came in %1 mm to the left of the midline</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Spitze kam %1 mm links der Mittellinie hinein</translation>
     </message>
     <message>
         <source>The tip came in %1 mm to the right of the midline</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Spitze kam %1 mm rechts der Mittellinie hinein</translation>
     </message>
     <message>
         <source>The tip came within %1 mm of it</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Spitze kam ihr bis auf %1 mm nahe</translation>
     </message>
     <message>
         <source>The tip came no nearer to it than %1 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Spitze kam ihr nicht näher als %1 mm</translation>
     </message>
     <message>
         <source>The tip came no nearer to it than %1 mm, but the glottis was seen: lifting the epiglottis itself is of equal worth</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Spitze kam ihr nicht näher als %1 mm, aber die Glottis wurde gesehen: Die Epiglottis selbst aufzuladen ist gleichwertig</translation>
     </message>
     <message>
         <source>The upper jaw never bore more than %1 N of the load</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Oberkiefer trug nie mehr als %1 N der Last</translation>
     </message>
     <message>
         <source>From %1 s on the upper jaw bore more than %2 N of the load, %3 N at most</source>
-        <translation type="unfinished"></translation>
+        <translation>Ab %1 s trug der Oberkiefer mehr als %2 N der Last, höchstens %3 N</translation>
     </message>
     <message>
         <source>In sight at %1 s, passed at %2 s</source>
-        <translation type="unfinished"></translation>
+        <translation>In Sicht bei %1 s, passiert bei %2 s</translation>
     </message>
     <message>
         <source>Passed at %1 s without a view before</source>
-        <translation type="unfinished"></translation>
+        <translation>Passiert bei %1 s ohne Sicht davor</translation>
     </message>
     <message>
         <source>%1 % of the glottis in sight at %2 s</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 % der Glottis in Sicht bei %2 s</translation>
     </message>
     <message>
         <source>Passed at %1 s with the blade out</source>
-        <translation type="unfinished"></translation>
+        <translation>Passiert bei %1 s mit dem Spatel draußen</translation>
     </message>
     <message>
         <source>The first breath at %1 s</source>
-        <translation type="unfinished"></translation>
+        <translation>Der erste Hub bei %1 s</translation>
     </message>
     <message>
         <source>Still in at the first breath at %1 s</source>
-        <translation type="unfinished"></translation>
+        <translation>Beim ersten Hub bei %1 s noch darin</translation>
     </message>
     <message>
         <source>%1 ml at first, %2 ml at the end</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ml anfangs, %2 ml am Ende</translation>
     </message>
     <message>
         <source>%1 ml at first, %2 ml at the end, no catheter took them</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ml anfangs, %2 ml am Ende, kein Katheter hat sie abgesaugt</translation>
     </message>
     <message>
         <source>The attempt at %1 s began without a breath before</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Intubationsversuch bei %1 s begann ohne einen Beatmungshub davor</translation>
+    </message>
+    <message>
+        <source>A curriculum: scenarios in the order in which they are practised. Every force is a training target, never an injury limit.</source>
+        <translation>Ein Kurs: Szenarien in der Reihenfolge, in der sie geübt werden. Jede Kraft ist ein Trainingsziel, nie eine Verletzungsgrenze.</translation>
+    </message>
+    <message>
+        <source>lower-case letters, digits and single hyphens</source>
+        <translation>Kleinbuchstaben, Ziffern und einzelne Bindestriche</translation>
+    </message>
+    <message>
+        <source>inner diameter in mm</source>
+        <translation>Innendurchmesser in mm</translation>
+    </message>
+    <message>
+        <source>percent</source>
+        <translation>Prozent</translation>
+    </message>
+    <message>
+        <source>Schema</source>
+        <translation>Schema</translation>
+    </message>
+    <message>
+        <source>Title</source>
+        <translation>Titel</translation>
+    </message>
+    <message>
+        <source>Blades by weight</source>
+        <translation>Spatel nach Gewicht</translation>
+    </message>
+    <message>
+        <source>Tubes by weight</source>
+        <translation>Tuben nach Gewicht</translation>
+    </message>
+    <message>
+        <source>Scenarios</source>
+        <translation>Szenarien</translation>
+    </message>
+    <message>
+        <source>rows by growing weight; a scenario without a blade takes the first row above its weight</source>
+        <translation>Zeilen nach wachsendem Gewicht; ein Szenario ohne Spatel nimmt die erste Zeile über seinem Gewicht</translation>
+    </message>
+    <message>
+        <source>Below</source>
+        <translation>Unter</translation>
+    </message>
+    <message>
+        <source>Blade</source>
+        <translation>Spatel</translation>
+    </message>
+    <message>
+        <source>kg</source>
+        <translation>kg</translation>
+    </message>
+    <message>
+        <source>rows by growing weight; an intubation without a tube takes the first row above the weight</source>
+        <translation>Zeilen nach wachsendem Gewicht; eine Intubation ohne Tubus nimmt die erste Zeile über dem Gewicht</translation>
+    </message>
+    <message>
+        <source>Briefing</source>
+        <translation>Einweisung</translation>
+    </message>
+    <message>
+        <source>Manikin</source>
+        <translation>Phantom</translation>
+    </message>
+    <message>
+        <source>Tongue young</source>
+        <translation>Elastizität der Zunge</translation>
+    </message>
+    <message>
+        <source>Sight</source>
+        <translation>Sicht</translation>
+    </message>
+    <message>
+        <source>Max attempt</source>
+        <translation>Längster Durchgang</translation>
+    </message>
+    <message>
+        <source>Targets</source>
+        <translation>Ziele</translation>
+    </message>
+    <message>
+        <source>Pass</source>
+        <translation>Bestehen</translation>
+    </message>
+    <message>
+        <source>Intubation</source>
+        <translation>Intubation</translation>
+    </message>
+    <message>
+        <source>Weight</source>
+        <translation>Gewicht</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Startwert</translation>
+    </message>
+    <message>
+        <source>Pa; without it the patient&apos;s own</source>
+        <translation>Pa; ohne Angabe die des Patienten</translation>
+    </message>
+    <message>
+        <source>Tongue force</source>
+        <translation>Zungenkraft</translation>
+    </message>
+    <message>
+        <source>Gum force</source>
+        <translation>Zahnleistenkraft</translation>
+    </message>
+    <message>
+        <source>Glottis visible</source>
+        <translation>Glottis sichtbar</translation>
+    </message>
+    <message>
+        <source>Time over target</source>
+        <translation>Zeit über dem Ziel</translation>
+    </message>
+    <message>
+        <source>Time over device limit</source>
+        <translation>Zeit über der Gerätegrenze</translation>
+    </message>
+    <message>
+        <source>Stylet</source>
+        <translation>Führungsstab</translation>
+    </message>
+    <message>
+        <source>Catheter</source>
+        <translation>Katheter</translation>
+    </message>
+    <message>
+        <source>Course</source>
+        <translation>Kurs</translation>
+    </message>
+    <message>
+        <source>Gestation</source>
+        <translation>Gestationsalter</translation>
+    </message>
+    <message>
+        <source>Infant seed</source>
+        <translation>Startwert des Kindes</translation>
+    </message>
+    <message>
+        <source>Added oxygen</source>
+        <translation>Zusätzlicher Sauerstoff</translation>
+    </message>
+    <message>
+        <source>Premedicated</source>
+        <translation>Prämediziert</translation>
+    </message>
+    <message>
+        <source>Breathes</source>
+        <translation>Atmet</translation>
+    </message>
+    <message>
+        <source>Laryngospasm</source>
+        <translation>Laryngospasmus</translation>
+    </message>
+    <message>
+        <source>Laryngospasm from start</source>
+        <translation>Laryngospasmus von Anfang an</translation>
+    </message>
+    <message>
+        <source>Cord closure</source>
+        <translation>Stimmlippenschluss</translation>
+    </message>
+    <message>
+        <source>Laryngeal pressure</source>
+        <translation>Kehlkopfdruck</translation>
+    </message>
+    <message>
+        <source>Breaths to confirm</source>
+        <translation>Hübe bis zur Bestätigung</translation>
+    </message>
+    <message>
+        <source>mm, diameter of its metal; without it 1.2</source>
+        <translation>mm, Durchmesser seines Metalls; ohne Angabe 1,2</translation>
+    </message>
+    <message>
+        <source>French; 0: none at hand; without it 8</source>
+        <translation>Charrière; 0: keiner zur Hand; ohne Angabe 8</translation>
+    </message>
+    <message>
+        <source>weeks</source>
+        <translation>Wochen</translation>
+    </message>
+    <message>
+        <source>percent of the gas, in breaths given; without it 10, of a preoxygenated infant 0</source>
+        <translation>Prozent des Gases in gegebenen Hüben; ohne Angabe 10, bei präoxygeniertem Kind 0</translation>
+    </message>
+    <message>
+        <source>without it as the course has it</source>
+        <translation>ohne Angabe wie im Kurs</translation>
+    </message>
+    <message>
+        <source>by itself; without it true, of a premedicated infant false</source>
+        <translation>von selbst; ohne Angabe wahr, bei prämediziertem Kind falsch</translation>
+    </message>
+    <message>
+        <source>s; 0: none</source>
+        <translation>s; 0: keiner</translation>
+    </message>
+    <message>
+        <source>s, after a touch; without it 1</source>
+        <translation>s, nach einer Berührung; ohne Angabe 1</translation>
+    </message>
+    <message>
+        <source>ml</source>
+        <translation>ml</translation>
+    </message>
+    <message>
+        <source>N, of the assistant on request; 0: none; without it 3</source>
+        <translation>N, der Assistenz auf Verlangen; 0: keiner; ohne Angabe 3</translation>
+    </message>
+    <message>
+        <source>without it 6</source>
+        <translation>ohne Angabe 6</translation>
+    </message>
+    <message>
+        <source>Outcomes</source>
+        <translation>Ergebnisse</translation>
+    </message>
+    <message>
+        <source>Tube force</source>
+        <translation>Tubuskraft</translation>
+    </message>
+    <message>
+        <source>CO2 confirmed</source>
+        <translation>CO2 bestätigt</translation>
+    </message>
+    <message>
+        <source>Depth neutral</source>
+        <translation>Tiefe neutral</translation>
+    </message>
+    <message>
+        <source>Oesophagus in time</source>
+        <translation>Ösophagus rechtzeitig</translation>
+    </message>
+    <message>
+        <source>No severe desaturation</source>
+        <translation>Kein schwerer Sättigungsabfall</translation>
+    </message>
+    <message>
+        <source>accepted; without it good-depth alone</source>
+        <translation>anerkannt; ohne Angabe nur good-depth</translation>
+    </message>
+    <message>
+        <source>per minute</source>
+        <translation>pro Minute</translation>
+    </message>
+    <message>
+        <source>A curriculum: modules in the order in which they are learned, and their scenarios. Every force is a training target, never an injury limit.</source>
+        <translation>Ein Kurs: Module in der Reihenfolge, in der sie gelernt werden, und ihre Szenarien. Jede Kraft ist ein Trainingsziel, nie eine Verletzungsgrenze.</translation>
+    </message>
+    <message>
+        <source>English text, or a text a language, { en: ..., de: ... }; Markdown</source>
+        <translation>Englischer Text oder ein Text je Sprache, { en: ..., de: ... }; Markdown</translation>
+    </message>
+    <message>
+        <source>languages like en, de, pt-BR</source>
+        <translation>Sprachen wie en, de, pt-BR</translation>
+    </message>
+    <message>
+        <source>where a number comes from, or &quot;assumed&quot;</source>
+        <translation>woher eine Zahl kommt, oder &quot;assumed&quot;</translation>
+    </message>
+    <message>
+        <source>inner diameter, in quotes</source>
+        <translation>Innendurchmesser, in Anführungszeichen</translation>
+    </message>
+    <message>
+        <source>Short name (id)</source>
+        <translation>Kurzname (Id)</translation>
+    </message>
+    <message>
+        <source>Goals</source>
+        <translation>Lernziele</translation>
+    </message>
+    <message>
+        <source>When it is mastered</source>
+        <translation>Wann es gemeistert ist</translation>
+    </message>
+    <message>
+        <source>Weights and sources of the pass marks</source>
+        <translation>Gewichte und Quellen der Kriterien</translation>
+    </message>
+    <message>
+        <source>Modules</source>
+        <translation>Module</translation>
+    </message>
+    <message>
+        <source>version of these rules</source>
+        <translation>Version dieser Regeln</translation>
+    </message>
+    <message>
+        <source>what whoever has finished can do</source>
+        <translation>was kann, wer fertig ist</translation>
+    </message>
+    <message>
+        <source>for every module that has no rule of its own</source>
+        <translation>für jedes Modul ohne eigene Regel</translation>
+    </message>
+    <message>
+        <source>for every pass mark that a scenario says nothing about</source>
+        <translation>für jedes Kriterium, zu dem ein Szenario nichts sagt</translation>
+    </message>
+    <message>
+        <source>Right blade</source>
+        <translation>Richtiger Spatel</translation>
+    </message>
+    <message>
+        <source>Right tube</source>
+        <translation>Richtiger Tubus</translation>
+    </message>
+    <message>
+        <source>in the order in which they are learned</source>
+        <translation>in der Reihenfolge, in der sie gelernt werden</translation>
+    </message>
+    <message>
+        <source>Goal</source>
+        <translation>Lernziel</translation>
+    </message>
+    <message>
+        <source>Opens after</source>
+        <translation>Öffnet sich nach</translation>
+    </message>
+    <message>
+        <source>Modes</source>
+        <translation>Modi</translation>
+    </message>
+    <message>
+        <source>their ids, in order; each belongs to one module</source>
+        <translation>ihre Ids, der Reihe nach; jede gehört zu einem Modul</translation>
+    </message>
+    <message>
+        <source>ids of modules to be mastered before this one opens</source>
+        <translation>Ids der Module, die gemeistert sein müssen, bevor dieses sich öffnet</translation>
+    </message>
+    <message>
+        <source>assessment: no helps, no replay, no variation, own rating before the score</source>
+        <translation>Prüfung: keine Hilfen, keine Wiedergabe, keine Variation, eigene Bewertung vor der Wertung</translation>
+    </message>
+    <message>
+        <source>Rule</source>
+        <translation>Regel</translation>
+    </message>
+    <message>
+        <source>Passes running</source>
+        <translation>Bestanden in Folge</translation>
+    </message>
+    <message>
+        <source>Within attempts</source>
+        <translation>Innerhalb von Versuchen</translation>
+    </message>
+    <message>
+        <source>Acceptable failure</source>
+        <translation>Annehmbarer Misserfolg</translation>
+    </message>
+    <message>
+        <source>Unacceptable failure</source>
+        <translation>Nicht annehmbarer Misserfolg</translation>
+    </message>
+    <message>
+        <source>Risk alpha</source>
+        <translation>Risiko alpha</translation>
+    </message>
+    <message>
+        <source>Risk beta</source>
+        <translation>Risiko beta</translation>
+    </message>
+    <message>
+        <source>Trials that count</source>
+        <translation>Durchgänge, die zählen</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>Quelle</translation>
+    </message>
+    <message>
+        <source>cusum: over all trials of the module, and each scenario passed once; consecutive: each scenario passed so many times running</source>
+        <translation>cusum: über alle Durchgänge des Moduls, und jedes Szenario einmal bestanden; consecutive: jedes Szenario so oft hintereinander bestanden</translation>
+    </message>
+    <message>
+        <source>running, of the rule consecutive</source>
+        <translation>hintereinander, der Regel consecutive</translation>
+    </message>
+    <message>
+        <source>a trial that took more is no success</source>
+        <translation>ein Durchgang, der mehr brauchte, ist kein Erfolg</translation>
+    </message>
+    <message>
+        <source>of the rule cusum</source>
+        <translation>der Regel cusum</translation>
+    </message>
+    <message>
+        <source>of the rule cusum: risk of calling an acceptable hand deficient</source>
+        <translation>der Regel cusum: Risiko, eine annehmbare Hand unzureichend zu nennen</translation>
+    </message>
+    <message>
+        <source>of the rule cusum: risk of calling an unacceptable hand competent</source>
+        <translation>der Regel cusum: Risiko, eine nicht annehmbare Hand kompetent zu nennen</translation>
+    </message>
+    <message>
+        <source>which trials count</source>
+        <translation>welche Durchgänge zählen</translation>
+    </message>
+    <message>
+        <source>share of the points; failing the mark fails the trial whatever its weight</source>
+        <translation>Anteil an den Punkten; ein verfehltes Kriterium lässt den Durchgang scheitern, gleich welches Gewicht es hat</translation>
+    </message>
+    <message>
+        <source>Glottis seen at least</source>
+        <translation>Glottis mindestens gesehen</translation>
+    </message>
+    <message>
+        <source>Time of an attempt</source>
+        <translation>Dauer eines Intubationsversuchs</translation>
+    </message>
+    <message>
+        <source>Time above the target</source>
+        <translation>Zeit über dem Ziel</translation>
+    </message>
+    <message>
+        <source>Time at the device&apos;s limit</source>
+        <translation>Zeit an der Gerätegrenze</translation>
+    </message>
+    <message>
+        <source>Accepted outcomes</source>
+        <translation>Anerkannte Ergebnisse</translation>
+    </message>
+    <message>
+        <source>Force along the tube</source>
+        <translation>Kraft längs des Tubus</translation>
+    </message>
+    <message>
+        <source>Time from view to cords passed</source>
+        <translation>Zeit von der Sicht bis hinter die Stimmlippen</translation>
+    </message>
+    <message>
+        <source>Confirmed by CO2</source>
+        <translation>Durch CO2 bestätigt</translation>
+    </message>
+    <message>
+        <source>Depth good with the head neutral</source>
+        <translation>Tiefe gut bei neutralem Kopf</translation>
+    </message>
+    <message>
+        <source>Oesophagus recognised in time</source>
+        <translation>Ösophagus rechtzeitig erkannt</translation>
+    </message>
+    <message>
+        <source>weight and source of each pass mark; none of them is validated</source>
+        <translation>Gewicht und Quelle jedes Kriteriums; keines ist validiert</translation>
+    </message>
+    <message>
+        <source>The infant</source>
+        <translation>Das Kind</translation>
+    </message>
+    <message>
+        <source>Varies from attempt to attempt</source>
+        <translation>Wechselt von Durchgang zu Durchgang</translation>
+    </message>
+    <message>
+        <source>Blades to choose from</source>
+        <translation>Spatel zur Auswahl</translation>
+    </message>
+    <message>
+        <source>Stiffness of the tongue</source>
+        <translation>Steifigkeit der Zunge</translation>
+    </message>
+    <message>
+        <source>In sight from</source>
+        <translation>In Sicht ab</translation>
+    </message>
+    <message>
+        <source>The trial ends after</source>
+        <translation>Der Durchgang endet nach</translation>
+    </message>
+    <message>
+        <source>Training targets</source>
+        <translation>Trainingsziele</translation>
+    </message>
+    <message>
+        <source>Passes with</source>
+        <translation>Bestanden mit</translation>
+    </message>
+    <message>
+        <source>Helps on the screen</source>
+        <translation>Hilfen auf dem Bildschirm</translation>
+    </message>
+    <message>
+        <source>Distractions</source>
+        <translation>Ablenkungen</translation>
+    </message>
+    <message>
+        <source>ids of modules to be mastered before this scenario opens</source>
+        <translation>Ids der Module, die gemeistert sein müssen, bevor dieses Szenario sich öffnet</translation>
+    </message>
+    <message>
+        <source>Which infant (seed)</source>
+        <translation>Welches Kind (Startwert)</translation>
+    </message>
+    <message>
+        <source>Mouth opening</source>
+        <translation>Mundöffnung</translation>
+    </message>
+    <message>
+        <source>Tongue size</source>
+        <translation>Zungengröße</translation>
+    </message>
+    <message>
+        <source>Larynx height</source>
+        <translation>Kehlkopfhöhe</translation>
+    </message>
+    <message>
+        <source>Epiglottis length</source>
+        <translation>Länge der Epiglottis</translation>
+    </message>
+    <message>
+        <source>one infant of that weight; 0 is the unvaried design</source>
+        <translation>ein Kind dieses Gewichts; 0 ist der unveränderte Entwurf</translation>
+    </message>
+    <message>
+        <source>sets the way from the cords to the carina</source>
+        <translation>bestimmt den Weg von den Stimmlippen zur Carina</translation>
+    </message>
+    <message>
+        <source>on 22 mm between the gums at term</source>
+        <translation>bezogen auf 22 mm zwischen den Zahnleisten bei Termingeborenen</translation>
+    </message>
+    <message>
+        <source>on width and height</source>
+        <translation>auf Breite und Höhe</translation>
+    </message>
+    <message>
+        <source>towards the head, in a term infant; a smaller one&apos;s is as much smaller</source>
+        <translation>kopfwärts, bei einem Termingeborenen; bei einem kleineren entsprechend weniger</translation>
+    </message>
+    <message>
+        <source>the trainee takes one before the trial; blade is the right one and among them</source>
+        <translation>Lernende nehmen einen vor dem Durchgang; blade ist der richtige und darunter</translation>
+    </message>
+    <message>
+        <source>stiffness of the tongue</source>
+        <translation>Steifigkeit der Zunge</translation>
+    </message>
+    <message>
+        <source>from here on the glottis counts as in sight</source>
+        <translation>ab hier zählt die Glottis als in Sicht</translation>
+    </message>
+    <message>
+        <source>the trial ends by itself</source>
+        <translation>der Durchgang endet von selbst</translation>
+    </message>
+    <message>
+        <source>Force on the tongue</source>
+        <translation>Kraft auf die Zunge</translation>
+    </message>
+    <message>
+        <source>Force on the gums</source>
+        <translation>Kraft auf die Zahnleisten</translation>
+    </message>
+    <message>
+        <source>what is trained for; never injury limits</source>
+        <translation>worauf trainiert wird; nie Verletzungsgrenzen</translation>
+    </message>
+    <message>
+        <source>to be reached once</source>
+        <translation>einmal zu erreichen</translation>
+    </message>
+    <message>
+        <source>at most, blade into the mouth to blade out</source>
+        <translation>höchstens, Spatel in den Mund bis Spatel heraus</translation>
+    </message>
+    <message>
+        <source>at most, of the tongue&apos;s force</source>
+        <translation>höchstens, der Kraft auf die Zunge</translation>
+    </message>
+    <message>
+        <source>Ghost path</source>
+        <translation>Weg des Experten</translation>
+    </message>
+    <message>
+        <source>Glottis highlight</source>
+        <translation>Glottis hervorgehoben</translation>
+    </message>
+    <message>
+        <source>Sagittal cut</source>
+        <translation>Sagittalschnitt</translation>
+    </message>
+    <message>
+        <source>Force bars</source>
+        <translation>Kraftbalken</translation>
+    </message>
+    <message>
+        <source>helps on the screen; all off in assessment</source>
+        <translation>Hilfen auf dem Bildschirm; in der Prüfung alle aus</translation>
+    </message>
+    <message>
+        <source>the expert&apos;s way as a grey blade</source>
+        <translation>der Weg des Experten als grauer Spatel</translation>
+    </message>
+    <message>
+        <source>the sagittal cut beside the operator&apos;s view</source>
+        <translation>der Sagittalschnitt neben der Sicht der Intubierenden</translation>
+    </message>
+    <message>
+        <source>the live bars of force</source>
+        <translation>die mitlaufenden Kraftbalken</translation>
+    </message>
+    <message>
+        <source>by growing time</source>
+        <translation>nach wachsender Zeit</translation>
+    </message>
+    <message>
+        <source>Blade taken</source>
+        <translation>Genommener Spatel</translation>
+    </message>
+    <message>
+        <source>Tube taken</source>
+        <translation>Genommener Tubus</translation>
+    </message>
+    <message>
+        <source>written by a trial into its log, never in a curriculum</source>
+        <translation>von einem Durchgang in seine Aufzeichnung geschrieben, nie in einen Kurs</translation>
+    </message>
+    <message>
+        <source>what the variation was drawn with; 0: as written</source>
+        <translation>womit die Variation gezogen wurde; 0: wie geschrieben</translation>
+    </message>
+    <message>
+        <source>what the trainee took of those offered</source>
+        <translation>was vom Angebotenen genommen wurde</translation>
+    </message>
+    <message>
+        <source>likewise</source>
+        <translation>ebenso</translation>
+    </message>
+    <message>
+        <source>Infants</source>
+        <translation>Kinder</translation>
+    </message>
+    <message>
+        <source>Another course each time</source>
+        <translation>Jedes Mal ein anderer Verlauf</translation>
+    </message>
+    <message>
+        <source>Distraction delay</source>
+        <translation>Verzögerung der Ablenkungen</translation>
+    </message>
+    <message>
+        <source>each attempt in practice draws from these ranges by its own seed; assessment takes what is written</source>
+        <translation>jeder Übungsdurchgang zieht aus diesen Bereichen mit eigenem Startwert; eine Prüfung nimmt, was geschrieben steht</translation>
+    </message>
+    <message>
+        <source>so many infants in turn, each with a seed and a shape of its own; each is made at its first use</source>
+        <translation>so viele Kinder der Reihe nach, jedes mit eigenem Startwert und eigener Form; jedes wird beim ersten Gebrauch gemacht</translation>
+    </message>
+    <message>
+        <source>of the infants, from to</source>
+        <translation>der Kinder, von bis</translation>
+    </message>
+    <message>
+        <source>from to</source>
+        <translation>von bis</translation>
+    </message>
+    <message>
+        <source>from to; needs an intubation</source>
+        <translation>von bis; braucht eine Intubation</translation>
+    </message>
+    <message>
+        <source>another infant&apos;s saturation and heart each time; needs an intubation</source>
+        <translation>jedes Mal Sättigung und Herz eines anderen Kindes; braucht eine Intubation</translation>
+    </message>
+    <message>
+        <source>from to, added to all distractions</source>
+        <translation>von bis, zu allen Ablenkungen addiert</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Text</translation>
+    </message>
+    <message>
+        <source>Answers</source>
+        <translation>Antworten</translation>
+    </message>
+    <message>
+        <source>Right answer</source>
+        <translation>Richtige Antwort</translation>
+    </message>
+    <message>
+        <source>Time allowed</source>
+        <translation>Erlaubte Zeit</translation>
+    </message>
+    <message>
+        <source>trial time</source>
+        <translation>Zeit im Durchgang</translation>
+    </message>
+    <message>
+        <source>question: to be answered; alarm: to be silenced; talk: what the team says, to be ignored</source>
+        <translation>question: zu beantworten; alarm: stumm zu schalten; talk: was das Team sagt, zu überhören</translation>
+    </message>
+    <message>
+        <source>of a question</source>
+        <translation>einer Frage</translation>
+    </message>
+    <message>
+        <source>which of the answers, counted from 1</source>
+        <translation>welche der Antworten, ab 1 gezählt</translation>
+    </message>
+    <message>
+        <source>of a question or an alarm</source>
+        <translation>einer Frage oder eines Alarms</translation>
+    </message>
+    <message>
+        <source>Tubes to choose from</source>
+        <translation>Tuben zur Auswahl</translation>
+    </message>
+    <message>
+        <source>Stylet&apos;s diameter</source>
+        <translation>Durchmesser des Führungsstabs</translation>
+    </message>
+    <message>
+        <source>Suction catheter</source>
+        <translation>Absaugkatheter</translation>
+    </message>
+    <message>
+        <source>Saturation and heart</source>
+        <translation>Sättigung und Herz</translation>
+    </message>
+    <message>
+        <source>the trainee takes one before the trial; tube is the right one and among them</source>
+        <translation>Lernende nehmen einen vor dem Durchgang; tube ist der richtige und darunter</translation>
+    </message>
+    <message>
+        <source>diameter of its metal</source>
+        <translation>Durchmesser seines Metalls</translation>
+    </message>
+    <message>
+        <source>0: none at hand</source>
+        <translation>0: keiner zur Hand</translation>
+    </message>
+    <message>
+        <source>of saturation and heart; only the first is calibrated to a published one</source>
+        <translation>von Sättigung und Herz; nur der erste ist an einem veröffentlichten kalibriert</translation>
+    </message>
+    <message>
+        <source>one infant of the population; 0 its median</source>
+        <translation>ein Kind der Population; 0 ihr Median</translation>
+    </message>
+    <message>
+        <source>of the gas, in breaths given</source>
+        <translation>des Gases, in gegebenen Hüben</translation>
+    </message>
+    <message>
+        <source>atropine and a muscle relaxant</source>
+        <translation>Atropin und ein Muskelrelaxans</translation>
+    </message>
+    <message>
+        <source>by itself, all through the trial; the cords open with it</source>
+        <translation>von selbst, den ganzen Durchgang lang; die Stimmlippen öffnen sich dabei</translation>
+    </message>
+    <message>
+        <source>after a touch; 0: none</source>
+        <translation>nach einer Berührung; 0: keiner</translation>
+    </message>
+    <message>
+        <source>after a touch</source>
+        <translation>nach einer Berührung</translation>
+    </message>
+    <message>
+        <source>of the assistant on request; 0: none</source>
+        <translation>der Assistenz auf Verlangen; 0: keiner</translation>
+    </message>
+    <message>
+        <source>no colour after so many: not in the trachea</source>
+        <translation>nach so vielen keine Farbe: nicht in der Trachea</translation>
+    </message>
+    <message>
+        <source>accepted</source>
+        <translation>anerkannt</translation>
+    </message>
+    <message>
+        <source>displayed, at least</source>
+        <translation>angezeigt, mindestens</translation>
+    </message>
+    <message>
+        <source>at most, along the tube</source>
+        <translation>höchstens, längs des Tubus</translation>
+    </message>
+    <message>
+        <source>at most, from the view to the cords passed</source>
+        <translation>höchstens, von der Sicht bis hinter die Stimmlippen</translation>
+    </message>
+    <message>
+        <source>within breaths_to_confirm</source>
+        <translation>innerhalb von breaths_to_confirm</translation>
+    </message>
+    <message>
+        <source>a tube in the trachea lies in the middle third with the head neutral, too</source>
+        <translation>ein Tubus in der Trachea liegt auch bei neutralem Kopf im mittleren Drittel</translation>
+    </message>
+    <message>
+        <source>never more than breaths_to_confirm breaths in one stay in the oesophagus</source>
+        <translation>nie mehr als breaths_to_confirm Hübe in einem Aufenthalt im Ösophagus</translation>
+    </message>
+    <message>
+        <source>in no attempt a fall by 20 points or more</source>
+        <translation>in keinem Intubationsversuch ein Abfall um 20 Punkte oder mehr</translation>
     </message>
 </context>
 <context>
     <name>GivenLabels</name>
     <message>
         <source>the label map has none of the structures this program knows inside the scan; name its segments as the list here does (tongue, airway, ...)</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Label-Karte hat im Scan keine der Strukturen, die dieses Programm kennt; benennen Sie ihre Segmente wie die Liste hier (tongue, airway, ...)</translation>
     </message>
     <message>
         <source>the label map has no voxel of this structure inside the scan; name its segment as it is named in the list here</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Label-Karte hat im Scan kein Voxel dieser Struktur; benennen Sie ihr Segment so, wie es in der Liste hier heißt</translation>
     </message>
 </context>
 <context>
     <name>Hints</name>
     <message>
         <source>Heart rate below 60. Stop the attempt: blade and tube out, ventilate by mask (hold B); in life, compressions.</source>
-        <translation type="unfinished"></translation>
+        <translation>Herzfrequenz unter 60. Intubationsversuch abbrechen: Spatel und Tubus heraus, mit Maske beatmen (B halten); im Leben Thoraxkompressionen.</translation>
     </message>
     <message>
         <source>Stop this attempt: blade and tube out, then hold B to ventilate until the heart rate is above 100 and SpO2 is back.</source>
-        <translation type="unfinished"></translation>
+        <translation>Brechen Sie diesen Intubationsversuch ab: Spatel und Tubus heraus, dann B halten und beatmen, bis die Herzfrequenz über 100 und die SpO2 zurück ist.</translation>
     </message>
     <message>
         <source>Hold B to ventilate by mask until the heart rate is above 100 and SpO2 is back. SpO2 lags behind.</source>
-        <translation type="unfinished"></translation>
+        <translation>Halten Sie B und beatmen Sie mit Maske, bis die Herzfrequenz über 100 und die SpO2 zurück ist. Die SpO2 hinkt nach.</translation>
     </message>
     <message>
         <source>Suction catheter: its tip into the secretions, then hold V. Out of the mouth, C gives the tube back.</source>
-        <translation type="unfinished"></translation>
+        <translation>Absaugkatheter: seine Spitze ins Sekret, dann V halten. Außerhalb des Mundes gibt C den Tubus zurück.</translation>
     </message>
     <message>
         <source>The detector is yellow: the tube is in the airway. Bring its tip to good depth and take the blade out; then End.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Detektor ist gelb: Der Tubus liegt im Atemweg. Bringen Sie seine Spitze in gute Tiefe und nehmen Sie den Spatel heraus; dann Beenden.</translation>
     </message>
     <message>
         <source>No CO2 after these breaths: unless the heart rate rises, the tube is in the wrong place. Out, ventilate by mask, again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kein CO2 nach diesen Hüben: Wenn die Herzfrequenz nicht steigt, liegt der Tubus falsch. Heraus, mit Maske beatmen, erneut.</translation>
     </message>
     <message>
         <source>Through: T draws the stylet. Then bring the cord mark to the cords.</source>
-        <translation type="unfinished"></translation>
+        <translation>Hindurch: T zieht den Führungsstab. Dann bringen Sie die Marke an die Stimmlippen.</translation>
     </message>
     <message>
         <source>Cord mark at the cords? Hold B for 5 or 6 breaths; watch the heart rate and the CO2 detector.</source>
-        <translation type="unfinished"></translation>
+        <translation>Marke an den Stimmlippen? Halten Sie B für 5 oder 6 Hübe; beobachten Sie Herzfrequenz und CO2-Detektor.</translation>
     </message>
     <message>
         <source>The cords stay shut: laryngospasm. Draw back, ventilate by mask (B) and wait; never push.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Stimmlippen bleiben geschlossen: Laryngospasmus. Zurückziehen, mit Maske beatmen (B) und warten; nie drücken.</translation>
     </message>
     <message>
         <source>The cords are closed. Wait for them to open; never push.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Stimmlippen sind geschlossen. Warten Sie, bis sie sich öffnen; nie drücken.</translation>
     </message>
     <message>
         <source>Resistance. Draw back a little, turn the tube, try again; never push.</source>
-        <translation type="unfinished"></translation>
+        <translation>Widerstand. Etwas zurückziehen, den Tubus drehen, erneut versuchen; nie drücken.</translation>
     </message>
     <message>
         <source>Tip before the cords: on, between them, and keep them in sight until the mark has passed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Spitze vor den Stimmlippen: weiter, zwischen ihnen hindurch, und im Blick behalten, bis die Marke passiert ist.</translation>
     </message>
     <message>
         <source>Tube along the right side of the mouth, beside the blade, not down its channel; keep the cords in sight.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tubus an der rechten Seite des Mundes entlang, neben dem Spatel, nicht in seiner Rinne; die Stimmlippen im Blick behalten.</translation>
     </message>
     <message>
         <source>Secretions hide the throat: C takes the suction catheter, V held draws them off.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sekret verdeckt den Rachen: C nimmt den Absaugkatheter, V gehalten saugt ab.</translation>
     </message>
     <message>
         <source>Glottis in sight. The tube in at the right corner of the mouth. L held: pressure on the larynx.</source>
-        <translation type="unfinished"></translation>
+        <translation>Glottis in Sicht. Den Tubus am rechten Mundwinkel einführen. L gehalten: Druck auf den Kehlkopf.</translation>
     </message>
     <message>
         <source>Glottis in sight. %1 takes the tube: in at the right corner of the mouth. L held: pressure on the larynx.</source>
-        <translation type="unfinished"></translation>
+        <translation>Glottis in Sicht. %1 nimmt den Tubus: am rechten Mundwinkel einführen. L gehalten: Druck auf den Kehlkopf.</translation>
     </message>
     <message>
         <source>Tongue to the left, tip into the vallecula, then lift along the handle; do not lever. L held: pressure on the larynx.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zunge nach links, Spitze in die Vallecula, dann längs des Griffs heben; nicht hebeln. L gehalten: Druck auf den Kehlkopf.</translation>
     </message>
     <message>
         <source>Ventilated? Blade in at the right corner of the mouth. An attempt lasts 30 s at most; B held gives breaths between attempts.</source>
-        <translation type="unfinished"></translation>
+        <translation>Beatmet? Spatel am rechten Mundwinkel hinein. Ein Intubationsversuch dauert höchstens 30 s; B gehalten beatmet zwischen den Versuchen.</translation>
     </message>
 </context>
 <context>
     <name>ImportChoice</name>
     <message>
         <source>Give it a name of letters, digits, - and _ (at most 40), not the patient&apos;s.</source>
-        <translation type="unfinished"></translation>
+        <translation>Geben Sie einen Namen aus Buchstaben, Ziffern, - und _ (höchstens 40), nicht den des Patienten.</translation>
     </message>
     <message>
         <source>A patient of this name exists already; choose another name.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Patient dieses Namens ist schon vorhanden; wählen Sie einen anderen Namen.</translation>
     </message>
 </context>
 <context>
     <name>ImportWork</name>
     <message>
         <source>Looking at what is there</source>
-        <translation type="unfinished"></translation>
+        <translation>Es wird nachgesehen, was da ist</translation>
     </message>
     <message>
         <source>Reading the series</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Serie wird gelesen</translation>
     </message>
     <message>
         <source>Finding the structures</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Strukturen werden gesucht</translation>
     </message>
     <message>
         <source>Finding the head</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Kopf wird gesucht</translation>
     </message>
     <message>
         <source>Finding the airway</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Atemweg wird gesucht</translation>
     </message>
     <message>
         <source>Finding skull, jaw, spine and hyoid</source>
-        <translation type="unfinished"></translation>
+        <translation>Schädel, Kiefer, Wirbelsäule und Zungenbein werden gesucht</translation>
     </message>
     <message>
         <source>Finding the epiglottis</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Epiglottis wird gesucht</translation>
     </message>
     <message>
         <source>Finding the tongue</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Zunge wird gesucht</translation>
     </message>
     <message>
         <source>Finding soft palate, larynx and oesophagus</source>
-        <translation type="unfinished"></translation>
+        <translation>Weicher Gaumen, Kehlkopf und Ösophagus werden gesucht</translation>
     </message>
     <message>
         <source>Finding the landmarks</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Landmarken werden gesucht</translation>
     </message>
     <message>
         <source>Bringing the patient into position</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Patient wird gelagert</translation>
     </message>
     <message>
         <source>Making the surfaces</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Oberflächen werden gebildet</translation>
     </message>
     <message>
         <source>Making the surface of face and throat</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Oberfläche von Gesicht und Rachen wird gebildet</translation>
     </message>
     <message>
         <source>Making the surface of the airway</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Oberfläche des Atemwegs wird gebildet</translation>
     </message>
     <message>
         <source>Making the surfaces of jaw and palate</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Oberflächen von Kiefer und Gaumen werden gebildet</translation>
     </message>
     <message>
         <source>Filling tongue and epiglottis with tetrahedra</source>
-        <translation type="unfinished"></translation>
+        <translation>Zunge und Epiglottis werden mit Tetraedern gefüllt</translation>
     </message>
     <message>
         <source>Trying an intubation with the scripted expert</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Intubation mit dem Experten nach Drehbuch wird versucht</translation>
     </message>
     <message>
         <source>Writing the patient</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Patient wird geschrieben</translation>
     </message>
     <message>
         <source>takes longer than expected</source>
-        <translation type="unfinished"></translation>
+        <translation>dauert länger als erwartet</translation>
     </message>
     <message>
         <source>about %1 s left</source>
-        <translation type="unfinished"></translation>
+        <translation>noch etwa %1 s</translation>
     </message>
     <message>
         <source>about %1 min left</source>
-        <translation type="unfinished"></translation>
+        <translation>noch etwa %1 min</translation>
     </message>
 </context>
 <context>
     <name>ModuleWords</name>
     <message>
         <source> at the first attempt</source>
-        <translation type="unfinished"></translation>
+        <translation> im ersten Intubationsversuch</translation>
     </message>
     <message>
         <source> within %1 attempts</source>
-        <translation type="unfinished"></translation>
+        <translation> innerhalb von %1 Intubationsversuchen</translation>
     </message>
     <message>
         <source>mastered</source>
-        <translation type="unfinished"></translation>
+        <translation>gemeistert</translation>
     </message>
     <message>
         <source>open</source>
-        <translation type="unfinished"></translation>
+        <translation>offen</translation>
     </message>
     <message>
         <source>closed</source>
-        <translation type="unfinished"></translation>
+        <translation>geschlossen</translation>
     </message>
     <message>
         <source>no trial yet</source>
-        <translation type="unfinished"></translation>
+        <translation>noch kein Durchgang</translation>
     </message>
     <message>
         <source>%1 of %2 trials passed%3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 von %2 Durchgängen bestanden%3</translation>
     </message>
     <message>
         <source>, %1 of %2 scenarios done</source>
-        <translation type="unfinished"></translation>
+        <translation>, %1 von %2 Szenarien erledigt</translation>
     </message>
     <message>
         <source>, cumulative sum %1 (mastered at %2)</source>
-        <translation type="unfinished"></translation>
+        <translation>, kumulative Summe %1 (gemeistert bei %2)</translation>
     </message>
     <message>
         <source>Mastered when the cumulative sum (CUSUM) over all its trials reaches %1 and each scenario has been passed</source>
-        <translation type="unfinished"></translation>
+        <translation>Gemeistert, wenn die kumulative Summe (CUSUM) über alle seine Durchgänge %1 erreicht und jedes Szenario bestanden wurde</translation>
     </message>
     <message>
         <source>Mastered when each scenario has been passed</source>
-        <translation type="unfinished"></translation>
+        <translation>Gemeistert, wenn jedes Szenario bestanden wurde</translation>
     </message>
     <message>
         <source>Mastered when each scenario has been passed %1 times running</source>
-        <translation type="unfinished"></translation>
+        <translation>Gemeistert, wenn jedes Szenario %1-mal hintereinander bestanden wurde</translation>
     </message>
     <message>
         <source>; only assessments count. </source>
-        <translation type="unfinished"></translation>
+        <translation>; nur Prüfungen zählen. </translation>
     </message>
     <message>
         <source>Source: %1. Not validated.</source>
-        <translation type="unfinished"></translation>
+        <translation>Quelle: %1. Nicht validiert.</translation>
     </message>
     <message>
         <source>Opens after %1 is mastered.</source>
-        <translation type="unfinished"></translation>
+        <translation>Öffnet sich, wenn %1 gemeistert ist.</translation>
     </message>
     <message>
         <source> and </source>
-        <translation type="unfinished"></translation>
+        <translation> und </translation>
     </message>
 </context>
 <context>
     <name>MonitorPanel</name>
     <message>
         <source>HEART RATE BELOW 60: COMPRESSIONS</source>
-        <translation type="unfinished"></translation>
+        <translation>HERZFREQUENZ UNTER 60: KOMPRESSIONEN</translation>
     </message>
     <message>
         <source>HEART RATE BELOW 100: VENTILATE</source>
-        <translation type="unfinished"></translation>
+        <translation>HERZFREQUENZ UNTER 100: BEATMEN</translation>
     </message>
     <message>
         <source>SpO2 BELOW 80 %</source>
-        <translation type="unfinished"></translation>
+        <translation>SpO2 UNTER 80 %</translation>
     </message>
 </context>
 <context>
     <name>MouseIntroduction</name>
     <message>
         <source>&lt;tr&gt;&lt;td&gt;&lt;b&gt;Drag, wheel&lt;/b&gt;&lt;/td&gt;&lt;td&gt;moves it in the picture; wheel forward: deeper into the mouth&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Ctrl-drag&lt;/b&gt;&lt;/td&gt;&lt;td&gt;turns it about its tip; so do a drag with the right button and W A S D (Q E: roll)&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Space&lt;/b&gt;&lt;/td&gt;&lt;td&gt;held: lifts the blade along its handle; Backspace lowers&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Shift, + and -&lt;/b&gt;&lt;/td&gt;&lt;td&gt;held: all of it finer; farther, or less far, for the same way&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Arrows, PgUp, PgDn &amp;nbsp;&lt;/b&gt;&lt;/td&gt;&lt;td&gt;move it without a mouse&lt;/td&gt;&lt;/tr&gt;</source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;tr&gt;&lt;td&gt;&lt;b&gt;Ziehen, Mausrad&lt;/b&gt;&lt;/td&gt;&lt;td&gt;bewegt ihn im Bild; Rad nach vorn: tiefer in den Mund&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Strg-Ziehen&lt;/b&gt;&lt;/td&gt;&lt;td&gt;dreht ihn um seine Spitze; ebenso Ziehen mit der rechten Taste und W A S D (Q E: rollen)&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Leertaste&lt;/b&gt;&lt;/td&gt;&lt;td&gt;gehalten: hebt den Spatel längs seines Griffs; Rücktaste senkt&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Umschalt, + und -&lt;/b&gt;&lt;/td&gt;&lt;td&gt;gehalten: alles feiner; weiter oder weniger weit bei gleichem Weg&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Pfeile, Bild auf/ab &amp;nbsp;&lt;/b&gt;&lt;/td&gt;&lt;td&gt;bewegen ihn ohne Maus&lt;/td&gt;&lt;/tr&gt;</translation>
     </message>
     <message>
         <source>&lt;tr&gt;&lt;td&gt;&lt;b&gt;X&lt;/b&gt; (or Tab)&lt;/td&gt;&lt;td&gt;the other hand: blade or tube; what you let go of stays where it is&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;B, L&lt;/b&gt;&lt;/td&gt;&lt;td&gt;held: breaths, by mask, or by the tube once it is in; pressure on the larynx&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;C, V&lt;/b&gt;&lt;/td&gt;&lt;td&gt;suction catheter instead of the tube, and back; V held sucks&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;T&lt;/b&gt;&lt;/td&gt;&lt;td&gt;draws the stylet out of the tube&lt;/td&gt;&lt;/tr&gt;</source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;tr&gt;&lt;td&gt;&lt;b&gt;X&lt;/b&gt; (oder Tab)&lt;/td&gt;&lt;td&gt;die andere Hand: Spatel oder Tubus; was Sie loslassen, bleibt, wo es ist&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;B, L&lt;/b&gt;&lt;/td&gt;&lt;td&gt;gehalten: Beatmung mit Maske, oder durch den Tubus, sobald er liegt; Druck auf den Kehlkopf&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;C, V&lt;/b&gt;&lt;/td&gt;&lt;td&gt;Absaugkatheter statt des Tubus und zurück; V gehalten saugt&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;T&lt;/b&gt;&lt;/td&gt;&lt;td&gt;zieht den Führungsstab aus dem Tubus&lt;/td&gt;&lt;/tr&gt;</translation>
     </message>
     <message>
         <source>&lt;p&gt;Tube in at the right corner, beside the blade; the black mark goes to the cords. Never push against resistance.&lt;br&gt;Heart rate below 100: out, and ventilate. Five or six breaths tell by the CO2 detector.&lt;/p&gt;</source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;p&gt;Tubus am rechten Mundwinkel hinein, neben dem Spatel; die schwarze Marke kommt an die Stimmlippen. Nie gegen Widerstand drücken.&lt;br&gt;Herzfrequenz unter 100: heraus und beatmen. Fünf oder sechs Hübe zeigen es am CO2-Detektor.&lt;/p&gt;</translation>
     </message>
     <message>
         <source>A mouse cannot push back: the bars on the right show the force your blade puts on tongue and gum.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Maus kann nicht zurückdrücken: Die Balken rechts zeigen die Kraft Ihres Spatels auf Zunge und Zahnleiste.</translation>
     </message>
     <message>
         <source>A mouse cannot push back.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Maus kann nicht zurückdrücken.</translation>
     </message>
     <message>
         <source>Lift, do not lever. A solid grey blade is your hand, where the blade could not follow it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Heben, nicht hebeln. Ein fester grauer Spatel ist Ihre Hand, wo der Spatel ihr nicht folgen konnte.</translation>
     </message>
     <message>
         <source>The blade you can see through, which moves by itself, is an expert&apos;s.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der durchscheinende Spatel, der sich von selbst bewegt, ist der eines Experten.</translation>
     </message>
 </context>
 <context>
     <name>PassWords</name>
     <message>
         <source>Passes with: at most %1 N on the tongue and %2 N on the gum, at least %3 % of the glottis seen, within %4 s, at most %5 s above the training target of %6 N on the tongue and %7 s at the device&apos;s force limit.</source>
-        <translation type="unfinished"></translation>
+        <translation>Bestanden mit: höchstens %1 N auf die Zunge und %2 N auf die Zahnleiste, mindestens %3 % der Glottis gesehen, innerhalb von %4 s, höchstens %5 s über dem Trainingsziel von %6 N auf die Zunge und %7 s an der Kraftgrenze des Geräts.</translation>
     </message>
     <message>
         <source>outcome: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Ergebnis: %1</translation>
     </message>
     <message>
         <source> or </source>
-        <translation type="unfinished"></translation>
+        <translation> oder </translation>
     </message>
     <message>
         <source>at most %1 attempts</source>
-        <translation type="unfinished"></translation>
+        <translation>höchstens %1 Intubationsversuche</translation>
     </message>
     <message>
         <source>at most %1 s from the view to the cords passed</source>
-        <translation type="unfinished"></translation>
+        <translation>höchstens %1 s von der Sicht bis hinter die Stimmlippen</translation>
     </message>
     <message>
         <source>SpO2 not below %1 %</source>
-        <translation type="unfinished"></translation>
+        <translation>SpO2 nicht unter %1 %</translation>
     </message>
     <message>
         <source>heart rate not below %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Herzfrequenz nicht unter %1</translation>
     </message>
     <message>
         <source>at most %1 N along the tube</source>
-        <translation type="unfinished"></translation>
+        <translation>höchstens %1 N längs des Tubus</translation>
     </message>
     <message>
         <source>the place confirmed by CO2</source>
-        <translation type="unfinished"></translation>
+        <translation>die Lage durch CO2 bestätigt</translation>
     </message>
     <message>
         <source>good depth with the head neutral, too</source>
-        <translation type="unfinished"></translation>
+        <translation>gute Tiefe auch bei neutralem Kopf</translation>
     </message>
     <message>
         <source>a tube in the oesophagus recognised within %1 breaths</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Tubus im Ösophagus innerhalb von %1 Hüben erkannt</translation>
     </message>
     <message>
         <source>no fall of saturation by 20 points in an attempt</source>
-        <translation type="unfinished"></translation>
+        <translation>kein Abfall der Sättigung um 20 Punkte in einem Intubationsversuch</translation>
     </message>
     <message>
         <source>The tube: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Tubus: %1.</translation>
     </message>
 </context>
 <context>
     <name>PersonWords</name>
     <message>
         <source>instructor</source>
-        <translation type="unfinished"></translation>
+        <translation>Lehrperson</translation>
     </message>
     <message>
         <source>trainee</source>
-        <translation type="unfinished"></translation>
+        <translation>Lernende</translation>
     </message>
     <message>
         <source>Deleted: %1 trials, %2 notes, %3 files on this computer.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gelöscht: %1 Durchgänge, %2 Notizen, %3 Dateien auf diesem Rechner.</translation>
     </message>
     <message>
         <source>Still to be deleted: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch zu löschen: %1</translation>
     </message>
     <message>
         <source>%1 with all trials, figures, ratings and notes, and the trials&apos; files: on this computer now, on others when they start next. Only a number stays in the audit trail. Nobody can bring it back; export first what is to be kept.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 mit allen Durchgängen, Messwerten, Bewertungen und Notizen und den Dateien der Durchgänge: auf diesem Rechner jetzt, auf anderen bei deren nächstem Start. Nur eine Nummer bleibt im Protokoll. Niemand kann es zurückholen; exportieren Sie zuerst, was bleiben soll.</translation>
     </message>
     <message>
         <source>Delete for good</source>
-        <translation type="unfinished"></translation>
+        <translation>Endgültig löschen</translation>
     </message>
     <message>
         <source>Keep</source>
-        <translation type="unfinished"></translation>
+        <translation>Behalten</translation>
     </message>
 </context>
 <context>
     <name>ProgressTab</name>
     <message>
         <source>not yet</source>
-        <translation type="unfinished"></translation>
+        <translation>noch nicht</translation>
     </message>
     <message numerus="yes">
         <source>after %n trial(s)</source>
         <translation>
-            <numerusform>nach %n Versuch</numerusform>
-            <numerusform>nach %n Versuchen</numerusform>
+            <numerusform>nach %n Durchgang</numerusform>
+            <numerusform>nach %n Durchgängen</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n trial(s), %1 passed</source>
         <translation>
-            <numerusform>%n Versuch, %1 bestanden</numerusform>
-            <numerusform>%n Versuche, %1 bestanden</numerusform>
+            <numerusform>%n Durchgang, %1 bestanden</numerusform>
+            <numerusform>%n Durchgänge, %1 bestanden</numerusform>
         </translation>
     </message>
 </context>
@@ -2969,150 +3773,150 @@
     <name>RatingWords</name>
     <message>
         <source>%1: yes</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: ja</translation>
     </message>
     <message>
         <source>%1: no</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: nein</translation>
     </message>
     <message>
         <source>%1 of 5</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 von 5</translation>
     </message>
     <message>
         <source>%1 of 5, %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 von 5, %2</translation>
     </message>
     <message>
         <source>The trainee&apos;s own rating: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Eigene Bewertung der Lernenden: %1</translation>
     </message>
     <message>
         <source>You as the instructor: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Sie als Lehrperson: %1</translation>
     </message>
     <message>
         <source>An instructor: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Lehrperson: %1</translation>
     </message>
 </context>
 <context>
     <name>Report</name>
     <message>
         <source>Trial: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Durchgang: %1</translation>
     </message>
     <message>
         <source>Scenario %1, %2, seed %3, device %4, patient %5</source>
-        <translation type="unfinished"></translation>
+        <translation>Szenario %1, %2, Startwert %3, Gerät %4, Patient %5</translation>
     </message>
     <message>
         <source>%1 to %2 UTC</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 bis %2 UTC</translation>
     </message>
     <message>
         <source>Patient %1, scenario %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Patient %1, Szenario %2</translation>
     </message>
     <message>
         <source>The shaded span is the attempt, blade into the mouth to blade out; grey is a pause, in which the device could not be used. Tongue and gum: force of the tissue on the blade (model force). The dotted line is what the device was told to show. A peak is the largest single tick of 1 ms, unfiltered. Time over the device limit counts until a device that was lost has taken hold again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die getönte Spanne ist der Intubationsversuch, Spatel in den Mund bis Spatel heraus; grau ist eine Pause, in der das Gerät nicht zu gebrauchen war. Zunge und Zahnleiste: Kraft des Gewebes auf den Spatel (Modellkraft). Die gepunktete Linie ist, was das Gerät zeigen sollte. Ein Höchstwert ist der größte einzelne Takt von 1 ms, ungefiltert. Die Zeit über der Gerätegrenze zählt, bis ein verlorenes Gerät wieder gefasst hat.</translation>
     </message>
     <message>
         <source>Vallecula is a training tool, not a medical device. Limits and targets are training targets, not injury thresholds.</source>
-        <translation type="unfinished"></translation>
+        <translation>Vallecula ist ein Trainingsgerät, kein Medizinprodukt. Grenzen und Ziele sind Trainingsziele, keine Verletzungsschwellen.</translation>
     </message>
 </context>
 <context>
     <name>ResultPage</name>
     <message>
         <source>Enter</source>
-        <translation type="unfinished"></translation>
+        <translation>Enter</translation>
     </message>
     <message>
         <source>Same attempt again</source>
-        <translation type="unfinished"></translation>
+        <translation>Derselbe Versuch noch einmal</translation>
     </message>
     <message>
         <source>Open the report</source>
-        <translation type="unfinished"></translation>
+        <translation>Bericht öffnen</translation>
     </message>
     <message>
         <source>Other scenario</source>
-        <translation type="unfinished"></translation>
+        <translation>Anderes Szenario</translation>
     </message>
     <message>
         <source>Replay</source>
-        <translation type="unfinished"></translation>
+        <translation>Wiedergabe</translation>
     </message>
 </context>
 <context>
     <name>SeriesRows</name>
     <message>
         <source>No series</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine Serie</translation>
     </message>
 </context>
 <context>
     <name>SourcePage</name>
     <message>
         <source>Name, number, dates and all other text of the scan are left out of the new patient. The surface of the face is the patient&apos;s own, though, and whoever knows the patient may recognise it: treat the package as patient data.</source>
-        <translation type="unfinished"></translation>
+        <translation>Name, Nummer, Daten und aller übriger Text des Scans bleiben aus dem neuen Patienten heraus. Die Oberfläche des Gesichts ist allerdings die eigene, und wer den Patienten kennt, mag ihn erkennen: Behandeln Sie das Paket wie Patientendaten.</translation>
     </message>
 </context>
 <context>
     <name>StartPage</name>
     <message>
         <source>Whoever has finished this course can:</source>
-        <translation type="unfinished"></translation>
+        <translation>Wer diesen Kurs abgeschlossen hat, kann:</translation>
     </message>
     <message>
         <source>&amp;Write a course ...</source>
-        <translation type="unfinished"></translation>
+        <translation>Kurs &amp;schreiben ...</translation>
     </message>
     <message>
         <source>Create, change, try, compare and share courses</source>
-        <translation type="unfinished"></translation>
+        <translation>Kurse anlegen, ändern, ausprobieren, vergleichen und weitergeben</translation>
     </message>
     <message>
         <source>Patient</source>
-        <translation type="unfinished"></translation>
+        <translation>Patient</translation>
     </message>
     <message>
         <source>Device settings ...</source>
-        <translation type="unfinished"></translation>
+        <translation>Geräteeinstellungen ...</translation>
     </message>
     <message>
         <source>Device</source>
-        <translation type="unfinished"></translation>
+        <translation>Gerät</translation>
     </message>
     <message>
         <source>Tube&apos;s hand</source>
-        <translation type="unfinished"></translation>
+        <translation>Hand des Tubus</translation>
     </message>
     <message>
         <source>Mode</source>
-        <translation type="unfinished"></translation>
+        <translation>Modus</translation>
     </message>
 </context>
 <context>
     <name>StatementsLine</name>
     <message>
         <source>Learning record store: nothing waits to be sent</source>
-        <translation type="unfinished"></translation>
+        <translation>Learning Record Store: nichts wartet auf das Senden</translation>
     </message>
     <message numerus="yes">
         <source>Learning record store: %n trial(s) wait to be sent</source>
         <translation>
-            <numerusform>Learning Record Store: %n Versuch wartet auf das Senden</numerusform>
-            <numerusform>Learning Record Store: %n Versuche warten auf das Senden</numerusform>
+            <numerusform>Learning Record Store: %n Durchgang wartet auf das Senden</numerusform>
+            <numerusform>Learning Record Store: %n Durchgänge warten auf das Senden</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n trial(s) refused (%1)</source>
         <translation>
-            <numerusform>%n Versuch abgelehnt (%1)</numerusform>
-            <numerusform>%n Versuche abgelehnt (%1)</numerusform>
+            <numerusform>%n Durchgang abgelehnt (%1)</numerusform>
+            <numerusform>%n Durchgänge abgelehnt (%1)</numerusform>
         </translation>
     </message>
 </context>
@@ -3120,115 +3924,115 @@
     <name>vallecula::gui::AccountTab</name>
     <message>
         <source>Sign in to have your trials counted as yours. Nobody needs to: without signing in one practises all the same, and the trials belong to nobody.</source>
-        <translation type="unfinished"></translation>
+        <translation>Melden Sie sich an, damit Ihre Durchgänge als Ihre zählen. Niemand muss es: Ohne Anmeldung übt man ebenso, und die Durchgänge gehören niemandem.</translation>
     </message>
     <message>
         <source>Name</source>
-        <translation type="unfinished"></translation>
+        <translation>Name</translation>
     </message>
     <message>
         <source>PIN</source>
-        <translation type="unfinished"></translation>
+        <translation>PIN</translation>
     </message>
     <message>
         <source>Sign in</source>
-        <translation type="unfinished"></translation>
+        <translation>Anmelden</translation>
     </message>
     <message>
         <source>&amp;Name</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Name</translation>
     </message>
     <message>
         <source>&amp;PIN</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;PIN</translation>
     </message>
     <message>
         <source>Register as a &amp;trainee ...</source>
-        <translation type="unfinished"></translation>
+        <translation>Als &amp;Lernende registrieren ...</translation>
     </message>
     <message>
         <source>Set up the first &amp;instructor ...</source>
-        <translation type="unfinished"></translation>
+        <translation>Erste Lehr&amp;person einrichten ...</translation>
     </message>
     <message>
         <source>Trials from now on are yours. Sign out when somebody else takes the blade. All that is kept of you you can take along as a folder of open files, or have deleted whole.</source>
-        <translation type="unfinished"></translation>
+        <translation>Von jetzt an sind Durchgänge Ihre. Melden Sie sich ab, wenn jemand anderes den Spatel nimmt. Alles, was von Ihnen aufbewahrt wird, können Sie als Ordner offener Dateien mitnehmen oder ganz löschen lassen.</translation>
     </message>
     <message>
         <source>Sign &amp;out</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Abmelden</translation>
     </message>
     <message>
         <source>Change &amp;PIN ...</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;PIN ändern ...</translation>
     </message>
     <message>
         <source>&amp;Export all my data ...</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle meine Daten &amp;exportieren ...</translation>
     </message>
     <message>
         <source>&amp;Delete me ...</source>
-        <translation type="unfinished"></translation>
+        <translation>Mich &amp;löschen ...</translation>
     </message>
     <message>
         <source>Choose where the export&apos;s folder is made</source>
-        <translation type="unfinished"></translation>
+        <translation>Wählen Sie, wo der Ordner des Exports angelegt wird</translation>
     </message>
     <message>
         <source>Too many wrong PINs: wait %1 s, or ask an instructor for a new PIN.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zu viele falsche PINs: Warten Sie %1 s oder bitten Sie eine Lehrperson um eine neue PIN.</translation>
     </message>
     <message>
         <source>Try the PIN again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Versuchen Sie die PIN erneut.</translation>
     </message>
     <message>
         <source>Looking at the PIN ...</source>
-        <translation type="unfinished"></translation>
+        <translation>Die PIN wird geprüft ...</translation>
     </message>
     <message>
         <source>Set up the instructor</source>
-        <translation type="unfinished"></translation>
+        <translation>Lehrperson einrichten</translation>
     </message>
     <message>
         <source>Register</source>
-        <translation type="unfinished"></translation>
+        <translation>Registrieren</translation>
     </message>
     <message>
         <source>An instructor sees everybody&apos;s progress, rates and notes, gives new PINs and deletes people. There is no way in without this PIN: keep it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Lehrperson sieht den Fortschritt aller, bewertet und notiert, vergibt neue PINs und löscht Personen. Ohne diese PIN führt kein Weg hinein: Bewahren Sie sie auf.</translation>
     </message>
     <message>
         <source>A name or a pseudonym, as you like to be seen in the list. Nobody else can see your PIN; an instructor can give you a new one.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Name oder ein Pseudonym, wie Sie in der Liste erscheinen möchten. Niemand sonst kann Ihre PIN sehen; eine Lehrperson kann Ihnen eine neue geben.</translation>
     </message>
     <message>
         <source>Change PIN</source>
-        <translation type="unfinished"></translation>
+        <translation>PIN ändern</translation>
     </message>
     <message>
         <source>The old one first, so that nobody does it in your place.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zuerst die alte, damit es niemand an Ihrer Stelle tut.</translation>
     </message>
     <message>
         <source>The PIN is changed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die PIN ist geändert.</translation>
     </message>
     <message>
         <source>Exporting ...</source>
-        <translation type="unfinished"></translation>
+        <translation>Wird exportiert ...</translation>
     </message>
     <message>
         <source>All that is kept of you is in %1, in the folder you chose.</source>
-        <translation type="unfinished"></translation>
+        <translation>Alles, was von Ihnen aufbewahrt wird, liegt in %1 im gewählten Ordner.</translation>
     </message>
     <message>
         <source>Delete yourself?</source>
-        <translation type="unfinished"></translation>
+        <translation>Sich selbst löschen?</translation>
     </message>
     <message>
         <source>This deletes you</source>
-        <translation type="unfinished"></translation>
+        <translation>Dies löscht Sie</translation>
     </message>
 </context>
 <context>
@@ -3239,183 +4043,183 @@
     </message>
     <message>
         <source>To the start page</source>
-        <translation type="unfinished"></translation>
+        <translation>Zur Startseite</translation>
     </message>
     <message>
         <source>New</source>
-        <translation type="unfinished"></translation>
+        <translation>Neu</translation>
     </message>
     <message>
         <source>An empty course, or a copy of one there is</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein leerer Kurs oder eine Kopie eines vorhandenen</translation>
     </message>
     <message>
         <source>Empty course</source>
-        <translation type="unfinished"></translation>
+        <translation>Leerer Kurs</translation>
     </message>
     <message>
         <source>A copy of</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Kopie von</translation>
     </message>
     <message>
         <source>Open</source>
-        <translation type="unfinished"></translation>
+        <translation>Öffnen</translation>
     </message>
     <message>
         <source>A course of your own, a shipped one, or a file you were given</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein eigener Kurs, ein mitgelieferter oder eine erhaltene Datei</translation>
     </message>
     <message>
         <source>Another file ...</source>
-        <translation type="unfinished"></translation>
+        <translation>Andere Datei ...</translation>
     </message>
     <message>
         <source>Save</source>
-        <translation type="unfinished"></translation>
+        <translation>Speichern</translation>
     </message>
     <message>
         <source>Save a copy ...</source>
-        <translation type="unfinished"></translation>
+        <translation>Kopie ...</translation>
     </message>
     <message>
         <source>One file, to hand on or keep elsewhere</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Datei, zum Weitergeben oder Aufbewahren</translation>
     </message>
     <message>
         <source>Add to mine</source>
-        <translation type="unfinished"></translation>
+        <translation>Zu meinen</translation>
     </message>
     <message>
         <source>Keep this file among your own courses, so that the start page offers it</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Datei unter den eigenen Kursen aufbewahren, damit die Startseite sie anbietet</translation>
     </message>
     <message>
         <source>Undo</source>
-        <translation type="unfinished"></translation>
+        <translation>Rückgängig</translation>
     </message>
     <message>
         <source>Redo</source>
-        <translation type="unfinished"></translation>
+        <translation>Wiederholen</translation>
     </message>
     <message>
         <source>Try this scenario</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausprobieren</translation>
     </message>
     <message>
         <source>Play it as it stands here, saved or not (F5)</source>
-        <translation type="unfinished"></translation>
+        <translation>Spielen, wie es hier steht, gespeichert oder nicht (F5)</translation>
     </message>
     <message>
         <source>Drag to another place, or Alt and the arrow keys</source>
-        <translation type="unfinished"></translation>
+        <translation>An eine andere Stelle ziehen, oder Alt und die Pfeiltasten</translation>
     </message>
     <message>
         <source>Add scenario</source>
-        <translation type="unfinished"></translation>
+        <translation>Szenario hinzu</translation>
     </message>
     <message>
         <source>At the end of the module</source>
-        <translation type="unfinished"></translation>
+        <translation>Am Ende des Moduls</translation>
     </message>
     <message>
         <source>Add module</source>
-        <translation type="unfinished"></translation>
+        <translation>Modul hinzu</translation>
     </message>
     <message>
         <source>With one scenario</source>
-        <translation type="unfinished"></translation>
+        <translation>Mit einem Szenario</translation>
     </message>
     <message>
         <source>Copy</source>
-        <translation type="unfinished"></translation>
+        <translation>Kopieren</translation>
     </message>
     <message>
         <source>The chosen module or scenario once more</source>
-        <translation type="unfinished"></translation>
+        <translation>Das gewählte Modul oder Szenario noch einmal</translation>
     </message>
     <message>
         <source>Copy from ...</source>
-        <translation type="unfinished"></translation>
+        <translation>Kopieren aus ...</translation>
     </message>
     <message>
         <source>A module or scenario of another course</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Modul oder Szenario eines anderen Kurses</translation>
     </message>
     <message>
         <source>Delete</source>
-        <translation type="unfinished"></translation>
+        <translation>Löschen</translation>
     </message>
     <message>
         <source>The chosen module or scenario</source>
-        <translation type="unfinished"></translation>
+        <translation>Das gewählte Modul oder Szenario</translation>
     </message>
     <message>
         <source>Up</source>
-        <translation type="unfinished"></translation>
+        <translation>Hoch</translation>
     </message>
     <message>
         <source>Earlier in the course (Alt+Up)</source>
-        <translation type="unfinished"></translation>
+        <translation>Früher im Kurs (Alt+Hoch)</translation>
     </message>
     <message>
         <source>Down</source>
-        <translation type="unfinished"></translation>
+        <translation>Runter</translation>
     </message>
     <message>
         <source>Later in the course (Alt+Down)</source>
-        <translation type="unfinished"></translation>
+        <translation>Später im Kurs (Alt+Runter)</translation>
     </message>
     <message>
         <source>Divide into modules</source>
-        <translation type="unfinished"></translation>
+        <translation>In Module teilen</translation>
     </message>
     <message>
         <source>This course was written before there were modules: put its scenarios into one</source>
-        <translation type="unfinished"></translation>
+        <translation>Dieser Kurs wurde geschrieben, bevor es Module gab: Seine Szenarien kommen in eines</translation>
     </message>
     <message>
         <source>Compare with</source>
-        <translation type="unfinished"></translation>
+        <translation>Vergleichen mit</translation>
     </message>
     <message>
         <source>Form</source>
-        <translation type="unfinished"></translation>
+        <translation>Formular</translation>
     </message>
     <message>
         <source>Text</source>
-        <translation type="unfinished"></translation>
+        <translation>Text</translation>
     </message>
     <message>
         <source>Compare</source>
-        <translation type="unfinished"></translation>
+        <translation>Vergleich</translation>
     </message>
     <message>
         <source>not saved yet</source>
-        <translation type="unfinished"></translation>
+        <translation>noch nicht gespeichert</translation>
     </message>
     <message>
         <source>Save as mine</source>
-        <translation type="unfinished"></translation>
+        <translation>Als eigenen speichern</translation>
     </message>
     <message>
         <source>A shipped course stays as it is: this is kept among your own (Ctrl+S)</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein mitgelieferter Kurs bleibt, wie er ist: Dieser kommt zu Ihren eigenen (Strg+S)</translation>
     </message>
     <message>
         <source>Undo: %1 (Ctrl+Z)</source>
-        <translation type="unfinished"></translation>
+        <translation>Rückgängig: %1 (Strg+Z)</translation>
     </message>
     <message>
         <source>Redo: %1 (Ctrl+Shift+Z)</source>
-        <translation type="unfinished"></translation>
+        <translation>Wiederholen: %1 (Strg+Umschalt+Z)</translation>
     </message>
     <message>
         <source>Checking ...</source>
-        <translation type="unfinished"></translation>
+        <translation>Wird geprüft ...</translation>
     </message>
     <message>
         <source>Nothing is wrong: this course can be practised.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts ist falsch: Mit diesem Kurs kann geübt werden.</translation>
     </message>
     <message numerus="yes">
         <source>%n thing(s) to mend; a click leads there:</source>
@@ -3426,221 +4230,221 @@
     </message>
     <message>
         <source>Choose a scenario on the left</source>
-        <translation type="unfinished"></translation>
+        <translation>Wählen Sie links ein Szenario</translation>
     </message>
     <message>
         <source>What is listed below is to be mended first</source>
-        <translation type="unfinished"></translation>
+        <translation>Was unten steht, ist zuerst zu beheben</translation>
     </message>
     <message>
         <source>My course</source>
-        <translation type="unfinished"></translation>
+        <translation>Mein Kurs</translation>
     </message>
     <message>
         <source>A copy of %1, not saved yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Kopie von %1, noch nicht gespeichert.</translation>
     </message>
     <message>
         <source>Open a course</source>
-        <translation type="unfinished"></translation>
+        <translation>Einen Kurs öffnen</translation>
     </message>
     <message>
         <source>This course came with Vallecula and stays as it is; what you change is saved among your own.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dieser Kurs kam mit Vallecula und bleibt, wie er ist; was Sie ändern, wird unter Ihren eigenen gespeichert.</translation>
     </message>
     <message>
         <source>This file can only be looked at here: what is wrong with it is said below. Nothing in it is changed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Datei kann hier nur angesehen werden: Was an ihr falsch ist, steht unten. Nichts in ihr wird geändert.</translation>
     </message>
     <message>
         <source>It is not saved: %1 has the id &apos;%2&apos; too, and the records would take the two courses for one. Give this one another id (the course itself on the left, then Id), and save again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nicht gespeichert: %1 hat ebenfalls die Kennung „%2“, und die Aufzeichnungen hielten beide Kurse für einen. Geben Sie diesem eine andere Kennung (der Kurs selbst links, dann Id) und speichern Sie erneut.</translation>
     </message>
     <message>
         <source>Changed by another program</source>
-        <translation type="unfinished"></translation>
+        <translation>Von einem anderen Programm geändert</translation>
     </message>
     <message>
         <source>%1 was changed by another program since it was opened here. Overwrite it?</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 wurde von einem anderen Programm geändert, seit es hier geöffnet wurde. Überschreiben?</translation>
     </message>
     <message>
         <source>It is not saved. Save a copy keeps both; Open shows what the file has now.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nicht gespeichert. „Kopie ...“ behält beide; „Öffnen“ zeigt, was jetzt in der Datei steht.</translation>
     </message>
     <message>
         <source>Saved as %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gespeichert als %1.</translation>
     </message>
     <message>
         <source>Saved as %1. It can be practised once nothing is wrong with it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gespeichert als %1. Geübt werden kann damit, sobald nichts mehr falsch ist.</translation>
     </message>
     <message>
         <source>Give it an id of its own</source>
-        <translation type="unfinished"></translation>
+        <translation>Eigene Kennung geben</translation>
     </message>
     <message>
         <source>Save a copy of the course</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Kopie des Kurses speichern</translation>
     </message>
     <message>
         <source>A copy was saved; whoever gets the file opens it here, or checks it with `vallecula curriculum check`.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Kopie wurde gespeichert; wer die Datei erhält, öffnet sie hier oder prüft sie mit `vallecula curriculum check`.</translation>
     </message>
     <message>
         <source>Unsaved changes</source>
-        <translation type="unfinished"></translation>
+        <translation>Ungespeicherte Änderungen</translation>
     </message>
     <message>
         <source>The course has changes that are not saved.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Kurs hat Änderungen, die nicht gespeichert sind.</translation>
     </message>
     <message>
         <source>Shipped: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Mitgeliefert: %1</translation>
     </message>
     <message>
         <source>Mine: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Eigener: %1</translation>
     </message>
     <message>
         <source>Modules, with their scenarios</source>
-        <translation type="unfinished"></translation>
+        <translation>Module mit ihren Szenarien</translation>
     </message>
     <message>
         <source>Scenarios</source>
-        <translation type="unfinished"></translation>
+        <translation>Szenarien</translation>
     </message>
     <message>
         <source>The text cannot be read as it is: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Text lässt sich so nicht lesen: %1</translation>
     </message>
     <message>
         <source>Add a scenario</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Szenario hinzufügen</translation>
     </message>
     <message>
         <source>This course has no modules yet: divide it into modules first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dieser Kurs hat noch keine Module: Teilen Sie ihn zuerst in Module.</translation>
     </message>
     <message>
         <source>Add a module</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Modul hinzufügen</translation>
     </message>
     <message>
         <source>Choose a module or a scenario on the left; New makes a copy of a whole course.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wählen Sie links ein Modul oder Szenario; „Neu“ kopiert einen ganzen Kurs.</translation>
     </message>
     <message>
         <source>Copy a module</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Modul kopieren</translation>
     </message>
     <message>
         <source>Copy a scenario</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Szenario kopieren</translation>
     </message>
     <message>
         <source>Choose a module or a scenario on the left.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wählen Sie links ein Modul oder Szenario.</translation>
     </message>
     <message>
         <source>Delete the module</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Modul löschen</translation>
     </message>
     <message>
         <source>Delete the scenario</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Szenario löschen</translation>
     </message>
     <message>
         <source>Choose a scenario on the left to try it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wählen Sie links ein Szenario zum Ausprobieren.</translation>
     </message>
     <message>
         <source>It cannot be tried yet: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Es kann noch nicht ausprobiert werden: %1</translation>
     </message>
 </context>
 <context>
     <name>vallecula::gui::BladeControl</name>
     <message>
         <source>Drag: move the tube   |   wheel or PgUp PgDn: in, out   |   Q E: turn it about its length   |   Ctrl-drag, right-drag or W A S D: tilt it   |   Shift: fine   |   + -: gain, now %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Ziehen: Tubus bewegen   |   Rad oder Bild auf/ab: hinein, heraus   |   Q E: um die Längsachse drehen   |   Strg-Ziehen, rechts ziehen oder W A S D: kippen   |   Umschalt: fein   |   + -: Verstärkung, jetzt %1</translation>
     </message>
     <message>
         <source>Drag: move the blade   |   Ctrl-drag, right-drag or W A S D: turn it (Q E: roll)   |   wheel or PgUp PgDn: deeper, back   |   arrows: move (Shift: fine)   |   hold Space: lift along the handle, Backspace: lower   |   + -: gain, now %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Ziehen: Spatel bewegen   |   Strg-Ziehen, rechts ziehen oder W A S D: drehen (Q E: rollen)   |   Rad oder Bild auf/ab: tiefer, zurück   |   Pfeile: bewegen (Umschalt: fein)   |   Leertaste halten: längs des Griffs heben, Rücktaste: senken   |   + -: Verstärkung, jetzt %1</translation>
     </message>
 </context>
 <context>
     <name>vallecula::gui::BuildPage</name>
     <message>
         <source>L&amp;eave</source>
-        <translation type="unfinished"></translation>
+        <translation>V&amp;erlassen</translation>
     </message>
     <message>
         <source>Back to the &amp;check</source>
-        <translation type="unfinished"></translation>
+        <translation>Zurück zur Prü&amp;fung</translation>
     </message>
     <message>
         <source>Build a&amp;gain</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Erneut bauen</translation>
     </message>
     <message>
         <source>&amp;Save the patient</source>
-        <translation type="unfinished"></translation>
+        <translation>Patient &amp;speichern</translation>
     </message>
     <message>
         <source>&amp;Practise with this patient</source>
-        <translation type="unfinished"></translation>
+        <translation>Damit ü&amp;ben</translation>
     </message>
     <message>
         <source>&amp;Leave mouth and neck as scanned</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Mund und Hals wie gescannt</translation>
     </message>
     <message>
         <source>Else a closed mouth is opened and the neck extended, as for an intubation</source>
-        <translation type="unfinished"></translation>
+        <translation>Sonst wird ein geschlossener Mund geöffnet und der Hals gestreckt, wie zur Intubation</translation>
     </message>
     <message>
         <source>Scale to a &amp;newborn&apos;s size</source>
-        <translation type="unfinished"></translation>
+        <translation>Auf &amp;Neugeborenengröße skalieren</translation>
     </message>
     <message>
         <source>All lengths, so that the skull is as broad as a term newborn&apos;s</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Längen, sodass der Schädel so breit ist wie bei einem reifen Neugeborenen</translation>
     </message>
     <message>
         <source>Tetrahedra of the tongue</source>
-        <translation type="unfinished"></translation>
+        <translation>Tetraeder der Zunge</translation>
     </message>
     <message>
         <source>About so many (within 10 %): more are finer and slower</source>
-        <translation type="unfinished"></translation>
+        <translation>Etwa so viele (auf 10 %): mehr sind feiner und langsamer</translation>
     </message>
     <message>
         <source>Name of the new patient</source>
-        <translation type="unfinished"></translation>
+        <translation>Name des neuen Patienten</translation>
     </message>
     <message>
         <source>&amp;Tetrahedra of the tongue</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Tetraeder der Zunge</translation>
     </message>
     <message>
         <source>Na&amp;me of the new patient</source>
-        <translation type="unfinished"></translation>
+        <translation>Na&amp;me des neuen Patienten</translation>
     </message>
     <message>
         <source>Building the patient</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Patient wird gebaut</translation>
     </message>
     <message>
         <source>Bringing the patient into position</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Patient wird gelagert</translation>
     </message>
     <message>
         <source>The patient is built. Nothing stands out.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Patient ist gebaut. Nichts fällt auf.</translation>
     </message>
     <message numerus="yes">
         <source>The patient is built. %n thing(s) to be checked before it is saved.</source>
@@ -3651,385 +4455,382 @@
     </message>
     <message>
         <source>Writing the patient</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Patient wird geschrieben</translation>
     </message>
     <message>
         <source>The patient is saved.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Patient ist gespeichert.</translation>
     </message>
     <message>
         <source>In %1</source>
-        <translation type="unfinished"></translation>
+        <translation>In %1</translation>
     </message>
     <message>
         <source>The patient could not be built.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Patient konnte nicht gebaut werden.</translation>
     </message>
 </context>
 <context>
     <name>vallecula::gui::CheckPage</name>
     <message>
         <source>Under the pointer</source>
-        <translation type="unfinished"></translation>
+        <translation>Unter dem Zeiger</translation>
     </message>
     <message>
         <source>Place under the pointer (mm to the patient&apos;s left, back and head, as the scan has them), grey value (HU) and structure</source>
-        <translation type="unfinished"></translation>
+        <translation>Ort unter dem Zeiger (mm nach links, hinten und kopfwärts vom Patienten aus, wie der Scan sie hat), Grauwert (HU) und Struktur</translation>
     </message>
     <message>
         <source>Saved: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Gespeichert: %1</translation>
     </message>
     <message>
         <source>Crosshair</source>
-        <translation type="unfinished"></translation>
+        <translation>Kreuz</translation>
     </message>
     <message>
         <source>Take all slices to a point; drag landmarks</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Schnitte an einen Punkt führen; Landmarken ziehen</translation>
     </message>
     <message>
         <source>Window</source>
-        <translation type="unfinished"></translation>
+        <translation>Fenster</translation>
     </message>
     <message>
         <source>Window and level (HU). Drag: right wider, up darker; the right button does it with any tool</source>
-        <translation type="unfinished"></translation>
+        <translation>Fensterung (HU). Ziehen: rechts breiter, aufwärts dunkler; die rechte Taste tut es mit jedem Werkzeug</translation>
     </message>
     <message>
         <source>Ruler</source>
-        <translation type="unfinished"></translation>
+        <translation>Lineal</translation>
     </message>
     <message>
         <source>Length (mm). Drag, or click two points; Delete takes the last one away</source>
-        <translation type="unfinished"></translation>
+        <translation>Länge (mm). Ziehen oder zwei Punkte anklicken; Entf nimmt das letzte weg</translation>
     </message>
     <message>
         <source>Angle</source>
-        <translation type="unfinished"></translation>
+        <translation>Winkel</translation>
     </message>
     <message>
         <source>Angle (degrees). Click three points, the corner second</source>
-        <translation type="unfinished"></translation>
+        <translation>Winkel (Grad). Drei Punkte anklicken, den Scheitel als zweiten</translation>
     </message>
     <message>
         <source>Window and level for</source>
-        <translation type="unfinished"></translation>
+        <translation>Fensterung für</translation>
     </message>
     <message>
         <source>Window and level for these tissues</source>
-        <translation type="unfinished"></translation>
+        <translation>Fensterung für diese Gewebe</translation>
     </message>
     <message>
         <source>Window and level, HU</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Labels</source>
-        <translation type="unfinished"></translation>
+        <translation>Fensterung, HU</translation>
     </message>
     <message>
         <source>Opacity of the labels</source>
-        <translation type="unfinished"></translation>
+        <translation>Deckkraft der Strukturen</translation>
     </message>
     <message>
         <source>Opacity of the structures&apos; colours in the slices, %</source>
-        <translation type="unfinished"></translation>
+        <translation>Deckkraft der Strukturfarben in den Schnitten, %</translation>
     </message>
     <message>
         <source>Undo</source>
-        <translation type="unfinished"></translation>
+        <translation>Rückgängig</translation>
     </message>
     <message>
         <source>Redo</source>
-        <translation type="unfinished"></translation>
+        <translation>Wiederholen</translation>
     </message>
     <message>
         <source>S&amp;tructures</source>
-        <translation type="unfinished"></translation>
+        <translation>S&amp;trukturen</translation>
     </message>
     <message>
         <source>Land&amp;marks</source>
-        <translation type="unfinished"></translation>
+        <translation>Land&amp;marken</translation>
     </message>
     <message>
         <source>&amp;Quality</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Qualität</translation>
     </message>
     <message>
         <source>Save &amp;for 3D Slicer ...</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Für 3D Slicer ...</translation>
     </message>
     <message>
         <source>L&amp;oad ...</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Laden ...</translation>
     </message>
     <message>
         <source>Labels (.nrrd) and landmarks (.mrk.json beside them), to be painted and moved there</source>
-        <translation type="unfinished"></translation>
+        <translation>Labels (.nrrd) und Landmarken (.mrk.json daneben), um sie dort zu malen und zu verschieben</translation>
     </message>
     <message>
         <source>A label map (all structures in it) or landmarks (.mrk.json), as 3D Slicer saves them.
 A label map without names (NIfTI) is read by these values: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Label-Karte (alle Strukturen darin) oder Landmarken (.mrk.json), wie 3D Slicer sie speichert.
+Eine Label-Karte ohne Namen (NIfTI) wird nach diesen Werten gelesen: %1</translation>
     </message>
     <message>
         <source>Choose a label map</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Label-Karte wählen</translation>
     </message>
     <message>
         <source>Label maps and landmarks (*.nrrd *.nii *.nii.gz *.dcm *.mrk.json);;All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>Label-Karten und Landmarken (*.nrrd *.nii *.nii.gz *.dcm *.mrk.json);;Alle Dateien (*)</translation>
     </message>
     <message>
         <source>Save the labels</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Labels speichern</translation>
     </message>
     <message>
         <source>Label maps (*.nrrd)</source>
-        <translation type="unfinished"></translation>
+        <translation>Label-Karten (*.nrrd)</translation>
     </message>
     <message>
         <source>Run a&amp;gain with the edits</source>
-        <translation type="unfinished"></translation>
+        <translation>Erneut a&amp;usführen</translation>
     </message>
     <message>
         <source>Finds the structures anew with the seeds, thresholds, label maps and landmarks given</source>
-        <translation type="unfinished"></translation>
+        <translation>Sucht die Strukturen neu mit den gegebenen Startpunkten, Schwellen, Label-Karten und Landmarken</translation>
     </message>
     <message>
         <source>L&amp;eave</source>
-        <translation type="unfinished"></translation>
+        <translation>V&amp;erlassen</translation>
     </message>
     <message>
         <source>&amp;Build the patient</source>
-        <translation type="unfinished"></translation>
+        <translation>Patient &amp;bauen</translation>
     </message>
     <message>
         <source>&amp;Quality (%1)</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Qualität (%1)</translation>
     </message>
     <message>
         <source>To be checked first: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Zuerst zu prüfen: %1</translation>
     </message>
     <message>
         <source>Choose a structure on the right and give it a seed, a threshold or a label map, then run again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wählen Sie rechts eine Struktur und geben Sie ihr einen Startpunkt, eine Schwelle oder eine Label-Karte, dann führen Sie es erneut aus.</translation>
     </message>
     <message>
         <source>Reading what was made elsewhere</source>
-        <translation type="unfinished"></translation>
+        <translation>Anderswo Erstelltes wird gelesen</translation>
     </message>
     <message>
         <source>Saving for 3D Slicer</source>
-        <translation type="unfinished"></translation>
+        <translation>Wird für 3D Slicer gespeichert</translation>
     </message>
 </context>
 <context>
     <name>vallecula::gui::ClipExport</name>
     <message>
         <source>Save a clip</source>
-        <translation type="unfinished"></translation>
+        <translation>Clip speichern</translation>
     </message>
     <message>
         <source>From</source>
-        <translation type="unfinished"></translation>
+        <translation>Von</translation>
     </message>
     <message>
         <source>To</source>
-        <translation type="unfinished"></translation>
+        <translation>Bis</translation>
     </message>
     <message>
         <source>Both views as they are set now, as Ogg Theora (.ogv): browsers and VLC play it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Beide Ansichten, wie sie jetzt eingestellt sind, als Ogg Theora (.ogv): Browser und VLC spielen es ab.</translation>
     </message>
     <message>
         <source>Save ...</source>
-        <translation type="unfinished"></translation>
+        <translation>Speichern ...</translation>
     </message>
     <message>
         <source>Clips (*.ogv)</source>
-        <translation type="unfinished"></translation>
+        <translation>Clips (*.ogv)</translation>
     </message>
     <message>
         <source>The clip ends before it begins: choose a later end.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Clip endet, bevor er beginnt: Wählen Sie ein späteres Ende.</translation>
     </message>
     <message>
         <source>Drawing ...</source>
-        <translation type="unfinished"></translation>
+        <translation>Wird gezeichnet ...</translation>
     </message>
 </context>
 <context>
     <name>vallecula::gui::CohortTab</name>
     <message>
         <source>Name</source>
-        <translation type="unfinished"></translation>
+        <translation>Name</translation>
     </message>
     <message>
         <source>Part of the trainee&apos;s name</source>
-        <translation type="unfinished"></translation>
+        <translation>Teil des Namens</translation>
     </message>
     <message>
         <source>Any course</source>
-        <translation type="unfinished"></translation>
+        <translation>Jeder Kurs</translation>
     </message>
     <message>
         <source>Any scenario</source>
-        <translation type="unfinished"></translation>
+        <translation>Jedes Szenario</translation>
     </message>
     <message>
         <source>Any device</source>
-        <translation type="unfinished"></translation>
+        <translation>Jedes Gerät</translation>
     </message>
     <message>
         <source>Period</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeitraum</translation>
     </message>
     <message>
         <source>All time</source>
-        <translation type="unfinished"></translation>
+        <translation>Gesamte Zeit</translation>
     </message>
     <message>
         <source>Last 7 days</source>
-        <translation type="unfinished"></translation>
+        <translation>Letzte 7 Tage</translation>
     </message>
     <message>
         <source>Last 30 days</source>
-        <translation type="unfinished"></translation>
+        <translation>Letzte 30 Tage</translation>
     </message>
     <message>
         <source>Last 365 days</source>
-        <translation type="unfinished"></translation>
+        <translation>Letzte 365 Tage</translation>
     </message>
     <message>
         <source>Cohort</source>
-        <translation type="unfinished"></translation>
+        <translation>Gruppe</translation>
     </message>
     <message>
         <source>&amp;Open</source>
-        <translation type="unfinished"></translation>
+        <translation>Ö&amp;ffnen</translation>
     </message>
     <message>
         <source>Enter, or a double click on the curve</source>
-        <translation type="unfinished"></translation>
+        <translation>Enter oder ein Doppelklick auf die Kurve</translation>
     </message>
     <message>
         <source>Nobody who is signed in while practising has a trial in this time; choose a longer one.</source>
-        <translation type="unfinished"></translation>
+        <translation>Niemand, der beim Üben angemeldet war, hat in dieser Zeit einen Durchgang; wählen Sie eine längere.</translation>
     </message>
     <message>
         <source>No trainee has a trial yet. Trainees sign in before they practise; trials without a sign-in belong to nobody and are not shown here.</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch niemand hat einen Durchgang. Lernende melden sich an, bevor sie üben; Durchgänge ohne Anmeldung gehören niemandem und stehen nicht hier.</translation>
     </message>
     <message>
         <source>%1 of %2 curves. Enter or a double click opens one. Kinds of device are never pooled; no pass mark is validated.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 von %2 Kurven. Enter oder ein Doppelklick öffnet eine. Gerätearten werden nie zusammengefasst; keine Bestehensgrenze ist validiert.</translation>
     </message>
 </context>
 <context>
     <name>vallecula::gui::CompareView</name>
     <message>
         <source>Differences</source>
-        <translation type="unfinished"></translation>
+        <translation>Unterschiede</translation>
     </message>
     <message>
         <source>This course is the same as %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dieser Kurs ist gleich %1.</translation>
     </message>
     <message>
         <source>Against %1: %2 lines are new (green, +), %3 are gone (brown, -).</source>
-        <translation type="unfinished"></translation>
+        <translation>Gegenüber %1: %2 Zeilen sind neu (grün, +), %3 sind weg (braun, -).</translation>
     </message>
 </context>
 <context>
     <name>vallecula::gui::CourseForm</name>
     <message>
         <source>left out</source>
-        <translation type="unfinished"></translation>
+        <translation>weggelassen</translation>
     </message>
     <message>
         <source>%1 (left out)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 (weggelassen)</translation>
     </message>
     <message>
         <source>Leave out</source>
-        <translation type="unfinished"></translation>
+        <translation>Weglassen</translation>
     </message>
     <message>
         <source>Add</source>
-        <translation type="unfinished"></translation>
+        <translation>Hinzufügen</translation>
     </message>
     <message>
         <source>Add one</source>
-        <translation type="unfinished"></translation>
+        <translation>Eines hinzufügen</translation>
     </message>
     <message>
         <source>Add to %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Zu %1 hinzufügen</translation>
     </message>
     <message>
         <source>Move</source>
-        <translation type="unfinished"></translation>
+        <translation>Verschieben</translation>
     </message>
     <message>
         <source>Up</source>
-        <translation type="unfinished"></translation>
+        <translation>Hoch</translation>
     </message>
     <message>
         <source>Down</source>
-        <translation type="unfinished"></translation>
+        <translation>Runter</translation>
     </message>
     <message>
         <source>Remove</source>
-        <translation type="unfinished"></translation>
+        <translation>Entfernen</translation>
     </message>
     <message>
         <source>Change %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ändern</translation>
     </message>
     <message>
         <source>Leave out %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 weglassen</translation>
     </message>
     <message>
         <source>is %1; allowed: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>ist %1; erlaubt: %2</translation>
     </message>
 </context>
 <context>
     <name>vallecula::gui::CourseText</name>
     <message>
         <source>The course&apos;s text</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Text des Kurses</translation>
     </message>
     <message>
         <source>Type</source>
-        <translation type="unfinished"></translation>
+        <translation>Tippen</translation>
     </message>
 </context>
 <context>
     <name>vallecula::gui::CourseTree</name>
     <message>
         <source>Course, modules and scenarios</source>
-        <translation type="unfinished"></translation>
+        <translation>Kurs, Module und Szenarien</translation>
     </message>
     <message>
         <source>%1  (in no module)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1  (in keinem Modul)</translation>
     </message>
     <message>
         <source>Something in it is not allowed: see below</source>
-        <translation type="unfinished"></translation>
+        <translation>Etwas darin ist nicht erlaubt: siehe unten</translation>
     </message>
     <message>
         <source>Move the scenario</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Szenario verschieben</translation>
     </message>
     <message>
         <source>Move the module</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Modul verschieben</translation>
     </message>
 </context>
 <context>
@@ -4044,7 +4845,7 @@ A label map without names (NIfTI) is read by these values: %1</source>
     </message>
     <message>
         <source>the mouse&apos;s way on the picture; + and - change it in a trial</source>
-        <translation>Weg der Maus auf dem Bild; + und - ändern ihn im Versuch</translation>
+        <translation>Weg der Maus auf dem Bild; + und - ändern ihn im Durchgang</translation>
     </message>
     <message>
         <source>stands on the other side</source>
@@ -4142,809 +4943,829 @@ A label map without names (NIfTI) is read by these values: %1</source>
     <name>vallecula::gui::DistractionPanel</name>
     <message>
         <source>You will be asked things meanwhile, here. Keys 1 to 6 answer, M silences an alarm; talk asks for nothing.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sie werden währenddessen hier gefragt. Die Tasten 1 bis 6 antworten, M schaltet einen Alarm stumm; Gespräche verlangen nichts.</translation>
     </message>
     <message>
         <source>Silence (M)</source>
-        <translation type="unfinished"></translation>
+        <translation>Stumm (M)</translation>
     </message>
     <message>
         <source>Silence</source>
-        <translation type="unfinished"></translation>
+        <translation>Stumm</translation>
     </message>
     <message>
         <source>Time left</source>
-        <translation type="unfinished"></translation>
+        <translation>Verbleibende Zeit</translation>
     </message>
 </context>
 <context>
     <name>vallecula::gui::EditHistory</name>
     <message>
         <source>seed of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Startpunkt von %1</translation>
     </message>
     <message>
         <source>threshold of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Schwelle von %1</translation>
     </message>
     <message>
         <source>move of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Verschiebung von %1</translation>
     </message>
     <message>
         <source>accepting %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Annahme von %1</translation>
     </message>
     <message>
         <source>doubting %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Zweifel an %1</translation>
     </message>
     <message>
         <source>dropping the edits of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Verwerfen der Änderungen an %1</translation>
     </message>
 </context>
 <context>
     <name>vallecula::gui::FieldRow</name>
     <message>
         <source>In the file: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>In der Datei: %1</translation>
     </message>
     <message>
         <source>%1: from</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: von</translation>
     </message>
     <message>
         <source>%1: to</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: bis</translation>
     </message>
     <message>
         <source>to</source>
-        <translation type="unfinished"></translation>
+        <translation>bis</translation>
     </message>
     <message>
         <source>(left out)</source>
-        <translation type="unfinished"></translation>
+        <translation>(weggelassen)</translation>
     </message>
     <message>
         <source>(left out: %1)</source>
-        <translation type="unfinished"></translation>
+        <translation>(weggelassen: %1)</translation>
     </message>
     <message>
         <source>yes</source>
-        <translation type="unfinished"></translation>
+        <translation>ja</translation>
     </message>
     <message>
         <source>no</source>
-        <translation type="unfinished"></translation>
+        <translation>nein</translation>
     </message>
 </context>
 <context>
     <name>vallecula::gui::HandOn</name>
     <message>
         <source>&amp;Hand on ...</source>
-        <translation type="unfinished"></translation>
+        <translation>Weiter&amp;geben ...</translation>
     </message>
     <message>
         <source>&amp;Table (CSV) ...</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Tabelle (CSV) ...</translation>
     </message>
     <message>
         <source>Report of the &amp;chosen trial (PDF) ...</source>
-        <translation type="unfinished"></translation>
+        <translation>Bericht des &amp;gewählten Durchgangs (PDF) ...</translation>
     </message>
     <message>
         <source>&amp;Report of this trainee (PDF) ...</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Bericht dieser Lernenden (PDF) ...</translation>
     </message>
     <message>
         <source>With the trainees&apos; &amp;names</source>
-        <translation type="unfinished"></translation>
+        <translation>Mit den &amp;Namen der Lernenden</translation>
     </message>
     <message>
         <source>&amp;Table of all trials of this trainee (CSV) ...</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Tabelle aller Durchgänge dieser Lernenden (CSV) ...</translation>
     </message>
     <message>
         <source>&amp;Table of the trials behind the curves shown (CSV) ...</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Tabelle der Durchgänge hinter den gezeigten Kurven (CSV) ...</translation>
     </message>
     <message>
         <source>Hand on</source>
-        <translation type="unfinished"></translation>
+        <translation>Weitergeben</translation>
     </message>
     <message>
         <source>Writing %1 ...</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 wird geschrieben ...</translation>
     </message>
     <message numerus="yes">
         <source>Written: %1, %n trial(s).</source>
         <translation>
-            <numerusform>Geschrieben: %1, %n Versuch.</numerusform>
-            <numerusform>Geschrieben: %1, %n Versuche.</numerusform>
+            <numerusform>Geschrieben: %1, %n Durchgang.</numerusform>
+            <numerusform>Geschrieben: %1, %n Durchgänge.</numerusform>
         </translation>
     </message>
     <message>
         <source>Not handed on. %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Nicht weitergegeben. %1</translation>
     </message>
 </context>
 <context>
     <name>vallecula::gui::ImportWizard</name>
     <message>
         <source>1  Source</source>
-        <translation type="unfinished"></translation>
+        <translation>1  Quelle</translation>
     </message>
     <message>
         <source>2  Segment</source>
-        <translation type="unfinished"></translation>
+        <translation>2  Segmentieren</translation>
     </message>
     <message>
         <source>3  Check</source>
-        <translation type="unfinished"></translation>
+        <translation>3  Prüfen</translation>
     </message>
     <message>
         <source>4  Build</source>
-        <translation type="unfinished"></translation>
+        <translation>4  Bauen</translation>
     </message>
     <message>
         <source>Finding the structures</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Strukturen werden gesucht</translation>
     </message>
     <message>
         <source>Reading the scan and finding the structures</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Scan wird gelesen und die Strukturen gesucht</translation>
     </message>
     <message>
         <source>Nothing is written yet. You look at the result before it becomes a patient.</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch wird nichts geschrieben. Sie sehen das Ergebnis an, bevor es ein Patient wird.</translation>
     </message>
     <message>
         <source>Leave the import</source>
-        <translation type="unfinished"></translation>
+        <translation>Den Import verlassen</translation>
     </message>
     <message>
         <source>Leave without saving the patient? What was built is lost.</source>
-        <translation type="unfinished"></translation>
+        <translation>Verlassen, ohne den Patienten zu speichern? Was gebaut wurde, geht verloren.</translation>
     </message>
     <message>
         <source>Leave without saving the patient? The edits made here are lost.</source>
-        <translation type="unfinished"></translation>
+        <translation>Verlassen, ohne den Patienten zu speichern? Die Änderungen hier gehen verloren.</translation>
     </message>
     <message>
         <source>Reading the series</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Serie wird gelesen</translation>
     </message>
     <message>
         <source>Go back to the check and mend there what it names.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gehen Sie zurück zur Prüfung und beheben Sie dort, was genannt ist.</translation>
     </message>
     <message>
         <source>Cancelled; nothing was saved.</source>
-        <translation type="unfinished"></translation>
+        <translation>Abgebrochen; nichts wurde gespeichert.</translation>
     </message>
     <message>
         <source>Cancelled.</source>
-        <translation type="unfinished"></translation>
+        <translation>Abgebrochen.</translation>
     </message>
 </context>
 <context>
     <name>vallecula::gui::ImportWork</name>
     <message>
         <source>loading landmarks</source>
-        <translation type="unfinished"></translation>
+        <translation>Laden von Landmarken</translation>
     </message>
     <message>
         <source>loading labels</source>
-        <translation type="unfinished"></translation>
+        <translation>Laden von Labels</translation>
     </message>
     <message>
         <source>loading %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Laden von %1</translation>
     </message>
     <message>
         <source>%1 and %2; of the skin what lies near other structures, for the face is to be the generic one</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 und %2; von der Haut nur, was nahe anderen Strukturen liegt, denn das Gesicht soll das allgemeine sein</translation>
     </message>
     <message>
         <source>%1 and %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 und %2</translation>
     </message>
 </context>
 <context>
     <name>vallecula::gui::LabelView</name>
     <message>
         <source>Structures in 3D</source>
-        <translation type="unfinished"></translation>
+        <translation>Strukturen in 3D</translation>
     </message>
     <message>
         <source>Arrows turn, plus and minus zoom, 0 looks from the front, F shows this view alone</source>
-        <translation type="unfinished"></translation>
+        <translation>Pfeile drehen, Plus und Minus zoomen, 0 blickt von vorn, F zeigt nur diese Ansicht</translation>
     </message>
 </context>
 <context>
     <name>vallecula::gui::LandmarkPanel</name>
     <message>
         <source>Landmarks</source>
-        <translation type="unfinished"></translation>
+        <translation>Landmarken</translation>
     </message>
     <message>
         <source>Landmark</source>
-        <translation type="unfinished"></translation>
+        <translation>Landmarke</translation>
     </message>
     <message>
         <source>L, P, H (mm)</source>
-        <translation type="unfinished"></translation>
+        <translation>L, P, H (mm)</translation>
     </message>
     <message>
         <source>Origin</source>
-        <translation type="unfinished"></translation>
+        <translation>Herkunft</translation>
     </message>
     <message>
         <source>Mo&amp;ve it to the crosshair</source>
-        <translation type="unfinished"></translation>
+        <translation>Zum Fadenkreuz &amp;verschieben</translation>
     </message>
     <message>
         <source>Bac&amp;k to where it was found</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Zurück zum Fundort</translation>
     </message>
     <message>
         <source>Choosing one takes all slices to it. Drag its ring in a slice, or its ball in 3D.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine zu wählen führt alle Schnitte zu ihr. Ziehen Sie ihren Ring in einem Schnitt oder ihre Kugel in 3D.</translation>
     </message>
     <message>
         <source>moved</source>
-        <translation type="unfinished"></translation>
+        <translation>verschoben</translation>
     </message>
     <message>
         <source>moved by hand</source>
-        <translation type="unfinished"></translation>
+        <translation>von Hand verschoben</translation>
     </message>
 </context>
 <context>
     <name>vallecula::gui::LinkedChart</name>
     <message>
         <source>Click to go there</source>
-        <translation type="unfinished"></translation>
+        <translation>Klicken, um dorthin zu gehen</translation>
     </message>
     <message>
         <source>Drawing ...</source>
-        <translation type="unfinished"></translation>
+        <translation>Wird gezeichnet ...</translation>
     </message>
 </context>
 <context>
     <name>vallecula::gui::ModuleTree</name>
     <message>
         <source>Modules and scenarios</source>
-        <translation type="unfinished"></translation>
+        <translation>Module und Szenarien</translation>
     </message>
     <message>
         <source>About this course</source>
-        <translation type="unfinished"></translation>
+        <translation>Über diesen Kurs</translation>
     </message>
     <message>
         <source>passed</source>
-        <translation type="unfinished"></translation>
+        <translation>bestanden</translation>
+    </message>
+    <message>
+        <source>open to you</source>
+        <translation>offen für Sie</translation>
     </message>
 </context>
 <context>
     <name>vallecula::gui::MonitorPanel</name>
     <message>
         <source>Monitor: saturation, heart rate, breaths, CO2</source>
-        <translation type="unfinished"></translation>
+        <translation>Monitor: Sättigung, Herzfrequenz, Beatmungshübe, CO2</translation>
     </message>
     <message>
         <source>saturation %1 %, heart rate %2 a minute, %3 s since the last breath%4</source>
-        <translation type="unfinished"></translation>
+        <translation>Sättigung %1 %, Herzfrequenz %2 pro Minute, %3 s seit dem letzten Hub%4</translation>
     </message>
     <message>
         <source>Since breath</source>
-        <translation type="unfinished"></translation>
+        <translation>Seit Hub</translation>
     </message>
     <message>
         <source>Given %1/min</source>
-        <translation type="unfinished"></translation>
+        <translation>Gegeben %1/min</translation>
     </message>
     <message>
         <source>%1 given</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 gegeben</translation>
     </message>
     <message>
         <source>None given</source>
-        <translation type="unfinished"></translation>
+        <translation>Keiner gegeben</translation>
     </message>
     <message>
         <source>CO2 detector</source>
-        <translation type="unfinished"></translation>
+        <translation>CO2-Detektor</translation>
     </message>
     <message>
         <source>YELLOW</source>
-        <translation type="unfinished"></translation>
+        <translation>GELB</translation>
     </message>
     <message>
         <source>PURPLE</source>
-        <translation type="unfinished"></translation>
+        <translation>VIOLETT</translation>
     </message>
     <message>
         <source>CO2</source>
-        <translation type="unfinished"></translation>
+        <translation>CO2</translation>
     </message>
     <message>
         <source>no CO2</source>
-        <translation type="unfinished"></translation>
+        <translation>kein CO2</translation>
     </message>
     <message>
         <source>HR</source>
-        <translation type="unfinished"></translation>
+        <translation>HF</translation>
     </message>
 </context>
 <context>
     <name>vallecula::gui::MouseIntroduction</name>
     <message>
         <source>Don&apos;t show this again</source>
-        <translation type="unfinished"></translation>
+        <translation>Nicht mehr zeigen</translation>
     </message>
     <message>
         <source>Got it</source>
-        <translation type="unfinished"></translation>
+        <translation>Verstanden</translation>
     </message>
     <message>
         <source>Your mouse holds the laryngoscope, then the tube</source>
-        <translation type="unfinished"></translation>
+        <translation>Ihre Maus hält das Laryngoskop, dann den Tubus</translation>
     </message>
     <message>
         <source>Your mouse holds the laryngoscope</source>
-        <translation type="unfinished"></translation>
+        <translation>Ihre Maus hält das Laryngoskop</translation>
     </message>
     <message>
         <source>&lt;tr&gt;&lt;td&gt;&lt;b&gt;Enter, Esc, R, Z&lt;/b&gt;&lt;/td&gt;&lt;td&gt;start the trial, end it, begin again; change the view&lt;/td&gt;&lt;/tr&gt;&lt;/table&gt;&lt;p&gt;Enter closes this; Enter again starts the trial.&lt;/p&gt;</source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;tr&gt;&lt;td&gt;&lt;b&gt;Enter, Esc, R, Z&lt;/b&gt;&lt;/td&gt;&lt;td&gt;den Durchgang beginnen, beenden, neu beginnen; die Ansicht wechseln&lt;/td&gt;&lt;/tr&gt;&lt;/table&gt;&lt;p&gt;Enter schließt dies; Enter noch einmal beginnt den Durchgang.&lt;/p&gt;</translation>
     </message>
 </context>
 <context>
     <name>vallecula::gui::NotesPanel</name>
     <message>
         <source>Notes</source>
-        <translation type="unfinished"></translation>
+        <translation>Notizen</translation>
     </message>
     <message>
         <source>A note at this second</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Notiz zu dieser Sekunde</translation>
     </message>
     <message>
         <source>Add</source>
-        <translation type="unfinished"></translation>
+        <translation>Hinzufügen</translation>
     </message>
     <message>
         <source>Take away</source>
-        <translation type="unfinished"></translation>
+        <translation>Wegnehmen</translation>
     </message>
     <message>
         <source>Takes the chosen note away</source>
-        <translation type="unfinished"></translation>
+        <translation>Nimmt die gewählte Notiz weg</translation>
     </message>
     <message>
         <source>Note at %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Notiz bei %1</translation>
     </message>
     <message>
         <source>This trial is in no record of this station, so notes have no place to be kept.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dieser Durchgang steht in keiner Aufzeichnung dieser Station, daher gibt es keinen Ort für Notizen.</translation>
     </message>
     <message>
-        <source>Written %1</source>
-        <translation type="unfinished"></translation>
+        <source>nobody signed in</source>
+        <translation>niemand angemeldet</translation>
+    </message>
+    <message>
+        <source>you</source>
+        <translation>Sie</translation>
+    </message>
+    <message>
+        <source>somebody else</source>
+        <translation>jemand anderes</translation>
+    </message>
+    <message>
+        <source>%1  (%2)</source>
+        <translation>%1  (%2)</translation>
+    </message>
+    <message>
+        <source>Written %1 (UTC) by %2</source>
+        <translation>Geschrieben %1 (UTC), %2</translation>
     </message>
 </context>
 <context>
     <name>vallecula::gui::NumberBox</name>
     <message>
         <source>left out</source>
-        <translation type="unfinished"></translation>
+        <translation>weggelassen</translation>
     </message>
 </context>
 <context>
     <name>vallecula::gui::OfferedTools</name>
     <message>
         <source>Blade</source>
-        <translation type="unfinished"></translation>
+        <translation>Spatel</translation>
     </message>
     <message>
         <source>Tube</source>
-        <translation type="unfinished"></translation>
+        <translation>Tubus</translation>
     </message>
     <message>
         <source>Choose for this infant ...</source>
-        <translation type="unfinished"></translation>
+        <translation>Für dieses Kind wählen ...</translation>
     </message>
     <message>
         <source>%1 mm inner diameter</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 mm Innendurchmesser</translation>
     </message>
 </context>
 <context>
     <name>vallecula::gui::PeopleTab</name>
     <message>
         <source>People</source>
-        <translation type="unfinished"></translation>
+        <translation>Personen</translation>
     </message>
     <message>
         <source>Name</source>
-        <translation type="unfinished"></translation>
+        <translation>Name</translation>
     </message>
     <message>
         <source>Role</source>
-        <translation type="unfinished"></translation>
+        <translation>Rolle</translation>
     </message>
     <message>
         <source>Since</source>
-        <translation type="unfinished"></translation>
+        <translation>Seit</translation>
     </message>
     <message>
         <source>Audit trail</source>
-        <translation type="unfinished"></translation>
+        <translation>Protokoll</translation>
     </message>
     <message>
         <source>When</source>
-        <translation type="unfinished"></translation>
+        <translation>Wann</translation>
     </message>
     <message>
         <source>Who</source>
-        <translation type="unfinished"></translation>
+        <translation>Wer</translation>
     </message>
     <message>
         <source>Did</source>
-        <translation type="unfinished"></translation>
+        <translation>Tat</translation>
     </message>
     <message>
         <source>With</source>
-        <translation type="unfinished"></translation>
+        <translation>Mit</translation>
     </message>
     <message>
         <source>Kept by numbers; a name is shown where the person is still here. Nothing in it can be changed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nach Nummern geführt; ein Name steht da, wo die Person noch hier ist. Nichts darin lässt sich ändern.</translation>
     </message>
     <message>
         <source>&amp;Add ...</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Hinzufügen ...</translation>
     </message>
     <message>
         <source>Re&amp;name ...</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Umbenennen ...</translation>
     </message>
     <message>
         <source>New &amp;PIN ...</source>
-        <translation type="unfinished"></translation>
+        <translation>Neue &amp;PIN ...</translation>
     </message>
     <message>
         <source>&amp;Export ...</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Exportieren ...</translation>
     </message>
     <message>
         <source>Choose where the export&apos;s folder is made</source>
-        <translation type="unfinished"></translation>
+        <translation>Wählen Sie, wo der Ordner des Exports angelegt wird</translation>
     </message>
     <message>
         <source>&amp;Delete ...</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Löschen ...</translation>
     </message>
     <message>
         <source>Pro&amp;gress</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Fortschritt</translation>
     </message>
     <message>
         <source>nobody signed in</source>
-        <translation type="unfinished"></translation>
+        <translation>niemand angemeldet</translation>
     </message>
     <message>
         <source>number %1, deleted</source>
-        <translation type="unfinished"></translation>
+        <translation>Nummer %1, gelöscht</translation>
     </message>
     <message>
         <source>Add</source>
-        <translation type="unfinished"></translation>
+        <translation>Hinzufügen</translation>
     </message>
     <message>
         <source>The PIN is the person&apos;s own from then on: have it typed by them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die PIN gehört von da an der Person: Lassen Sie sie selbst tippen.</translation>
     </message>
     <message>
         <source>Added.</source>
-        <translation type="unfinished"></translation>
+        <translation>Hinzugefügt.</translation>
     </message>
     <message>
         <source>Rename</source>
-        <translation type="unfinished"></translation>
+        <translation>Umbenennen</translation>
     </message>
     <message>
         <source>The name everywhere from now on; trials stay the person&apos;s.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Name von jetzt an überall; Durchgänge bleiben die der Person.</translation>
     </message>
     <message>
         <source>Renamed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Umbenannt.</translation>
     </message>
     <message>
         <source>New PIN</source>
-        <translation type="unfinished"></translation>
+        <translation>Neue PIN</translation>
     </message>
     <message>
         <source>In place of one that was forgotten; it ends a wait as well.</source>
-        <translation type="unfinished"></translation>
+        <translation>An Stelle einer vergessenen; sie beendet auch eine Wartezeit.</translation>
     </message>
     <message>
         <source>The new PIN is set.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die neue PIN ist gesetzt.</translation>
     </message>
     <message>
         <source>Exporting ...</source>
-        <translation type="unfinished"></translation>
+        <translation>Wird exportiert ...</translation>
     </message>
     <message>
         <source>All that is kept of this person is in %1, in the folder you chose.</source>
-        <translation type="unfinished"></translation>
+        <translation>Alles, was von dieser Person aufbewahrt wird, liegt in %1 im gewählten Ordner.</translation>
     </message>
     <message>
         <source>Delete %1?</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 löschen?</translation>
     </message>
     <message>
         <source>This deletes %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Dies löscht %1</translation>
     </message>
 </context>
 <context>
     <name>vallecula::gui::PersonDialog</name>
     <message>
         <source>&amp;Name or pseudonym</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Name oder Pseudonym</translation>
     </message>
     <message>
         <source>Trainee</source>
-        <translation type="unfinished"></translation>
+        <translation>Lernende</translation>
     </message>
     <message>
         <source>Instructor</source>
-        <translation type="unfinished"></translation>
+        <translation>Lehrperson</translation>
     </message>
     <message>
         <source>&amp;Role</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Rolle</translation>
     </message>
     <message>
         <source>&amp;Old PIN</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Alte PIN</translation>
     </message>
     <message>
         <source>New &amp;PIN</source>
-        <translation type="unfinished"></translation>
+        <translation>Neue &amp;PIN</translation>
     </message>
     <message>
         <source>&amp;PIN</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;PIN</translation>
     </message>
     <message>
         <source>4 to 64 characters</source>
-        <translation type="unfinished"></translation>
+        <translation>4 bis 64 Zeichen</translation>
     </message>
     <message>
         <source>PIN &amp;again</source>
-        <translation type="unfinished"></translation>
+        <translation>PIN noch &amp;einmal</translation>
     </message>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>Abbrechen</translation>
     </message>
     <message>
         <source>Give a name or a pseudonym.</source>
-        <translation type="unfinished"></translation>
+        <translation>Geben Sie einen Namen oder ein Pseudonym ein.</translation>
     </message>
     <message>
         <source>A PIN has at least 4 characters.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine PIN hat mindestens 4 Zeichen.</translation>
     </message>
     <message>
         <source>The two PINs are not the same.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die beiden PINs sind nicht gleich.</translation>
     </message>
 </context>
 <context>
     <name>vallecula::gui::ProblemList</name>
     <message>
         <source>Problems</source>
-        <translation type="unfinished"></translation>
+        <translation>Probleme</translation>
     </message>
     <message>
         <source>Line</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeile</translation>
     </message>
     <message>
         <source>Where</source>
-        <translation type="unfinished"></translation>
+        <translation>Wo</translation>
     </message>
     <message>
         <source>Is</source>
-        <translation type="unfinished"></translation>
+        <translation>Ist</translation>
     </message>
     <message>
         <source>Allowed</source>
-        <translation type="unfinished"></translation>
+        <translation>Erlaubt</translation>
     </message>
     <message>
         <source>The whole file</source>
-        <translation type="unfinished"></translation>
+        <translation>Die ganze Datei</translation>
     </message>
     <message>
         <source>... and %1 more</source>
-        <translation type="unfinished"></translation>
+        <translation>... und %1 weitere</translation>
     </message>
     <message>
         <source>In the file: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>In der Datei: %1</translation>
     </message>
 </context>
 <context>
     <name>vallecula::gui::ProgressTab</name>
     <message>
         <source>Whose progress</source>
-        <translation type="unfinished"></translation>
+        <translation>Wessen Fortschritt</translation>
     </message>
     <message>
         <source>Learning curves</source>
-        <translation type="unfinished"></translation>
+        <translation>Lernkurven</translation>
     </message>
     <message>
         <source>Days with trials</source>
-        <translation type="unfinished"></translation>
+        <translation>Tage mit Durchgängen</translation>
     </message>
     <message>
         <source>Figure of the learning curve</source>
-        <translation type="unfinished"></translation>
+        <translation>Messwert der Lernkurve</translation>
     </message>
     <message>
         <source>Progress of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Fortschritt von %1</translation>
     </message>
     <message>
         <source>Nobody is signed in. These trials belong to nobody; sign in to have progress of your own.</source>
-        <translation type="unfinished"></translation>
+        <translation>Niemand ist angemeldet. Diese Durchgänge gehören niemandem; melden Sie sich an, um eigenen Fortschritt zu haben.</translation>
     </message>
     <message>
         <source>Progress of</source>
-        <translation type="unfinished"></translation>
+        <translation>Fortschritt von</translation>
     </message>
     <message>
         <source>trials that belong to nobody</source>
-        <translation type="unfinished"></translation>
+        <translation>Durchgänge, die niemandem gehören</translation>
     </message>
     <message>
         <source>%1 · %2 of %3 passed</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 · %2 von %3 bestanden</translation>
     </message>
     <message>
         <source> · %1 cut off</source>
-        <translation type="unfinished"></translation>
+        <translation> · %1 abgebrochen</translation>
     </message>
     <message>
         <source> · %1 to rate</source>
-        <translation type="unfinished"></translation>
+        <translation> · %1 zu bewerten</translation>
     </message>
     <message>
         <source>No trial yet. Choose a scenario on the first page and practise it: each trial is a point here.</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch kein Durchgang. Wählen Sie auf der ersten Seite ein Szenario und üben Sie es: Jeder Durchgang ist hier ein Punkt.</translation>
     </message>
     <message>
         <source>no trial on this day</source>
-        <translation type="unfinished"></translation>
+        <translation>kein Durchgang an diesem Tag</translation>
     </message>
     <message>
         <source>%1 on this day</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 an diesem Tag</translation>
     </message>
     <message>
         <source>Learning curve</source>
-        <translation type="unfinished"></translation>
+        <translation>Lernkurve</translation>
     </message>
     <message>
         <source>Cumulative sum (CUSUM)</source>
-        <translation type="unfinished"></translation>
+        <translation>Kumulative Summe (CUSUM)</translation>
     </message>
     <message>
         <source>Rate the assessment in the table below first: then it is a point here.</source>
-        <translation type="unfinished"></translation>
+        <translation>Bewerten Sie zuerst die Prüfung in der Tabelle unten: Dann ist sie hier ein Punkt.</translation>
     </message>
     <message>
         <source>Three in a row: %1.  CUSUM competent: %2.  Now: %3, %4 in a row.%5</source>
-        <translation type="unfinished"></translation>
+        <translation>Drei in Folge: %1.  CUSUM kompetent: %2.  Jetzt: %3, %4 in Folge.%5</translation>
     </message>
     <message>
         <source>  Interrupted: %1, counted in nothing.</source>
-        <translation type="unfinished"></translation>
+        <translation>  Unterbrochen: %1, in nichts gezählt.</translation>
     </message>
     <message>
         <source>No pass mark is validated.</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine Bestehensgrenze ist validiert.</translation>
     </message>
 </context>
 <context>
     <name>vallecula::gui::QualityList</name>
     <message>
         <source>Quality report</source>
-        <translation type="unfinished"></translation>
+        <translation>Qualitätsbericht</translation>
     </message>
     <message>
         <source> (was %1)</source>
-        <translation type="unfinished"></translation>
+        <translation> (war %1)</translation>
     </message>
 </context>
 <context>
     <name>vallecula::gui::RatingDialog</name>
     <message>
         <source>Rate a trial</source>
-        <translation type="unfinished"></translation>
+        <translation>Einen Durchgang bewerten</translation>
     </message>
     <message>
         <source>The trainee sees your rating beside the figures. A newer one takes its place.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Lernenden sehen Ihre Bewertung neben den Messwerten. Eine neuere tritt an ihre Stelle.</translation>
     </message>
     <message>
         <source>Without the checklist: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Ohne die Checkliste: %1</translation>
     </message>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>Abbrechen</translation>
     </message>
     <message>
         <source>&amp;Keep the rating</source>
-        <translation type="unfinished"></translation>
+        <translation>Bewertung &amp;behalten</translation>
     </message>
     <message>
         <source>Nothing is judged yet: choose one of the five steps, or yes or no.</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch ist nichts beurteilt: Wählen Sie eine der fünf Stufen oder ja oder nein.</translation>
     </message>
     <message>
         <source>How was it, all in all?  (Alt+1 to Alt+5)</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie war es, alles in allem?  (Alt+1 bis Alt+5)</translation>
     </message>
     <message>
         <source>What the recording could not tell</source>
-        <translation type="unfinished"></translation>
+        <translation>Was die Aufzeichnung nicht sagen konnte</translation>
     </message>
     <message>
         <source>Yes</source>
-        <translation type="unfinished"></translation>
+        <translation>Ja</translation>
     </message>
     <message>
         <source>No</source>
-        <translation type="unfinished"></translation>
+        <translation>Nein</translation>
     </message>
     <message>
         <source>Not judged</source>
-        <translation type="unfinished"></translation>
+        <translation>Nicht beurteilt</translation>
     </message>
 </context>
 <context>
     <name>vallecula::gui::RecordsPage</name>
     <message>
         <source>Records</source>
-        <translation type="unfinished"></translation>
+        <translation>Aufzeichnungen</translation>
     </message>
     <message>
         <source>Asking the records ...</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Aufzeichnungen werden gefragt ...</translation>
     </message>
     <message>
         <source>Try a&amp;gain</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Erneut versuchen</translation>
     </message>
     <message>
         <source>Progress</source>
-        <translation type="unfinished"></translation>
+        <translation>Fortschritt</translation>
     </message>
     <message>
         <source>Sign in</source>
-        <translation type="unfinished"></translation>
+        <translation>Anmelden</translation>
     </message>
     <message>
         <source>Back</source>
@@ -4952,262 +5773,262 @@ A label map without names (NIfTI) is read by these values: %1</source>
     </message>
     <message>
         <source>Trying again ...</source>
-        <translation type="unfinished"></translation>
+        <translation>Wird erneut versucht ...</translation>
     </message>
     <message>
         <source>nobody is signed in</source>
-        <translation type="unfinished"></translation>
+        <translation>niemand ist angemeldet</translation>
     </message>
     <message>
         <source>My account</source>
-        <translation type="unfinished"></translation>
+        <translation>Mein Konto</translation>
     </message>
     <message>
         <source>Cohort</source>
-        <translation type="unfinished"></translation>
+        <translation>Gruppe</translation>
     </message>
     <message>
         <source>People</source>
-        <translation type="unfinished"></translation>
+        <translation>Personen</translation>
     </message>
 </context>
 <context>
     <name>vallecula::gui::ReplayPage</name>
     <message>
         <source>Replay: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Wiedergabe: %1</translation>
     </message>
     <message>
         <source>X: the way a scripted expert&apos;s tip takes in this patient, in white</source>
-        <translation type="unfinished"></translation>
+        <translation>X: der Weg, den die Spitze eines Experten nach Drehbuch in diesem Patienten nimmt, in Weiß</translation>
     </message>
     <message>
         <source>The scripted expert has no plan for this patient</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Experte nach Drehbuch hat keinen Plan für diesen Patienten</translation>
     </message>
     <message>
         <source>Tip&apos;s path: &lt;span style=&apos;color:%1&apos;&gt;&amp;#9644;&lt;/span&gt; below half the target force on the tongue &lt;span style=&apos;color:%2&apos;&gt;&amp;#9644;&lt;/span&gt; up to it (%4 N) &lt;span style=&apos;color:%3&apos;&gt;&amp;#9644;&lt;/span&gt; over it; in white the expert&apos;s</source>
-        <translation type="unfinished"></translation>
+        <translation>Weg der Spitze: &lt;span style=&apos;color:%1&apos;&gt;&amp;#9644;&lt;/span&gt; unter der halben Zielkraft auf die Zunge &lt;span style=&apos;color:%2&apos;&gt;&amp;#9644;&lt;/span&gt; bis zu ihr (%4 N) &lt;span style=&apos;color:%3&apos;&gt;&amp;#9644;&lt;/span&gt; darüber; in Weiß der des Experten</translation>
     </message>
     <message>
         <source> (%1 of %2 points)</source>
-        <translation type="unfinished"></translation>
+        <translation> (%1 von %2 Punkten)</translation>
     </message>
     <message>
         <source>Pass mark: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Kriterium: %1</translation>
     </message>
     <message>
         <source>Pause</source>
-        <translation type="unfinished"></translation>
+        <translation>Pause</translation>
     </message>
     <message>
         <source>Play</source>
-        <translation type="unfinished"></translation>
+        <translation>Abspielen</translation>
     </message>
     <message>
         <source>Computing on to %1 ...</source>
-        <translation type="unfinished"></translation>
+        <translation>Wird bis %1 berechnet ...</translation>
     </message>
     <message>
         <source>The replay was stopped before this second.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Wiedergabe wurde vor dieser Sekunde angehalten.</translation>
     </message>
     <message>
         <source>attempt %1 s</source>
-        <translation type="unfinished"></translation>
+        <translation>Intubationsversuch %1 s</translation>
     </message>
     <message>
         <source>between attempts</source>
-        <translation type="unfinished"></translation>
+        <translation>zwischen Intubationsversuchen</translation>
     </message>
     <message>
         <source>glottis seen %1 %</source>
-        <translation type="unfinished"></translation>
+        <translation>Glottis zu %1 % sichtbar</translation>
     </message>
     <message>
         <source>tube %1 cm at the lips</source>
-        <translation type="unfinished"></translation>
+        <translation>Tubus %1 cm an den Lippen</translation>
     </message>
     <message>
         <source>device %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Gerät %1</translation>
     </message>
     <message>
         <source>  ·  tongue %1 N, gum %2 N</source>
-        <translation type="unfinished"></translation>
+        <translation>  ·  Zunge %1 N, Zahnleiste %2 N</translation>
     </message>
     <message>
         <source>%1: the picture could not be encoded as PNG</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: Das Bild ließ sich nicht als PNG kodieren</translation>
     </message>
     <message>
         <source>Save a picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Bild speichern</translation>
     </message>
     <message>
         <source>Pictures (*.png)</source>
-        <translation type="unfinished"></translation>
+        <translation>Bilder (*.png)</translation>
     </message>
     <message>
         <source>The picture was not saved</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Bild wurde nicht gespeichert</translation>
     </message>
     <message>
         <source>Forces</source>
-        <translation type="unfinished"></translation>
+        <translation>Kräfte</translation>
     </message>
     <message>
         <source>A: arrows of the blade&apos;s push on the tissue, 5 mm a newton; blue on soft tissue, red on gums, palate and teeth</source>
-        <translation type="unfinished"></translation>
+        <translation>A: Pfeile für den Druck des Spatels auf das Gewebe, 5 mm je Newton; blau auf Weichteilen, rot auf Zahnleisten, Gaumen und Zähnen</translation>
     </message>
     <message>
         <source>Tip&apos;s path</source>
-        <translation type="unfinished"></translation>
+        <translation>Weg der Spitze</translation>
     </message>
     <message>
         <source>P: the way of the blade&apos;s tip until now, coloured by the force on the tongue</source>
-        <translation type="unfinished"></translation>
+        <translation>P: der Weg der Spatelspitze bis jetzt, nach der Kraft auf die Zunge gefärbt</translation>
     </message>
     <message>
         <source>Expert&apos;s path</source>
-        <translation type="unfinished"></translation>
+        <translation>Weg des Experten</translation>
     </message>
     <message>
         <source>Free camera</source>
-        <translation type="unfinished"></translation>
+        <translation>Freie Kamera</translation>
     </message>
     <message>
         <source>F: drag turns the view, Shift-drag moves it, the wheel goes nearer; Shift and arrow keys turn it too</source>
-        <translation type="unfinished"></translation>
+        <translation>F: Ziehen dreht die Ansicht, Umschalt-Ziehen verschiebt sie, das Rad geht näher; auch Umschalt und Pfeiltasten drehen sie</translation>
     </message>
     <message>
         <source>Half head</source>
-        <translation type="unfinished"></translation>
+        <translation>Halber Kopf</translation>
     </message>
     <message>
         <source>H: with the free camera, without the skin of the patient&apos;s left half, for a look from the side</source>
-        <translation type="unfinished"></translation>
+        <translation>H: mit der freien Kamera, ohne die Haut der linken Hälfte des Patienten, für einen Blick von der Seite</translation>
     </message>
     <message>
         <source>Force over time</source>
-        <translation type="unfinished"></translation>
+        <translation>Kraft über die Zeit</translation>
     </message>
     <message>
         <source>Saturation and heart rate over time</source>
-        <translation type="unfinished"></translation>
+        <translation>Sättigung und Herzfrequenz über die Zeit</translation>
     </message>
     <message>
         <source>Force</source>
-        <translation type="unfinished"></translation>
+        <translation>Kraft</translation>
     </message>
     <message>
         <source>Monitor</source>
-        <translation type="unfinished"></translation>
+        <translation>Monitor</translation>
     </message>
     <message>
         <source>What was judged</source>
-        <translation type="unfinished"></translation>
+        <translation>Was beurteilt wurde</translation>
     </message>
     <message>
         <source>What happened</source>
-        <translation type="unfinished"></translation>
+        <translation>Was geschah</translation>
     </message>
     <message>
         <source>Score</source>
-        <translation type="unfinished"></translation>
+        <translation>Wertung</translation>
     </message>
     <message>
         <source>Events</source>
-        <translation type="unfinished"></translation>
+        <translation>Ereignisse</translation>
     </message>
     <message>
         <source>Notes</source>
-        <translation type="unfinished"></translation>
+        <translation>Notizen</translation>
     </message>
     <message>
         <source>« Event</source>
-        <translation type="unfinished"></translation>
+        <translation>« Ereignis</translation>
     </message>
     <message>
         <source>Previous event</source>
-        <translation type="unfinished"></translation>
+        <translation>Voriges Ereignis</translation>
     </message>
     <message>
         <source>‹ Frame</source>
-        <translation type="unfinished"></translation>
+        <translation>‹ Bild</translation>
     </message>
     <message>
         <source>A frame back</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Bild zurück</translation>
     </message>
     <message>
         <source>Play or pause</source>
-        <translation type="unfinished"></translation>
+        <translation>Abspielen oder anhalten</translation>
     </message>
     <message>
         <source>Frame ›</source>
-        <translation type="unfinished"></translation>
+        <translation>Bild ›</translation>
     </message>
     <message>
         <source>A frame on</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Bild weiter</translation>
     </message>
     <message>
         <source>Event »</source>
-        <translation type="unfinished"></translation>
+        <translation>Ereignis »</translation>
     </message>
     <message>
         <source>Next event</source>
-        <translation type="unfinished"></translation>
+        <translation>Nächstes Ereignis</translation>
     </message>
     <message>
         <source>Speed</source>
-        <translation type="unfinished"></translation>
+        <translation>Geschwindigkeit</translation>
     </message>
     <message>
         <source>+ and -</source>
-        <translation type="unfinished"></translation>
+        <translation>+ und -</translation>
     </message>
     <message>
         <source>Computing the tissue&apos;s shape</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Form des Gewebes wird berechnet</translation>
     </message>
     <message>
         <source>The tissue&apos;s shape is not in the log and is computed anew; what is blue on the timeline is there</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Form des Gewebes steht nicht in der Aufzeichnung und wird neu berechnet; was auf der Zeitleiste blau ist, ist da</translation>
     </message>
     <message>
         <source>Stop</source>
-        <translation type="unfinished"></translation>
+        <translation>Anhalten</translation>
     </message>
     <message>
         <source>Stop computing</source>
-        <translation type="unfinished"></translation>
+        <translation>Berechnung anhalten</translation>
     </message>
     <message>
         <source>What is computed stays</source>
-        <translation type="unfinished"></translation>
+        <translation>Was berechnet ist, bleibt</translation>
     </message>
     <message>
         <source>Picture ...</source>
-        <translation type="unfinished"></translation>
+        <translation>Bild ...</translation>
     </message>
     <message>
         <source>Ctrl+S: both views as a PNG</source>
-        <translation type="unfinished"></translation>
+        <translation>Strg+S: beide Ansichten als PNG</translation>
     </message>
     <message>
         <source>Clip ...</source>
-        <translation type="unfinished"></translation>
+        <translation>Clip ...</translation>
     </message>
     <message>
         <source>Save a clip</source>
-        <translation type="unfinished"></translation>
+        <translation>Clip speichern</translation>
     </message>
     <message>
         <source>Both views from one second to another</source>
-        <translation type="unfinished"></translation>
+        <translation>Beide Ansichten von einer Sekunde bis zu einer anderen</translation>
     </message>
     <message>
         <source>Back</source>
@@ -5218,310 +6039,326 @@ A label map without names (NIfTI) is read by these values: %1</source>
     <name>vallecula::gui::ResultPage</name>
     <message>
         <source>Force over time</source>
-        <translation type="unfinished"></translation>
+        <translation>Kraft über die Zeit</translation>
     </message>
     <message>
         <source>Saturation and heart rate over time</source>
-        <translation type="unfinished"></translation>
+        <translation>Sättigung und Herzfrequenz über die Zeit</translation>
     </message>
     <message>
         <source>PASSED</source>
-        <translation type="unfinished"></translation>
+        <translation>BESTANDEN</translation>
     </message>
     <message>
         <source>NOT PASSED</source>
-        <translation type="unfinished"></translation>
+        <translation>NICHT BESTANDEN</translation>
     </message>
     <message>
         <source>L: look at the trial again, at any second of it</source>
-        <translation type="unfinished"></translation>
+        <translation>L: den Durchgang noch einmal ansehen, an jeder Sekunde</translation>
     </message>
     <message>
         <source>A fault: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Störung: %1</translation>
     </message>
     <message>
         <source>a link leads to its second in the replay</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Verweis führt zu seiner Sekunde in der Wiedergabe</translation>
     </message>
     <message>
         <source>Reasons</source>
-        <translation type="unfinished"></translation>
+        <translation>Gründe</translation>
     </message>
     <message>
         <source>Next attempt</source>
-        <translation type="unfinished"></translation>
+        <translation>Nächster Versuch</translation>
     </message>
     <message>
         <source>Again</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch einmal</translation>
     </message>
     <message>
         <source>Results: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Ergebnisse: %1</translation>
     </message>
     <message>
         <source>Attempt seed %1: with it everything is the same once more.</source>
-        <translation type="unfinished"></translation>
+        <translation>Startwert %1: Mit ihm ist alles noch einmal gleich.</translation>
     </message>
     <message>
         <source>An assessment: its replay stays locked.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Prüfung: Ihre Wiedergabe bleibt gesperrt.</translation>
     </message>
     <message>
         <source>Drawing saturation and heart rate ...</source>
-        <translation type="unfinished"></translation>
+        <translation>Sättigung und Herzfrequenz werden gezeichnet ...</translation>
     </message>
     <message>
         <source>Saturation and heart rate cannot be drawn: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Sättigung und Herzfrequenz lassen sich nicht zeichnen: %1</translation>
     </message>
     <message>
         <source>Of %1 ticks. Late: forces written more than 1 ms after they were due. Dropped: ticks whose simulation step was not finished in time.</source>
-        <translation type="unfinished"></translation>
+        <translation>Von %1 Takten. Zu spät: Kräfte, die mehr als 1 ms nach ihrer Zeit geschrieben wurden. Verworfen: Takte, deren Simulationsschritt nicht rechtzeitig fertig war.</translation>
     </message>
     <message>
         <source>Real-time set-up: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Echtzeit-Einrichtung: %1.</translation>
     </message>
     <message>
         <source>The force plot could not be read.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Kraftdiagramm konnte nicht gelesen werden.</translation>
     </message>
 </context>
 <context>
     <name>vallecula::gui::SelfRatingPage</name>
     <message>
         <source>Before you see the score: what do you think yourself? Your answer is kept with the trial and cannot be changed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Bevor Sie die Wertung sehen: Was meinen Sie selbst? Ihre Antwort wird mit dem Durchgang aufbewahrt und kann nicht geändert werden.</translation>
     </message>
     <message>
         <source>How did you do, all in all?  (keys 1 to 5)</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie haben Sie es gemacht, alles in allem?  (Tasten 1 bis 5)</translation>
     </message>
     <message>
         <source>Did the tube go into the trachea, and is it still there?  (Y, N)</source>
-        <translation type="unfinished"></translation>
+        <translation>Kam der Tubus in die Trachea, und ist er noch dort?  (Y, N)</translation>
     </message>
     <message>
         <source>Yes</source>
-        <translation type="unfinished"></translation>
+        <translation>Ja</translation>
     </message>
     <message>
         <source>No</source>
-        <translation type="unfinished"></translation>
+        <translation>Nein</translation>
     </message>
     <message>
         <source>Are you sure of that?  (S, U)</source>
-        <translation type="unfinished"></translation>
+        <translation>Sind Sie sich dessen sicher?  (S, U)</translation>
     </message>
     <message>
         <source>Sure</source>
-        <translation type="unfinished"></translation>
+        <translation>Sicher</translation>
     </message>
     <message>
         <source>Unsure</source>
-        <translation type="unfinished"></translation>
+        <translation>Unsicher</translation>
     </message>
     <message>
         <source>Show the score</source>
-        <translation type="unfinished"></translation>
+        <translation>Wertung zeigen</translation>
     </message>
     <message>
         <source>Enter</source>
-        <translation type="unfinished"></translation>
+        <translation>Enter</translation>
     </message>
     <message>
         <source>The trial is over and counts. Your own rating is still missing: give it now. After closing the window once more, Records asks whose trial it is for it before anything of the trial is shown.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Durchgang ist vorbei und zählt. Ihre eigene Bewertung fehlt noch: Geben Sie sie jetzt ab. Wird das Fenster noch einmal geschlossen, fragen die Aufzeichnungen danach, bevor etwas vom Durchgang gezeigt wird.</translation>
     </message>
 </context>
 <context>
     <name>vallecula::gui::SliceScene</name>
     <message>
         <source>outside the scan</source>
-        <translation type="unfinished"></translation>
+        <translation>außerhalb des Scans</translation>
     </message>
 </context>
 <context>
     <name>vallecula::gui::SliceView</name>
     <message>
         <source>%1 slice</source>
-        <translation type="unfinished"></translation>
+        <translation>%1er Schnitt</translation>
     </message>
     <message>
         <source>Arrows move the crosshair, Page Up and Page Down change the slice, plus, minus and 0 zoom, Enter puts a point of the tool at the crosshair, Escape puts the tool away, Delete removes the last measure, F shows this view alone</source>
-        <translation type="unfinished"></translation>
+        <translation>Pfeile bewegen das Fadenkreuz, Bild auf und Bild ab wechseln den Schnitt, Plus, Minus und 0 zoomen, Enter setzt einen Punkt des Werkzeugs an das Fadenkreuz, Escape legt das Werkzeug weg, Entf entfernt die letzte Messung, F zeigt nur diese Ansicht</translation>
     </message>
     <message>
         <source>seed of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Startpunkt von %1</translation>
     </message>
 </context>
 <context>
     <name>vallecula::gui::SourcePage</name>
     <message>
         <source>Folder with the CT&apos;s DICOM files</source>
-        <translation type="unfinished"></translation>
+        <translation>Ordner mit den DICOM-Dateien des CT</translation>
     </message>
     <message>
         <source>Where the CT is</source>
-        <translation type="unfinished"></translation>
+        <translation>Wo das CT liegt</translation>
     </message>
     <message>
         <source>&amp;Folder ...</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Ordner ...</translation>
     </message>
     <message>
         <source>F&amp;ile ...</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Datei ...</translation>
     </message>
     <message>
         <source>Series found</source>
-        <translation type="unfinished"></translation>
+        <translation>Gefundene Serien</translation>
     </message>
     <message>
         <source>No.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nr.</translation>
     </message>
     <message>
         <source>Picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Bild</translation>
     </message>
     <message>
         <source>Series</source>
-        <translation type="unfinished"></translation>
+        <translation>Serie</translation>
     </message>
     <message>
         <source>Remarks</source>
-        <translation type="unfinished"></translation>
+        <translation>Bemerkungen</translation>
     </message>
     <message>
         <source>Name of the new patient</source>
-        <translation type="unfinished"></translation>
+        <translation>Name des neuen Patienten</translation>
     </message>
     <message>
         <source>&amp;Use the shipped generic face instead</source>
-        <translation type="unfinished"></translation>
+        <translation>Stattdessen das mitgelieferte allgemeine &amp;Gesicht verwenden</translation>
     </message>
     <message>
         <source>&amp;Read and find the structures</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Lesen und die Strukturen finden</translation>
     </message>
     <message>
         <source>&amp;Back to the start</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Zurück zum Anfang</translation>
     </message>
     <message>
         <source>&amp;Name of the new patient</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Name des neuen Patienten</translation>
     </message>
     <message>
         <source>&amp;CT scan</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;CT-Scan</translation>
     </message>
     <message>
         <source>Choose the folder with the CT</source>
-        <translation type="unfinished"></translation>
+        <translation>Den Ordner mit dem CT wählen</translation>
     </message>
     <message>
         <source>Choose a file of the CT</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Datei des CT wählen</translation>
     </message>
     <message>
         <source>Looking at what is there</source>
-        <translation type="unfinished"></translation>
+        <translation>Es wird nachgesehen, was da ist</translation>
     </message>
     <message>
         <source>no picture</source>
-        <translation type="unfinished"></translation>
+        <translation>kein Bild</translation>
     </message>
     <message>
         <source>can be imported</source>
-        <translation type="unfinished"></translation>
+        <translation>kann importiert werden</translation>
     </message>
 </context>
 <context>
     <name>vallecula::gui::StartPage</name>
     <message>
         <source>Practise neonatal intubation, and see what your hands did. A training tool, not a medical device.</source>
-        <translation type="unfinished"></translation>
+        <translation>Üben Sie die Intubation Neugeborener und sehen Sie, was Ihre Hände getan haben. Ein Trainingsgerät, kein Medizinprodukt.</translation>
     </message>
     <message>
         <source>Curriculum</source>
-        <translation type="unfinished"></translation>
+        <translation>Kurs</translation>
     </message>
     <message>
         <source>Practice</source>
-        <translation type="unfinished"></translation>
+        <translation>Übung</translation>
     </message>
     <message>
         <source>Assessment: no helps, own rating first, no replay</source>
-        <translation type="unfinished"></translation>
+        <translation>Prüfung: keine Hilfen, zuerst eigene Bewertung, keine Wiedergabe</translation>
     </message>
     <message>
         <source>Built-in manikin, made for the scenario</source>
-        <translation type="unfinished"></translation>
+        <translation>Eingebautes Phantom, für das Szenario gemacht</translation>
     </message>
     <message>
         <source>Watch a scripted expert</source>
-        <translation type="unfinished"></translation>
+        <translation>Einem Experten nach Drehbuch zusehen</translation>
     </message>
     <message>
         <source>Watch a scripted novice</source>
-        <translation type="unfinished"></translation>
+        <translation>Einem Anfänger nach Drehbuch zusehen</translation>
     </message>
     <message>
         <source>The same device, blade and tube in turn (X changes)</source>
-        <translation type="unfinished"></translation>
+        <translation>Dasselbe Gerät, Spatel und Tubus im Wechsel (X wechselt)</translation>
     </message>
     <message>
         <source>The mouse</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Maus</translation>
     </message>
     <message>
         <source>Other patient ...</source>
-        <translation type="unfinished"></translation>
+        <translation>Anderer Patient ...</translation>
     </message>
     <message>
         <source>New patient from a CT ...</source>
-        <translation type="unfinished"></translation>
+        <translation>Neuer Patient aus einem CT ...</translation>
     </message>
     <message>
         <source>Devices ...</source>
-        <translation type="unfinished"></translation>
+        <translation>Geräte ...</translation>
     </message>
     <message>
         <source>Prepare the trial</source>
-        <translation type="unfinished"></translation>
+        <translation>Durchgang vorbereiten</translation>
     </message>
     <message>
         <source>Trials with another kind of device do not count here.</source>
-        <translation type="unfinished"></translation>
+        <translation>Durchgänge mit einer anderen Geräteart zählen hier nicht.</translation>
     </message>
     <message>
         <source>A scripted hand can be watched at it before.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zuvor kann man einer Hand nach Drehbuch dabei zusehen.</translation>
     </message>
     <message>
         <source>Choose blade and tube first: they count in the score</source>
-        <translation type="unfinished"></translation>
+        <translation>Wählen Sie zuerst Spatel und Tubus: Sie zählen in der Wertung</translation>
     </message>
     <message>
         <source>A scripted hand has nothing to set.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Hand nach Drehbuch hat nichts einzustellen.</translation>
     </message>
     <message>
         <source>This device was not found when devices were last looked for: plug it in, and look again with Devices ...</source>
-        <translation type="unfinished"></translation>
+        <translation>Dieses Gerät wurde bei der letzten Suche nicht gefunden: Schließen Sie es an und suchen Sie erneut mit „Geräte ...“</translation>
     </message>
     <message>
         <source>Choose a patient package (a folder NAME.patient)</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Patientenpaket wählen (ein Ordner NAME.patient)</translation>
     </message>
     <message>
         <source>%1 is not a patient package (it holds no patient.yaml); make one with `vallecula import`.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ist kein Patientenpaket (es enthält keine patient.yaml); erstellen Sie eines mit `vallecula import`.</translation>
+    </message>
+    <message>
+        <source>Mode</source>
+        <translation>Modus</translation>
+    </message>
+    <message>
+        <source>Patient</source>
+        <translation>Patient</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>Gerät</translation>
+    </message>
+    <message>
+        <source>Tube&apos;s hand</source>
+        <translation>Hand des Tubus</translation>
     </message>
 </context>
 <context>
@@ -5529,22 +6366,22 @@ A label map without names (NIfTI) is read by these values: %1</source>
     <message numerus="yes">
         <source>%n trial(s) sent to the learning record store</source>
         <translation>
-            <numerusform>%n Versuch an den Learning Record Store gesendet</numerusform>
-            <numerusform>%n Versuche an den Learning Record Store gesendet</numerusform>
+            <numerusform>%n Durchgang an den Learning Record Store gesendet</numerusform>
+            <numerusform>%n Durchgänge an den Learning Record Store gesendet</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n trial(s) refused by the learning record store: %1</source>
         <translation>
-            <numerusform>%n Versuch vom Learning Record Store abgelehnt: %1</numerusform>
-            <numerusform>%n Versuche vom Learning Record Store abgelehnt: %1</numerusform>
+            <numerusform>%n Durchgang vom Learning Record Store abgelehnt: %1</numerusform>
+            <numerusform>%n Durchgänge vom Learning Record Store abgelehnt: %1</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n trial(s) not sent yet: %1</source>
         <translation>
-            <numerusform>%n Versuch noch nicht gesendet: %1</numerusform>
-            <numerusform>%n Versuche noch nicht gesendet: %1</numerusform>
+            <numerusform>%n Durchgang noch nicht gesendet: %1</numerusform>
+            <numerusform>%n Durchgänge noch nicht gesendet: %1</numerusform>
         </translation>
     </message>
 </context>
@@ -5552,31 +6389,31 @@ A label map without names (NIfTI) is read by these values: %1</source>
     <name>vallecula::gui::StatementsLine</name>
     <message>
         <source>&amp;Send now</source>
-        <translation type="unfinished"></translation>
+        <translation>Jetzt &amp;senden</translation>
     </message>
     <message>
         <source>Sending ...</source>
-        <translation type="unfinished"></translation>
+        <translation>Wird gesendet ...</translation>
     </message>
     <message numerus="yes">
         <source>%n trial(s) sent</source>
         <translation>
-            <numerusform>%n Versuch gesendet</numerusform>
-            <numerusform>%n Versuche gesendet</numerusform>
+            <numerusform>%n Durchgang gesendet</numerusform>
+            <numerusform>%n Durchgänge gesendet</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n trial(s) refused</source>
         <translation>
-            <numerusform>%n Versuch abgelehnt</numerusform>
-            <numerusform>%n Versuche abgelehnt</numerusform>
+            <numerusform>%n Durchgang abgelehnt</numerusform>
+            <numerusform>%n Durchgänge abgelehnt</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n trial(s) not sent yet: %1</source>
         <translation>
-            <numerusform>%n Versuch noch nicht gesendet: %1</numerusform>
-            <numerusform>%n Versuche noch nicht gesendet: %1</numerusform>
+            <numerusform>%n Durchgang noch nicht gesendet: %1</numerusform>
+            <numerusform>%n Durchgänge noch nicht gesendet: %1</numerusform>
         </translation>
     </message>
 </context>
@@ -5584,215 +6421,215 @@ A label map without names (NIfTI) is read by these values: %1</source>
     <name>vallecula::gui::StructurePanel</name>
     <message>
         <source>Structures</source>
-        <translation type="unfinished"></translation>
+        <translation>Strukturen</translation>
     </message>
     <message>
         <source>The tick shows or hides a structure in the pictures</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Haken zeigt oder verbirgt eine Struktur in den Bildern</translation>
     </message>
     <message>
         <source>Show</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeigen</translation>
     </message>
     <message>
         <source>Origin</source>
-        <translation type="unfinished"></translation>
+        <translation>Herkunft</translation>
     </message>
     <message>
         <source>Accepted</source>
-        <translation type="unfinished"></translation>
+        <translation>Angenommen</translation>
     </message>
     <message>
         <source>&amp;Accept</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Annehmen</translation>
     </message>
     <message>
         <source>It is as it should be</source>
-        <translation type="unfinished"></translation>
+        <translation>Sie ist, wie sie sein soll</translation>
     </message>
     <message>
         <source>Give a &amp;seed ...</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Startpunkt geben ...</translation>
     </message>
     <message>
         <source>Then click a point inside the structure, in any slice (or Enter at the crosshair)</source>
-        <translation type="unfinished"></translation>
+        <translation>Dann einen Punkt in der Struktur anklicken, in einem beliebigen Schnitt (oder Enter am Fadenkreuz)</translation>
     </message>
     <message>
         <source> HU</source>
-        <translation type="unfinished"></translation>
+        <translation> HU</translation>
     </message>
     <message>
         <source>Lowest grey value of the structure, HU</source>
-        <translation type="unfinished"></translation>
+        <translation>Niedrigster Grauwert der Struktur, HU</translation>
     </message>
     <message>
         <source>Highest grey value of the structure, HU</source>
-        <translation type="unfinished"></translation>
+        <translation>Höchster Grauwert der Struktur, HU</translation>
     </message>
     <message>
         <source>Lowest HU of the structure</source>
-        <translation type="unfinished"></translation>
+        <translation>Niedrigste HU der Struktur</translation>
     </message>
     <message>
         <source>Highest HU of the structure</source>
-        <translation type="unfinished"></translation>
+        <translation>Höchste HU der Struktur</translation>
     </message>
     <message>
         <source>&amp;Preview</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Vorschau</translation>
     </message>
     <message>
         <source>Tints in the slices what lies between the two (HU)</source>
-        <translation type="unfinished"></translation>
+        <translation>Färbt in den Schnitten, was zwischen beiden liegt (HU)</translation>
     </message>
     <message>
         <source>&amp;Use the threshold</source>
-        <translation type="unfinished"></translation>
+        <translation>Schwelle &amp;verwenden</translation>
     </message>
     <message>
         <source>&amp;Load a label map ...</source>
-        <translation type="unfinished"></translation>
+        <translation>Karte &amp;laden ...</translation>
     </message>
     <message>
         <source>Takes this structure from a label map made elsewhere (3D Slicer)</source>
-        <translation type="unfinished"></translation>
+        <translation>Nimmt diese Struktur aus einer anderswo erstellten Label-Karte (3D Slicer)</translation>
     </message>
     <message>
         <source>&amp;Drop edits</source>
-        <translation type="unfinished"></translation>
+        <translation>Ver&amp;werfen</translation>
     </message>
     <message>
         <source>Takes back seed, threshold and label map of this structure</source>
-        <translation type="unfinished"></translation>
+        <translation>Nimmt Startpunkt, Schwelle und Label-Karte dieser Struktur zurück</translation>
     </message>
     <message>
         <source>From</source>
-        <translation type="unfinished"></translation>
+        <translation>Von</translation>
     </message>
     <message>
         <source>to</source>
-        <translation type="unfinished"></translation>
+        <translation>bis</translation>
     </message>
     <message>
         <source>not looked for yet</source>
-        <translation type="unfinished"></translation>
+        <translation>noch nicht gesucht</translation>
     </message>
     <message>
         <source>not found</source>
-        <translation type="unfinished"></translation>
+        <translation>nicht gefunden</translation>
     </message>
     <message>
         <source> + seed</source>
-        <translation type="unfinished"></translation>
+        <translation> + Startpunkt</translation>
     </message>
     <message>
         <source> + threshold</source>
-        <translation type="unfinished"></translation>
+        <translation> + Schwelle</translation>
     </message>
     <message>
         <source> + label map</source>
-        <translation type="unfinished"></translation>
+        <translation> + Label-Karte</translation>
     </message>
     <message>
         <source>yes</source>
-        <translation type="unfinished"></translation>
+        <translation>ja</translation>
     </message>
     <message>
         <source>not found: give a seed, a threshold or a label map</source>
-        <translation type="unfinished"></translation>
+        <translation>nicht gefunden: Geben Sie einen Startpunkt, eine Schwelle oder eine Label-Karte</translation>
     </message>
     <message>
         <source>click inside it (Esc: no)</source>
-        <translation type="unfinished"></translation>
+        <translation>hineinklicken (Esc: nein)</translation>
     </message>
     <message>
         <source>%1, %2, %3 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, %2, %3 mm</translation>
     </message>
     <message>
         <source>Finds this structure anew between these two</source>
-        <translation type="unfinished"></translation>
+        <translation>Sucht diese Struktur neu zwischen diesen beiden</translation>
     </message>
     <message>
         <source>The lowest must lie below the highest</source>
-        <translation type="unfinished"></translation>
+        <translation>Der niedrigste muss unter dem höchsten liegen</translation>
     </message>
 </context>
 <context>
     <name>vallecula::gui::TextField</name>
     <message>
         <source>%1: language</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: Sprache</translation>
     </message>
     <message>
         <source>Add a language ...</source>
-        <translation type="unfinished"></translation>
+        <translation>Sprache hinzufügen ...</translation>
     </message>
     <message>
         <source>Remove it</source>
-        <translation type="unfinished"></translation>
+        <translation>Entfernen</translation>
     </message>
     <message>
         <source>As the trainee will read it</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie Lernende es lesen werden</translation>
     </message>
     <message>
         <source>As the trainee reads it</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie Lernende es lesen</translation>
     </message>
     <message>
         <source>Add a language</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Sprache hinzufügen</translation>
     </message>
     <message>
         <source>Its code, like de, fr or pt-BR:</source>
-        <translation type="unfinished"></translation>
+        <translation>Ihr Kürzel, wie de, fr oder pt-BR:</translation>
     </message>
 </context>
 <context>
     <name>vallecula::gui::Timeline</name>
     <message>
         <source>Time in the trial</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeit im Durchgang</translation>
     </message>
     <message>
         <source>%1 of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 von %2</translation>
     </message>
 </context>
 <context>
     <name>vallecula::gui::TrialChart</name>
     <message>
         <source>trial</source>
-        <translation type="unfinished"></translation>
+        <translation>Durchgang</translation>
     </message>
 </context>
 <context>
     <name>vallecula::gui::TrialsPanel</name>
     <message>
         <source>Trials</source>
-        <translation type="unfinished"></translation>
+        <translation>Durchgänge</translation>
     </message>
     <message>
         <source>Trial</source>
-        <translation type="unfinished"></translation>
+        <translation>Durchgang</translation>
     </message>
     <message>
         <source>Ended</source>
-        <translation type="unfinished"></translation>
+        <translation>Beendet</translation>
     </message>
     <message>
         <source>Mode</source>
-        <translation type="unfinished"></translation>
+        <translation>Modus</translation>
     </message>
     <message>
         <source>Result</source>
-        <translation type="unfinished"></translation>
+        <translation>Ergebnis</translation>
     </message>
     <message>
         <source>Figure</source>
-        <translation type="unfinished"></translation>
+        <translation>Größe</translation>
     </message>
     <message>
         <source>Attempts</source>
@@ -5800,93 +6637,93 @@ A label map without names (NIfTI) is read by these values: %1</source>
     </message>
     <message>
         <source>Length (s)</source>
-        <translation type="unfinished"></translation>
+        <translation>Dauer (s)</translation>
     </message>
     <message>
         <source>&amp;Open</source>
-        <translation type="unfinished"></translation>
+        <translation>Ö&amp;ffnen</translation>
     </message>
     <message>
         <source>Ra&amp;te ...</source>
-        <translation type="unfinished"></translation>
+        <translation>Be&amp;werten ...</translation>
     </message>
     <message>
         <source>Squares were interrupted, crosses not passed, discs passed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Quadrate wurden unterbrochen, Kreuze nicht bestanden, Scheiben bestanden.</translation>
     </message>
     <message>
         <source>rate it first</source>
-        <translation type="unfinished"></translation>
+        <translation>zuerst bewerten</translation>
     </message>
     <message>
         <source>Rate it &amp;first ...</source>
-        <translation type="unfinished"></translation>
+        <translation>Zuerst &amp;bewerten ...</translation>
     </message>
     <message>
         <source>Enter, or a double click on the trial</source>
-        <translation type="unfinished"></translation>
+        <translation>Enter oder ein Doppelklick auf den Durchgang</translation>
     </message>
     <message>
         <source>This assessment shows its figures, its result and its report once you have rated it yourself.</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Prüfung zeigt Messwerte, Ergebnis und Bericht, sobald Sie sie selbst bewertet haben.</translation>
     </message>
     <message>
         <source>Nobody has rated this trial.</source>
-        <translation type="unfinished"></translation>
+        <translation>Niemand hat diesen Durchgang bewertet.</translation>
     </message>
     <message>
         <source>This trial&apos;s files are not on this computer: they are on the station it was done at, or were moved.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Dateien dieses Durchgangs liegen nicht auf diesem Rechner: Sie sind auf der Station, an der er stattfand, oder wurden verschoben.</translation>
     </message>
     <message>
         <source>Rate it first: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Zuerst bewerten: %1</translation>
     </message>
     <message>
         <source>Reading the trial ...</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Durchgang wird gelesen ...</translation>
     </message>
     <message>
         <source>The rating is kept.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Bewertung ist aufbewahrt.</translation>
     </message>
 </context>
 <context>
     <name>vallecula::gui::WhoStrip</name>
     <message>
         <source>Sign out</source>
-        <translation type="unfinished"></translation>
+        <translation>Abmelden</translation>
     </message>
     <message>
         <source>&amp;Records ...</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Aufzeichnungen ...</translation>
     </message>
     <message>
         <source>Signed in: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Angemeldet: %1</translation>
     </message>
     <message>
         <source>Nobody is signed in: trials belong to nobody. Records ... is where to sign in.</source>
-        <translation type="unfinished"></translation>
+        <translation>Niemand ist angemeldet: Durchgänge gehören niemandem. Unter „Aufzeichnungen ...“ meldet man sich an.</translation>
     </message>
 </context>
 <context>
     <name>vallecula::gui::WorkStrip</name>
     <message>
         <source>Progress</source>
-        <translation type="unfinished"></translation>
+        <translation>Fortschritt</translation>
     </message>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>Abbrechen</translation>
     </message>
     <message>
         <source>Ends it and leaves nothing behind (Esc)</source>
-        <translation type="unfinished"></translation>
+        <translation>Beendet es und hinterlässt nichts (Esc)</translation>
     </message>
     <message>
         <source>Stopping ...</source>
-        <translation type="unfinished"></translation>
+        <translation>Wird angehalten ...</translation>
     </message>
 </context>
 </TS>
