@@ -53,7 +53,7 @@ QLayout* TrialPage::make_head() {
   sound_ = new SoundButton(this);
   panels_button_ = new QToolButton(this);
   panels_button_->setText(tr("&Panels"));
-  panels_button_->setToolTip(tr("Which panels are shown (Ctrl+1 and on); each may be moved, or taken out of the window"));
+  panels_button_->setToolTip(tr("Which panels are shown (Alt+1 and on); each may be moved, or taken out of the window"));
   panels_button_->setPopupMode(QToolButton::InstantPopup);
   panels_button_->setFocusPolicy(Qt::NoFocus);
   auto* keys = new QToolButton(this);

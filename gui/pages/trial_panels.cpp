@@ -90,7 +90,7 @@ QDockWidget* TrialPanels::add(Panel panel, const QString& title, QWidget* conten
   // The dock's own action, which its close button and whatever else hides it keep up to date.
   QAction* action = dock->toggleViewAction();
   action->setText(title);
-  action->setShortcut(Qt::CTRL + Qt::Key_1 + panel);
+  action->setShortcut(Qt::ALT + Qt::Key_1 + panel);
   action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
   menu_->addAction(action);
   parentWidget()->addAction(action);

@@ -27,7 +27,7 @@ class VideoView;
 class TrialPanels : public QMainWindow {
   Q_OBJECT
  public:
-  /// In the order of their keys, Ctrl+1 and on.
+  /// In the order of their keys, Alt+1 and on.
   enum Panel { monitor, cut, video, force, readings, team, kPanels };
 
   TrialPanels(QWidget* centre, QWidget* parent);
