@@ -93,9 +93,9 @@ TEST_F(WindowPanels, AreSwitchedByKeyAndMenuAndRememberedAndPutBack) {
     page.activateWindow();
     page.setFocus();
     ASSERT_TRUE(wait_for([&] { return page.hasFocus(); }, 5000));
-    key(page, Qt::Key_1 + TrialPanels::cut, Qt::ControlModifier);
+    key(page, Qt::Key_1 + TrialPanels::cut, Qt::AltModifier);
     EXPECT_FALSE(cut->isVisible());
-    key(page, Qt::Key_1 + TrialPanels::cut, Qt::ControlModifier);
+    key(page, Qt::Key_1 + TrialPanels::cut, Qt::AltModifier);
     EXPECT_TRUE(cut->isVisible());
     panels.dock(TrialPanels::force)->toggleViewAction()->trigger();
     EXPECT_FALSE(panels.dock(TrialPanels::force)->isVisible());
