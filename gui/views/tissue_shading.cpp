@@ -101,7 +101,7 @@ const char* const kPixelLight = R"(
 
 // Seen from within the tissue: the light that comes through it, without any gloss.
 const char* const kPixelThrough = R"(
-  if (!gl_FrontFacing) fragOutput0 = vec4(vec3(0.52, 0.23, 0.20) + 0.35 * litVS * vec3(1.0, 0.72, 0.66), opacity);
+  if (!gl_FrontFacing) fragOutput0 = vec4(vec3(0.68, 0.32, 0.29) + 0.30 * litVS * vec3(1.0, 0.72, 0.66), opacity);
 )";
 
 }  // namespace

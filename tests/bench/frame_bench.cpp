@@ -1,6 +1,6 @@
-// vallecula_frame_bench NAME.patient [SECONDS]: what the trial's views cost. First every view and all together, by step
-// of the quality governor, over snapshots of the scripted expert; then the share of late ticks of a trial in real time
-// with and without drawing, in turns of three seconds, so that both meet the same trial and the same machine.
+// vallecula_frame_bench NAME.patient [SECONDS]: what the trial's views cost. First the share of late ticks of a trial in
+// real time with and without drawing, in turns of three seconds, so that both meet the same trial and the same machine;
+// then every view and all together, by step of the quality governor, over snapshots of the scripted expert.
 #include <time.h>
 
 #include <QApplication>
@@ -219,12 +219,10 @@ int main(int argc, char** argv) {
     qputenv("VALLECULA_HOME", home.path().toUtf8());
     VirtualDisplay display(1400, 900);
     WindowApplication application;
-    std::vector<engine::Snapshot> snapshots;
     TrialSession session(setup_of(argv[1], home.filePath("still").toStdString(), false));
     Window window(session, argv[1]);
-    snapshots = snapshots_of(session);
-    frame_times(window, snapshots);
     lateness(window, argv[1], home, seconds);
+    frame_times(window, snapshots_of(session));
   } catch (const std::exception& error) {
     std::fprintf(stderr, "vallecula_frame_bench: %s\n", error.what());
     return 1;

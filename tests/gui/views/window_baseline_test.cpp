@@ -19,9 +19,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Measured on these scenes (grey levels; share): from run to run 0.00; 0.000. Mesa's llvmpipe against its softpipe
-// MEASURED. The least of the deliberate changes below: LEAST.
-constexpr double kMeanGrey = 1.0, kShareOff = 0.01;
+// Measured on these scenes (mean grey levels; share of the pixels off): from run to run nothing; Mesa's llvmpipe against
+// its softpipe at most 0.7; 1.9 % (the video view, where surfaces touch). The least of the deliberate changes below: 2.0
+// (redder skin); 4.9 and 12 % (the tube missing).
+constexpr double kMeanGrey = 1.2, kShareOff = 0.03;
 constexpr int kWidth = 320, kHeight = 240;
 
 bool updating() { return qgetenv("VALLECULA_BASELINES") == "update"; }
@@ -68,6 +69,13 @@ class WindowBaseline : public Screen {
     snapshot.proxy_pose.position = snapshot.device_pose.position = {0, 0, 5};  // far behind the operator
     return snapshot;
   }
+  /// The cords from the operator's eye: tongue and blade are out of the picture altogether.
+  engine::Snapshot glottis() const {
+    engine::Snapshot snapshot = lifted();
+    snapshot.soft_points.assign(snapshot.soft_points.size(), -1.0f);
+    snapshot.proxy_pose.position = snapshot.device_pose.position = {0, -5, 0};
+    return snapshot;
+  }
   /// The tongue lifted off the way, the blade along it.
   engine::Snapshot lifted() const {
     engine::Snapshot snapshot = lifted_snapshot(patient(), 0.9, 9.0);
@@ -76,8 +84,7 @@ class WindowBaseline : public Screen {
     for (auto& node : snapshot.tube_axis) node = engine::Vec3(0.5, 0.5, 0.0);
     return snapshot;
   }
-  engine::Snapshot with_tube() const {
-    engine::Snapshot snapshot = lifted();
+  engine::Snapshot with_tube(engine::Snapshot snapshot) const {
     lay_tube(snapshot, intubation_, way_to_trachea(patient()), 1, 20.0);
     return snapshot;
   }
@@ -127,17 +134,19 @@ TEST_F(WindowBaseline, MouthWithTheBlade) {
   expect_as_before(by_operator(lifted_snapshot(patient(), 0.6, 0.0), OperatorView::Zoom::mouth), "mouth-with-blade");
 }
 
-TEST_F(WindowBaseline, GlottisUnderALift) {
+TEST_F(WindowBaseline, MouthUnderALift) {
   expect_as_before(by_operator(lifted(), OperatorView::Zoom::mouth), "lifted");
 }
 
+TEST_F(WindowBaseline, Glottis) { expect_as_before(by_operator(glottis(), OperatorView::Zoom::mouth), "glottis"); }
+
 TEST_F(WindowBaseline, TubeBetweenTheCords) {
-  expect_as_before(by_operator(with_tube(), OperatorView::Zoom::mouth), "tube-between-cords");
+  expect_as_before(by_operator(with_tube(glottis()), OperatorView::Zoom::mouth), "tube-between-cords");
 }
 
 TEST_F(WindowBaseline, VideoLaryngoscope) {
   expect_as_before(by_video(lifted()), "video");
-  expect_as_before(by_video(with_tube()), "video-tube");
+  expect_as_before(by_video(with_tube(lifted())), "video-tube");
 }
 
 TEST_F(WindowBaseline, TheLensInTheTongueShowsLitTissueAndNoDarkness) {
@@ -152,15 +161,18 @@ TEST_F(WindowBaseline, TheLensInTheTongueShowsLitTissueAndNoDarkness) {
 TEST_F(WindowBaseline, Cut) {
   SagittalView view;
   open(view);
-  view.update_from(with_tube(), 25.0);
+  view.update_from(with_tube(lifted()), 25.0);
   expect_as_before(view.picture(), "cut");
 }
 
 TEST_F(WindowBaseline, ASlowMachineSeesTheSameSceneAndItsStillsAreWhole) {
   if (updating()) GTEST_SKIP() << "the baselines are being written";
-  struct Automatic {  // whatever this test leaves by
-    ~Automatic() { GlView::governor().set_mode(QualityGovernor::Mode::high); }
-  } automatic;
+  struct Everything {  // whatever this test leaves by
+    ~Everything() {
+      GlView::governor().hold(0);
+      GlView::governor().set_mode(QualityGovernor::Mode::automatic);
+    }
+  } afterwards;
   GlView::governor().hold(static_cast<int>(kQualities.size()) - 1);
   OperatorView view;
   open(view);
@@ -187,12 +199,14 @@ TEST_F(WindowBaseline, ASlowMachineSeesTheSameSceneAndItsStillsAreWhole) {
 
 TEST_F(WindowBaseline, WhatIsChangedOnPurposeIsFound) {
   if (updating()) GTEST_SKIP() << "the baselines are being written";
-  EXPECT_TRUE(would_fail(by_operator(lifted(), OperatorView::Zoom::mouth), "tube-between-cords")) << "the tube missing";
+  EXPECT_TRUE(would_fail(by_operator(glottis(), OperatorView::Zoom::mouth), "tube-between-cords")) << "the tube missing";
   EXPECT_TRUE(would_fail(by_video(lifted()), "video-tube")) << "the tube missing";
   OperatorView blue;
   blue.set_blue_trachea(true);
   open(blue);
-  EXPECT_TRUE(would_fail(shown(blue, lifted(), OperatorView::Zoom::mouth), "lifted")) << "another trachea";
+  const auto is_blue = [](QRgb c, int, int) { return is_airway_blue(c); };
+  EXPECT_GT(find_pixels(shown(blue, glottis(), OperatorView::Zoom::mouth), is_blue).pixels, 20);
+  EXPECT_EQ(find_pixels(QImage(QString::fromStdString(baseline("glottis").string())), is_blue).pixels, 0);
   engine::Snapshot moved = lifted();
   moved.eye_offset_m = {0.02, 0.0, 0.0};
   EXPECT_TRUE(would_fail(by_operator(moved, OperatorView::Zoom::mouth), "lifted")) << "another eye";
