@@ -58,8 +58,9 @@ TEST(HeadExtension, OnTheManikin) {
   const auto scene = engine::build_scene(scene_from_package(package, scenario));
   const Seen still = play(package, scene, 0);
   const Seen extended = play(package, scene, engine::kActionExtend);
-  EXPECT_GT(extended.hyoid.y(), still.hyoid.y()) << "below the joint goes back";
-  EXPECT_LT(extended.hyoid.z(), still.hyoid.z()) << "before it goes down";
+  EXPECT_LT(extended.hyoid.y(), still.hyoid.y()) << "the tongue's root is drawn forward";
+  EXPECT_GT(extended.hyoid.z(), still.hyoid.z()) << "and up";
+  EXPECT_GE(extended.at_lift, still.at_lift);
   for (const auto& [name, seen] :
        {std::pair<const char*, Seen>{"as it lies", still}, {"extended", extended},
         {"eye up", play(package, scene, engine::kActionEyeUp)}, {"eye down", play(package, scene, engine::kActionEyeDown)},
