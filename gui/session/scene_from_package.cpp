@@ -44,6 +44,7 @@ constexpr double kHyoidMass = 0.010;         // kg, with the muscles that hang o
 constexpr double kMandibleMass = 0.030;      // kg (assumed)
 // The joint between skull and neck, behind and below the condyles of the jaw (assumed; no landmark has it).
 constexpr double kNeckBehind = 0.013, kNeckBelow = 0.006;  // m, term
+constexpr double kHyoidWithHead = 0.5;       // share of the head's turn (assumed)
 
 Vec3 metres(const pipeline::Point& p) { return Vec3(p[0], p[1], p[2]) * kMetres; }
 
@@ -148,22 +149,22 @@ void follow_bodies(const AnatomyMotion& motion, engine::RigidAnatomy& rigid) {
   }
 }
 
-/// Hyoid and larynx rest where the neck has them; where each is, its anchored nodes tell. The larynx' walls, the glottis and
-/// the windpipe go with the hyoid as ever, by kLarynxShare: their own part of the arc is understated (README).
+/// Told in the throat's frame, which the scene holds still: the head turns back on the neck, and the hyoid, slung between
+/// jaw and neck, goes half of its way (assumed), forward and up. The jaws themselves stay (README).
 engine::NeckDescription neck_of(const PatientPackage& package, const engine::SoftBodyDescription& soft) {
   engine::NeckDescription neck;
   neck.joint = landmark_m(package, "condyle_axis") + size_of(package) * Vec3(0, kNeckBehind, -kNeckBelow);
   neck.joint.x() = 0.0;
-  for (const int body : {kHyoidBody, kLarynxBody}) {
-    Vec3 sum = Vec3::Zero();
-    int count = 0;
-    for (std::size_t i = 0; i < soft.nodes.size(); ++i)
-      if (soft.node_anchor[i] == body) {
-        sum += soft.nodes[i];
-        ++count;
-      }
-    if (count > 0) neck.carried.push_back({body, sum / count});
-  }
+  neck.axis = -Vec3::UnitX();
+  Vec3 sum = Vec3::Zero();
+  int count = 0;
+  for (std::size_t i = 0; i < soft.nodes.size(); ++i)
+    if (soft.node_anchor[i] == kHyoidBody) {
+      sum += soft.nodes[i];
+      ++count;
+    }
+  // Half the way of the whole arm is the whole way of half the arm.
+  if (count > 0) neck.carried = {{kHyoidBody, neck.joint + kHyoidWithHead * (sum / count - neck.joint)}};
   return neck;
 }
 

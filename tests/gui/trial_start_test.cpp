@@ -101,7 +101,8 @@ TEST_F(TrialStart, LockedRecordsHoldUpTheTrialAndNotItsWindow) {
 
 TEST_F(TrialStart, ATrialThatCannotBeRegisteredSaysSoAndLeavesNothing) {
   TrialSession session(setup("mouse"));
-  ::setenv("VALLECULA_RECORDS", (box_.folder() / "nowhere" / "records.sqlite").c_str(), 1);
+  write_text(box_.folder() / "no.sqlite", std::string(4096, 'x'));
+  ::setenv("VALLECULA_RECORDS", (box_.folder() / "no.sqlite").c_str(), 1);
   session.start();
   ASSERT_TRUE(wait_for([&] { return session.finished(); }));
   EXPECT_NE(session.problem().find("records"), std::string::npos) << session.problem();
