@@ -16,6 +16,8 @@
 #include "gui/report/markdown.h"
 #include "gui/session/expert_loop.h"
 #include "gui/session/patient_fit.h"
+#include "gui/session/device_choice.h"
+#include "gui/session/user_settings.h"
 #include "gui/views/operator_view.h"
 
 namespace vallecula::gui {
