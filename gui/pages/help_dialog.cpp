@@ -68,7 +68,7 @@ HelpDialog::HelpDialog(QWidget* parent) : QDialog(parent) {
   connect(list_, &QListWidget::currentItemChanged, this, [this](const QListWidgetItem* item) {
     if (item != nullptr) text_->setSource(QUrl("qrc:/help/" + item->data(Qt::UserRole).toString() + ".md"), QTextDocument::MarkdownResource);
   });
-  resize(980, 700);
+  resize(1040, 720);
 }
 
 void HelpDialog::show_chapter(const QString& name) {

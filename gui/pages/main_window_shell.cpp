@@ -171,7 +171,8 @@ void MainWindow::dropEvent(QDropEvent* event) {
 void MainWindow::open_files(const std::vector<std::filesystem::path>& paths) {
   if (pages_->currentWidget() == authoring_ ? !authoring_->may_leave() : !may_open())
     return tell(tr("Finish or leave what is under way on this page first; then it can be opened."));
-  for (const auto& path : paths) program_log::hide(path);
+  for (const auto& path : paths)  // a trial's file is called as every other's
+    path.extension() == ".vtrial" ? program_log::hide(path.string()) : program_log::hide(path);
   run_in_background<Dropped>(
       this, [paths] { return what_was_dropped(paths); }, [this](const Dropped& found) { open_found(found); },
       [this](const QString& message) { tell(message); });

@@ -145,7 +145,10 @@ LookSettings SettingsDialog::chosen() const {
   return look;
 }
 
-void SettingsDialog::preview() { apply_look(chosen()); }
+void SettingsDialog::preview() {
+  apply_look(chosen());
+  QTimer::singleShot(0, this, [this] { resize(size().expandedTo(sizeHint())); });  // larger words need more room
+}
 
 void SettingsDialog::done(int result) {
   if (result == Accepted) {

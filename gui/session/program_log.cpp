@@ -56,9 +56,13 @@ void blot_out(std::string& text, const std::string& words) {
 
 bool begin(const fs::path& folder) {
   end();
-  if (const char* home = std::getenv("HOME"); home != nullptr && *home != '\0') hide(fs::path(home));
-  hide(folder.parent_path());
   Kept& one = kept();
+  {
+    const std::lock_guard lock(one.mutex);
+    one.hidden.clear();
+  }
+  if (const char* home = std::getenv("HOME"); home != nullptr && *home != '\0') hide(std::string(home));
+  hide(folder.parent_path().string());
   try {
     fs::create_directories(folder);
     one.file = folder / "vallecula.log";
@@ -103,8 +107,8 @@ std::string without_identity(const std::string& text) {
     const std::lock_guard lock(one.mutex);
     for (const std::string& words : one.hidden) blot_out(clean, words);
   }
-  // What begins like a path is one up to the next quote, colon or end: folders' names may hold blanks.
-  static const std::regex path(R"((^|[\s'"(=])(~?/|[A-Za-z]:\\)[^'":;,()\n]*)");
+  // What follows a hidden folder goes with it; what begins like a path is one up to the next quote, colon or end: folders' names may hold blanks.
+  static const std::regex path(R"((^|[\s'"(=])(~?/|[A-Za-z]:\\|\[\.\.\.\]/)[^'":;,()\n]*)");
   return std::regex_replace(clean, path, std::string("$1") + kInstead);
 }
 

@@ -8,7 +8,7 @@
 
 namespace vallecula::gui::program_log {
 
-/// Opens FOLDER/vallecula.log, at most 256 kB, with two older ones. False: the folder cannot be written, and nothing
+/// Forgets what was hidden, and opens FOLDER/vallecula.log, at most 256 kB, with two older ones. False: the folder cannot be written, and nothing
 /// will be kept. Lines are written by a thread of their own.
 bool begin(const std::filesystem::path& folder);
 void end();

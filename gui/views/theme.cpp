@@ -150,6 +150,7 @@ void apply(QApplication& application, const Look& look) {
   palette.setColor(QPalette::ToolTipText, text());
   palette.setColor(QPalette::Highlight, accent());
   palette.setColor(QPalette::HighlightedText, Qt::white);
+  for (const auto role : {QPalette::Link, QPalette::LinkVisited}) palette.setColor(role, device());
   const QColor off = applied.ground == Ground::dark ? faint().darker(130) : faint().lighter(150);
   palette.setColor(QPalette::Disabled, QPalette::ButtonText, off);
   palette.setColor(QPalette::Disabled, QPalette::WindowText, off);

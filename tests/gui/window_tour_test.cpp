@@ -57,6 +57,7 @@ class WindowTour : public Screen, public ::testing::WithParamInterface<const cha
     FAIL() << "no button says " << text.toStdString() << " on " << window_->page_name().toStdString();
   }
   void key(Qt::Key key, Qt::KeyboardModifiers with = Qt::NoModifier) {
+    QApplication::setActiveWindow(window_.get());  // no window manager gives it back after a dialog
     QWidget* focus = QApplication::focusWidget();
     QTest::keyClick(focus != nullptr && focus->isVisible() ? focus : window_.get(), key, with);
     settle(150);
