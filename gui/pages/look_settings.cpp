@@ -6,6 +6,8 @@
 #include <algorithm>
 
 #include "gui/session/user_settings.h"
+#include "gui/views/gl_view.h"
+#include "gui/views/mouth_stage.h"
 
 namespace vallecula::gui {
 namespace {
@@ -41,6 +43,8 @@ void keep_look(const LookSettings& look) {
 void apply_look(const LookSettings& look) {
   const bool dark = look.ground == "system" ? system_is_dark : look.ground == "dark";
   theme::apply(*qApp, {dark ? theme::Ground::dark : theme::Ground::light, look.text_scale});
+  MouthStage::set_blue_everywhere(look.trachea == "blue");
+  GlView::governor().set_mode(QualityGovernor::mode_of(look.quality));
 }
 
 void note_system_palette() { system_is_dark = QApplication::palette().color(QPalette::Window).lightness() < 128; }

@@ -11,7 +11,7 @@
 #include <QVBoxLayout>
 #include <cmath>
 
-#include "gui/pages/languages.h"
+#include "gui/session/languages.h"
 #include "gui/session/user_settings.h"
 
 namespace vallecula::gui {

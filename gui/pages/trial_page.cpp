@@ -37,7 +37,6 @@ void TrialPage::open(std::shared_ptr<TrialSession> session, std::shared_ptr<Pati
   title_->setText(QString::fromStdString(scenario.title));
   title_->setToolTip(html_of(scenario.briefing));
   const auto& intubation = session_->scene().intubation;
-  take_look_settings();
   operator_view_->show_patient(look_, session_->scene().tool.surface, intubation ? &*intubation : nullptr);
   show_helps();
   panels_->open(*session_, look_);

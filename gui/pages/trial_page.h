@@ -128,7 +128,6 @@ class TrialPage : public QWidget {
   QWidget* make_foot();
   void begin_anew(bool at_vallecula);
   void offer_helps();
-  void take_look_settings();
   void take_expert(std::shared_ptr<ExpertLoop> loop);
   void draw_expert();
   void show_running(const engine::Snapshot& snapshot);

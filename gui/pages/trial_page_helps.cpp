@@ -32,14 +32,6 @@ void TrialPage::offer_helps() {
   helps_->offer(first({counts, waits}), first({counts, shown, waits}), running_);
 }
 
-void TrialPage::take_look_settings() {
-  const auto kept = user_settings();
-  const bool blue = kept->value("look/trachea").toString() == "blue";
-  operator_view_->set_blue_trachea(blue);
-  panels_->video_view().set_blue_trachea(blue);
-  GlView::governor().set_mode(QualityGovernor::mode_of(kept->value("look/quality").toString()));
-}
-
 void TrialPage::show_expert() {
   if (!session_ || !running_ || ending_ || expert_wanted_) return;
   try {

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "gui/commands/commands.h"
-#include "gui/pages/languages.h"
+#include "gui/session/languages.h"
 #include "gui/pages/look_settings.h"
 #include "gui/session/virtual_display.h"
 #include "gui/views/gl_view.h"

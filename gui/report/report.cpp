@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "curricula/records/trial_files.h"
-#include "gui/pages/languages.h"
+#include "gui/session/languages.h"
 #include "gui/report/advice.h"
 #include "gui/report/figure_row.h"
 #include "gui/report/intubation_report.h"

@@ -59,6 +59,8 @@ TEST(Demo, WrongWeightIsWrongUsage) {
 TEST(DemoRealTime, FromCtToScoreTheExpertPassesAndTheNoviceDoesNot) {
   const test::Sandbox box;
   const fs::path out = box / "results";
+  fs::create_directories(box.home());
+  std::ofstream(box.home() / "settings.ini") << "[look]\ntrachea=blue\n";  // told from all else in a picture
   const test::Outcome outcome = box.run({"demo", "--out", out.string()}, kNoScreen);
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_NE(outcome.out.find(out.string()), std::string::npos) << "says where the results are";

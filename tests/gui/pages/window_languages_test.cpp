@@ -5,7 +5,7 @@
 #include <cstdlib>
 
 #include "gui/pages/devices_page.h"
-#include "gui/pages/languages.h"
+#include "gui/session/languages.h"
 #include "gui/session/user_settings.h"
 #include "gui/session/words_from_below.h"
 #include "tests/gui/program.h"

@@ -15,7 +15,7 @@
 #include "gui/import/import_wizard.h"
 #include "gui/pages/device_dialog.h"
 #include "gui/pages/devices_page.h"
-#include "gui/pages/languages.h"
+#include "gui/session/languages.h"
 #include "gui/pages/replay_page.h"
 #include "gui/pages/result_page.h"
 #include "gui/pages/self_rating_page.h"

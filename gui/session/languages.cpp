@@ -1,4 +1,4 @@
-#include "gui/pages/languages.h"
+#include "gui/session/languages.h"
 
 #include <QCoreApplication>
 #include <QDir>
