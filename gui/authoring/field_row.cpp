@@ -12,6 +12,7 @@
 
 #include "gui/authoring/number_box.h"
 #include "gui/authoring/text_field.h"
+#include "gui/session/words_from_below.h"
 #include "gui/views/capitalised.h"
 
 namespace vallecula::gui {
@@ -37,7 +38,7 @@ QString text_of(const YamlNode* value) { return value == nullptr ? QString() : Q
 
 QString remark(const FieldRule& rule) {
   QStringList parts;
-  if (!rule.allowed().isEmpty() && rule.kind != Kind::text) parts << rule.allowed();
+  if (!rule.allowed().isEmpty() && rule.kind != Kind::text) parts << in_words(rule.allowed().toStdString());
   if (!rule.help.isEmpty()) parts << rule.help;
   if (!rule.left_out.isEmpty()) parts << QCoreApplication::translate("FieldRow", "left out: %1").arg(rule.left_out);
   return parts.join("; ");

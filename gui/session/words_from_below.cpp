@@ -605,7 +605,20 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("FromBelow", "%1 ml at first, %2 ml at the end"),
     QT_TRANSLATE_NOOP("FromBelow", "%1 ml at first, %2 ml at the end, no catheter took them"),
     QT_TRANSLATE_NOOP("FromBelow", "The attempt at %1 s began without a breath before"),
-    // The form of a course: fields and their helps (curricula/schema)
+    // The form of a course: fields, their helps and what is allowed (curricula/schema, authoring/field_rules)
+    QT_TRANSLATE_NOOP("FromBelow", "up to %1 characters"),
+    QT_TRANSLATE_NOOP("FromBelow", "%1 to %2"),
+    QT_TRANSLATE_NOOP("FromBelow", "%1 to %2 %3/min"),
+    QT_TRANSLATE_NOOP("FromBelow", "%1 to %2 N"),
+    QT_TRANSLATE_NOOP("FromBelow", "%1 to %2 factor"),
+    QT_TRANSLATE_NOOP("FromBelow", "%1 to %2 kg"),
+    QT_TRANSLATE_NOOP("FromBelow", "%1 to %2 s"),
+    QT_TRANSLATE_NOOP("FromBelow", "%1 to %2 Pa"),
+    QT_TRANSLATE_NOOP("FromBelow", "%1 to %2 mm"),
+    QT_TRANSLATE_NOOP("FromBelow", "%1 to %2 ml"),
+    QT_TRANSLATE_NOOP("FromBelow", "%1 to %2 French"),
+    QT_TRANSLATE_NOOP("FromBelow", "%1 to %2 weeks"),
+    QT_TRANSLATE_NOOP("FromBelow", "%1 to %2 %"),
     QT_TRANSLATE_NOOP("FromBelow",
                       "A curriculum: scenarios in the order in which they are practised. Every force is a training "
                       "target, never an injury limit."),

@@ -3364,6 +3364,58 @@
         <source>in no attempt a fall by 20 points or more</source>
         <translation>in keinem Intubationsversuch ein Abfall um 20 Punkte oder mehr</translation>
     </message>
+    <message>
+        <source>up to %1 characters</source>
+        <translation>bis zu %1 Zeichen</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>%1 to %2 %3/min</source>
+        <translation>%1 bis %2 %3/min</translation>
+    </message>
+    <message>
+        <source>%1 to %2 N</source>
+        <translation>%1 bis %2 N</translation>
+    </message>
+    <message>
+        <source>%1 to %2 factor</source>
+        <translation>%1 bis %2 als Faktor</translation>
+    </message>
+    <message>
+        <source>%1 to %2 kg</source>
+        <translation>%1 bis %2 kg</translation>
+    </message>
+    <message>
+        <source>%1 to %2 s</source>
+        <translation>%1 bis %2 s</translation>
+    </message>
+    <message>
+        <source>%1 to %2 Pa</source>
+        <translation>%1 bis %2 Pa</translation>
+    </message>
+    <message>
+        <source>%1 to %2 mm</source>
+        <translation>%1 bis %2 mm</translation>
+    </message>
+    <message>
+        <source>%1 to %2 ml</source>
+        <translation>%1 bis %2 ml</translation>
+    </message>
+    <message>
+        <source>%1 to %2 French</source>
+        <translation>%1 bis %2 Charrière</translation>
+    </message>
+    <message>
+        <source>%1 to %2 weeks</source>
+        <translation>%1 bis %2 Wochen</translation>
+    </message>
+    <message>
+        <source>%1 to %2 %</source>
+        <translation>%1 bis %2 %</translation>
+    </message>
 </context>
 <context>
     <name>GivenLabels</name>
@@ -4195,7 +4247,7 @@
     </message>
     <message>
         <source>not saved yet</source>
-        <translation>noch nicht gespeichert</translation>
+        <translation>ungespeichert</translation>
     </message>
     <message>
         <source>Save as mine</source>

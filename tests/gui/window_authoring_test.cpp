@@ -234,7 +234,7 @@ TEST_F(WindowAuthoring, AShippedCourseIsSavedAmongOnesOwnAndComparedWithTheShipp
   EXPECT_EQ(document().file(), mine);
   EXPECT_EQ(curricula::load_curriculum(mine).id, "my-neonatal-intubation");
   tabs().setCurrentIndex(2);
-  EXPECT_TRUE(says("2 lines are new (green, +), 2 are gone (brown, -)"));
+  EXPECT_TRUE(says("3 lines are new (green, +), 3 are gone (brown, -)"));
   EXPECT_TRUE(page_->findChild<QTextBrowser*>()->toPlainText().contains("Another way in"));
   keep_picture(*window_, "authoring-compare.png");
 }
