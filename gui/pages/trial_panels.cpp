@@ -34,7 +34,8 @@ const std::array<const char*, TrialPanels::kPanels> kNames{"monitor", "cut", "vi
 
 }  // namespace
 
-TrialPanels::TrialPanels(QWidget* centre, QWidget* parent) : QMainWindow(parent, Qt::Widget) {
+TrialPanels::TrialPanels(QWidget* centre, QWidget* parent) : QMainWindow(parent) {
+  setWindowFlags(Qt::Widget);  // the constructor makes every main window one of its own
   setContextMenuPolicy(Qt::PreventContextMenu);  // the right button turns the blade
   setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
   setCorner(Qt::TopRightCorner, Qt::RightDockWidgetArea);
