@@ -96,6 +96,7 @@ QDockWidget* TrialPanels::add(Panel panel, const QString& title, QWidget* conten
   menu_->addAction(action);
   parentWidget()->addAction(action);
   connect(action, &QAction::triggered, this, [this, panel](bool on) {
+    if (!refusal(panel).isEmpty()) return show_what_is_wanted();
     wanted_[panel] = on;
     if (on) docks_[panel]->raise();
     fit_later();
