@@ -16,8 +16,9 @@ class InstructorControls : public QWidget {
   Q_OBJECT
  public:
   explicit InstructorControls(QWidget* parent = nullptr);
-  /// What the present trial allows. `vital_signs`: it has an infant's; `assessment`: the rules of an assessment.
-  void allow(bool running, bool vital_signs, bool assessment);
+  /// What the present trial allows. `vital_signs`: it has an infant's; `spasm`: whose cords can close, for they are not
+  /// relaxed; `assessment`: the rules of an assessment.
+  void allow(bool running, bool vital_signs, bool spasm, bool assessment);
   void show_frozen(bool frozen);
   void tell(const QString& message);  ///< why something was not done; empty: nothing
   void release_all();

@@ -233,7 +233,7 @@ void InstructorWindow::show_state() {
       tr("At the blade: %1. Here: %2.%3").arg(trainee, instructor, assessed ? tr(" Assessment.") : QString()));
   monitor_->setVisible(infant);
   next_->setEnabled(!running && !trial_.assessing());
-  controls_->allow(running, infant, assessed);
+  controls_->allow(running, infant, infant && !session_->scene().intubation->glottis.relaxed, assessed);
   controls_->show_frozen(frozen);
 }
 

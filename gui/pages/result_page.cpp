@@ -138,11 +138,12 @@ void ResultPage::show_outcome(const TrialOutcome& outcome, const curricula::Scen
                               const std::filesystem::path& folder, const std::vector<std::string>& misfits) {
   const auto& score = outcome.score;
   title_->setText(QString::fromStdString(scenario.title));
-  verdict_->setText(score.passed ? tr("PASSED") : tr("NOT PASSED"));
+  const bool aside = !score.set_aside.empty();  // it counts neither way; the reasons begin with why
+  verdict_->setText(aside ? tr("SET ASIDE") : score.passed ? tr("PASSED") : tr("NOT PASSED"));
   verdict_->setStyleSheet(
       QString(
           "background: %1; color: white; font-size: 14pt; font-weight: bold; padding: 6px 14px; border-radius: 6px;")
-          .arg((score.passed ? theme::within() : theme::bad()).name()));
+          .arg((aside ? theme::accent() : score.passed ? theme::within() : theme::bad()).name()));
   outcome_->setVisible(score.intubation.has_value());
   if (score.intubation) outcome_->setText(in_words(curricula::outcome_in_words(*score.intubation)) + ".");
   const QString locked = in_words(replay_refusal(scenario));
