@@ -15,6 +15,7 @@
 #include <numeric>
 #include <opencv2/videoio.hpp>
 #include <stdexcept>
+#include <utility>
 
 #include "curricula/records/notes.h"
 #include "gui/pages/clip_export.h"
@@ -252,6 +253,9 @@ TEST_F(WindowReplay, ColoursWhatWasPressedByHowHard) {
   EXPECT_FLOAT_EQ(*std::max_element(at_end.begin(), at_end.end()), heat.highest_kpa());
 
   page.findChild<QCheckBox*>("arrows")->setChecked(false);
+  // The page is laid out once more after it is first shown: pictures are compared when that is over.
+  QSize size;
+  ASSERT_TRUE(wait_for([&] { return std::exchange(size, page.operator_view().size()) == page.operator_view().size(); }));
   auto& box = *page.findChild<QCheckBox*>("heat");
   const auto pixels_changed = [&](double at_s) {
     page.seek(at_s);
