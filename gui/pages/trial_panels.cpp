@@ -68,7 +68,7 @@ TrialPanels::TrialPanels(QWidget* centre, QWidget* parent) : QMainWindow(parent)
   add(readings, tr("&Readings"), framed(readings_, 0));
   add(team, tr("&Team"), distractions_);
   menu_->addSeparator();
-  menu_->addAction(tr("Panels as at &first"), this, &TrialPanels::restore_first);
+  menu_->addAction(tr("Panels &as at first"), this, &TrialPanels::restore_first);
   arrange();
   const auto kept = user_settings();
   const QStringList hidden = kept->value(kHidden).toStringList();
