@@ -625,6 +625,18 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("FromBelow", "%1 ml at first, %2 ml at the end"),
     QT_TRANSLATE_NOOP("FromBelow", "%1 ml at first, %2 ml at the end, no catheter took them"),
     QT_TRANSLATE_NOOP("FromBelow", "The attempt at %1 s began without a breath before"),
+    // Why a trial counts neither way, and the helps it had (curricula/score/helps, gui/report/technique_report)
+    QT_TRANSLATE_NOOP("FromBelow",
+                      "Begun at the vallecula: the blade was led there, so the trial counts neither as passed nor as "
+                      "failed, and its times are none"),
+    QT_TRANSLATE_NOOP(
+        "FromBelow",
+        "The instructor changed the infant's vital signs from %1 s: the trial counts neither as passed nor as failed"),
+    QT_TRANSLATE_NOOP(
+        "FromBelow",
+        "The instructor closed the vocal cords from %1 s: the trial counts neither as passed nor as failed"),
+    QT_TRANSLATE_NOOP("FromBelow", "%1 time, %2 s in all, first at %3 s"),
+    QT_TRANSLATE_NOOP("FromBelow", "%1 times, %2 s in all, first at %3 s"),
     // The form of a course: fields, their helps and what is allowed (curricula/schema, authoring/field_rules)
     QT_TRANSLATE_NOOP("FromBelow", "up to %1 characters"),
     QT_TRANSLATE_NOOP("FromBelow", "%1 to %2"),

@@ -3543,6 +3543,26 @@
         <source>the expert&apos;s loop stopped at a fault of the computation</source>
         <translation>die Expertenschleife hielt an einem Fehler der Berechnung an</translation>
     </message>
+    <message>
+        <source>Begun at the vallecula: the blade was led there, so the trial counts neither as passed nor as failed, and its times are none</source>
+        <translation>An der Vallecula begonnen: Der Spatel wurde dorthin geführt, also zählt der Durchgang weder als bestanden noch als nicht bestanden, und er hat keine Zeiten</translation>
+    </message>
+    <message>
+        <source>The instructor changed the infant&apos;s vital signs from %1 s: the trial counts neither as passed nor as failed</source>
+        <translation>Die Lehrperson änderte ab %1 s die Vitalwerte des Kindes: Der Durchgang zählt weder als bestanden noch als nicht bestanden</translation>
+    </message>
+    <message>
+        <source>The instructor closed the vocal cords from %1 s: the trial counts neither as passed nor as failed</source>
+        <translation>Die Lehrperson schloss ab %1 s die Stimmlippen: Der Durchgang zählt weder als bestanden noch als nicht bestanden</translation>
+    </message>
+    <message>
+        <source>%1 time, %2 s in all, first at %3 s</source>
+        <translation>%1-mal, insgesamt %2 s, zuerst bei %3 s</translation>
+    </message>
+    <message>
+        <source>%1 times, %2 s in all, first at %3 s</source>
+        <translation>%1-mal, insgesamt %2 s, zuerst bei %3 s</translation>
+    </message>
 </context>
 <context>
     <name>GivenLabels</name>
