@@ -194,7 +194,7 @@ QWidget* CheckPage::make_side() {
   tabs_->addTab(structures_, tr("S&tructures"));
   tabs_->addTab(landmarks_, tr("Land&marks"));
   tabs_->addTab(quality_, tr("&Quality"));
-  save_ = new QPushButton(tr("Save &for 3D Slicer ..."), side);
+  save_ = new QPushButton(tr("Save fo&r 3D Slicer ..."), side);
   load_ = new QPushButton(tr("L&oad ..."), side);
   save_->setToolTip(tr("Labels (.nrrd) and landmarks (.mrk.json beside them), to be painted and moved there"));
   load_->setToolTip(tr("A label map (all structures in it) or landmarks (.mrk.json), as 3D Slicer saves them.\n"

@@ -32,7 +32,7 @@ LandmarkPanel::LandmarkPanel(SliceScene& scene, EditHistory& history, QWidget* p
   how_ = new QLabel(this);
   how_->setWordWrap(true);
   how_->setMinimumHeight(36);
-  move_ = new QPushButton(tr("Mo&ve it to the crosshair"), this);
+  move_ = new QPushButton(tr("Move &it to the crosshair"), this);
   back_ = new QPushButton(tr("Bac&k to where it was found"), this);
   auto* help =
       new QLabel(tr("Choosing one takes all slices to it. Drag its ring in a slice, or its ball in 3D."), this);

@@ -38,7 +38,7 @@ SourcePage::SourcePage(ImportWork& work, QWidget* parent) : QWidget(parent), wor
   source_ = new QLineEdit(this);
   source_->setPlaceholderText(tr("Folder with the CT's DICOM files"));
   source_->setAccessibleName(tr("Where the CT is"));
-  folder_ = new QPushButton(tr("&Folder ..."), this);
+  folder_ = new QPushButton(tr("Fol&der ..."), this);
   file_ = new QPushButton(tr("F&ile ..."), this);
   table_ = new QTableWidget(0, 4, this);
   table_->setAccessibleName(tr("Series found"));

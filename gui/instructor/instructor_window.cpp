@@ -18,6 +18,7 @@
 #include "gui/records_pages/keep_ratings.h"
 #include "gui/records_pages/person_words.h"
 #include "gui/report/markdown.h"
+#include "gui/session/words_from_below.h"
 #include "gui/views/force_bars.h"
 #include "gui/views/monitor_panel.h"
 #include "gui/views/operator_view.h"
@@ -208,8 +209,7 @@ void InstructorWindow::frame(const engine::Snapshot& snapshot) {
   bars_->show_forces(blade_forces(snapshot.loads, snapshot.proxy_pose));
   readings_->show_snapshot(snapshot, session_->paused_s());
   monitor_->show_snapshot(snapshot);
-  add_events(
-      live_.watch(snapshot, QString::fromStdString(session_->pause()), session_->paused_s(), &session_->dual_task()));
+  add_events(live_.watch(snapshot, in_words(session_->pause()), session_->paused_s(), &session_->dual_task()));
   show_state();
 }
 
@@ -251,7 +251,7 @@ void InstructorWindow::freeze(bool on) {
     show_state();
   } catch (const std::exception& error) {
     show_state();
-    controls_->tell(QString::fromUtf8(error.what()));
+    controls_->tell(in_words(error.what()));
   }
 }
 

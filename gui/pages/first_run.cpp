@@ -142,7 +142,7 @@ QWidget* FirstRun::make_senses() {
   ground->addItem(tr("As the desktop"), "system");
   ground->setCurrentIndex(std::max(0, ground->findData(look_.ground)));
   ground->setToolTip(tr("Colours of the whole window"));
-  auto* sound = new QCheckBox(tr("The monitor &beeps: lower as the saturation falls"), page);
+  auto* sound = new QCheckBox(tr("The monitor bee&ps: lower as the saturation falls"), page);
   sound->setObjectName("monitor_sound");
   sound->setChecked(user_settings()->value("sound/monitor", true).toBool());
   form->addRow(tr("&Text size"), text);
@@ -182,7 +182,7 @@ void FirstRun::go(int step) {
   steps_->setCurrentIndex(step);
   where_->setText(tr("Step %1 of %2").arg(step + 1).arg(kLastStep + 1));
   back_->setVisible(step > 0);
-  next_->setText(step == kLastStep ? tr("&Begin") : tr("&Next"));
+  next_->setText(step == kLastStep ? tr("Be&gin") : tr("&Next"));
   next_->setFocus();
 }
 

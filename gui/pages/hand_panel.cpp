@@ -21,23 +21,26 @@ HandPanel::HandPanel(QWidget* parent) : QWidget(parent) {
     return made;
   };
   using engine::Action;
-  held_ = {
-      {{Action::kActionBreath,
-        button(tr("Breath (B)"), tr("Held: 40 a minute, by mask, or by the tube once it is in")),
-        {Qt::Key_B, Qt::Key_Space}},
-       {Action::kActionSuction,
-        button(tr("Suction (V)"), tr("Held, with the catheter's tip in the secretions")),
-        {Qt::Key_V, 0}},
-       {Action::kActionPress, button(tr("Press larynx (L)"), tr("Held: the assistant presses on the larynx")), {Qt::Key_L, 0}},
-       {Action::kActionStyletOut,
-        button(tr("Stylet out (T)"), tr("Draws the stylet out of the tube, for good")),
-        {Qt::Key_T, 0}}}};
+  held_ = {{{Action::kActionBreath,
+             button(tr("Breath (B)"), tr("Held: 40 a minute, by mask, or by the tube once it is in")),
+             {Qt::Key_B, Qt::Key_Space}},
+            {Action::kActionSuction,
+             button(tr("Suction (V)"), tr("Held, with the catheter's tip in the secretions")),
+             {Qt::Key_V, 0}},
+            {Action::kActionPress,
+             button(tr("Press larynx (L)"), tr("Held: the assistant presses on the larynx")),
+             {Qt::Key_L, 0}},
+            {Action::kActionStyletOut,
+             button(tr("Stylet out (T)"), tr("Draws the stylet out of the tube, for good")),
+             {Qt::Key_T, 0}}}};
   for (const Held& held : held_) {
     connect(held.button, &QPushButton::pressed, this, [this, held] { hold(held, true); });
     connect(held.button, &QPushButton::released, this, [this, held] { hold(held, false); });
   }
-  catheter_ = button(tr("Catheter (C)"), tr("Takes the suction catheter in place of the tube, and back: outside the mouth"));
-  other_hand_ = button(tr("Other hand (X)"), tr("Steers the other hand; what this one holds stays where it is (X or Tab)"));
+  catheter_ =
+      button(tr("Catheter (C)"), tr("Takes the suction catheter in place of the tube, and back: outside the mouth"));
+  other_hand_ =
+      button(tr("Other hand (X)"), tr("Steers the other hand; what this one holds stays where it is (X or Tab)"));
   once_ = {{{catheter_, {Qt::Key_C, 0, 0}}, {other_hand_, {Qt::Key_X, Qt::Key_Tab, Qt::Key_Backtab}}}};
   connect(catheter_, &QPushButton::clicked, this, &HandPanel::change_catheter);
   connect(other_hand_, &QPushButton::clicked, this, [this] {
@@ -105,9 +108,9 @@ void HandPanel::show_snapshot(const engine::Snapshot& snapshot) {
   using engine::InHand;
   const InHand in_hand = snapshot.intubation.in_hand;
   const bool wanted = actions_ != nullptr && actions_->held(engine::kActionCatheter), has = in_hand == InHand::catheter;
-  catheter_->setText(wanted != has ? (wanted ? "Tube out first (C)" : "Catheter out first (C)")
-                     : has         ? "Tube (C)"
-                                   : "Catheter (C)");
+  catheter_->setText(wanted != has ? (wanted ? tr("Tube out first (C)") : tr("Catheter out first (C)"))
+                     : has         ? tr("Tube (C)")
+                                   : tr("Catheter (C)"));
   for (const Held& held : held_) {
     if (held.action == engine::kActionSuction) held.button->setEnabled(has);
     if (held.action == engine::kActionStyletOut) held.button->setEnabled(in_hand == InHand::tube_with_stylet);

@@ -10,15 +10,23 @@
 #include <QVBoxLayout>
 #include <map>
 
+#include "gui/session/languages.h"
+
 /// The files lie in a static library: without this the linker leaves them out. Must not stand in a namespace.
 static void reach_help() { Q_INIT_RESOURCE(help); }
 
 namespace vallecula::gui {
 namespace {
 
+/// In the window's language where somebody has written it, else in English.
+QString file_of(const QString& chapter) {
+  const QString ours = ":/help/" + language() + '/' + chapter + ".md";
+  return QFile::exists(ours) ? ours : ":/help/" + chapter + ".md";
+}
+
 /// A chapter's first line is its heading.
 QString title_of(const QString& chapter) {
-  QFile file(":/help/" + chapter + ".md");
+  QFile file(file_of(chapter));
   if (!file.open(QIODevice::ReadOnly | QIODevice::Text)) return chapter;
   QTextStream text(&file);
   text.setCodec("UTF-8");
@@ -29,15 +37,22 @@ QString title_of(const QString& chapter) {
 
 QStringList help_chapters() {
   reach_help();
-  return {"first-laryngoscopy", "trial-page", "score",   "import",         "courses",
-          "records",            "instructor", "devices", "troubleshooting"};
+  return {"first-laryngoscopy", "trial-page", "score",          "import", "courses", "records",
+          "instructor",         "devices",    "troubleshooting"};
 }
 
 QString help_chapter_of(const QString& page) {
-  static const std::map<QString, QString> chapters = {
-      {"home", "first-laryngoscopy"}, {"start", "courses"},     {"records", "records"}, {"devices", "devices"},
-      {"import", "import"},           {"authoring", "courses"}, {"trial", "trial-page"}, {"rating", "score"},
-      {"result", "score"},            {"replay", "score"},      {"prepare", "troubleshooting"}};
+  static const std::map<QString, QString> chapters = {{"home", "first-laryngoscopy"},
+                                                      {"start", "courses"},
+                                                      {"records", "records"},
+                                                      {"devices", "devices"},
+                                                      {"import", "import"},
+                                                      {"authoring", "courses"},
+                                                      {"trial", "trial-page"},
+                                                      {"rating", "score"},
+                                                      {"result", "score"},
+                                                      {"replay", "score"},
+                                                      {"prepare", "troubleshooting"}};
   const auto found = chapters.find(page);
   return found == chapters.end() ? help_chapters().front() : found->second;
 }
@@ -66,7 +81,8 @@ HelpDialog::HelpDialog(QWidget* parent) : QDialog(parent) {
   all->addLayout(columns, 1);
   all->addWidget(buttons);
   connect(list_, &QListWidget::currentItemChanged, this, [this](const QListWidgetItem* item) {
-    if (item != nullptr) text_->setSource(QUrl("qrc:/help/" + item->data(Qt::UserRole).toString() + ".md"), QTextDocument::MarkdownResource);
+    if (item != nullptr)
+      text_->setSource(QUrl("qrc" + file_of(item->data(Qt::UserRole).toString())), QTextDocument::MarkdownResource);
   });
   resize(1040, 720);
 }

@@ -49,10 +49,10 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
   rating_ = new SelfRatingPage(pages_);
   result_ = new ResultPage(pages_);
   replay_ = new ReplayPage(pages_);
-  for (QWidget* page :
-       {static_cast<QWidget*>(home_), static_cast<QWidget*>(start_), static_cast<QWidget*>(devices_), static_cast<QWidget*>(records_),
-        static_cast<QWidget*>(import_), static_cast<QWidget*>(authoring_), prepare_page_, static_cast<QWidget*>(trial_),
-        static_cast<QWidget*>(rating_), static_cast<QWidget*>(result_), static_cast<QWidget*>(replay_)})
+  for (QWidget* page : {static_cast<QWidget*>(home_), static_cast<QWidget*>(start_), static_cast<QWidget*>(devices_),
+                        static_cast<QWidget*>(records_), static_cast<QWidget*>(import_),
+                        static_cast<QWidget*>(authoring_), prepare_page_, static_cast<QWidget*>(trial_),
+                        static_cast<QWidget*>(rating_), static_cast<QWidget*>(result_), static_cast<QWidget*>(replay_)})
     pages_->addWidget(page);
   who_ = new WhoStrip(records_->desk(), this);
   menu_ = new MainMenu(*this);
@@ -78,7 +78,8 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
   connect(records_, &RecordsPage::trial_wanted, this, &MainWindow::show_trial);
   connect(&records_->desk(), &RecordsDesk::changed, this, [this] {
     start_->forget_mode();
-    start_->set_past({}, records_->desk().instructor());  // of the one before nothing is seen while the records are asked
+    // Of the one before nothing is seen while the records are asked.
+    start_->set_past({}, records_->desk().instructor());
     read_past();
   });
   connect(start_, &StartPage::courses_wanted, this, [this] { write_course(); });
@@ -157,9 +158,8 @@ void MainWindow::connect_station() {
   });
   connect(station_, &InstructorStation::records_wanted, this, [this] { show_page(records_); });
   connect(station_, &InstructorStation::told, this, &MainWindow::tell);
-  connect(devices_, &DevicesPage::check_wanted, station_, [this](const device::FoundDevice& device) {
-    station_->check_device(QString::fromStdString(device.name));
-  });
+  connect(devices_, &DevicesPage::check_wanted, station_,
+          [this](const device::FoundDevice& device) { station_->check_device(QString::fromStdString(device.name)); });
 }
 
 MainWindow::~MainWindow() {
@@ -170,16 +170,16 @@ MainWindow::~MainWindow() {
 
 QWidget* MainWindow::make_prepare_page() {
   auto* page = new QWidget(pages_);
-  auto* title = new QLabel("Preparing the patient", page);
+  auto* title = new QLabel(tr("Preparing the patient"), page);
   title->setObjectName("title");
   prepare_stage_ = new QLabel(page);
   prepare_bar_ = new QProgressBar(page);
   prepare_bar_->setRange(0, 1000);
   prepare_bar_->setTextVisible(false);
-  auto* cancel = new QPushButton("Cancel", page);
+  auto* cancel = new QPushButton(tr("Cancel"), page);
   connect(cancel, &QPushButton::clicked, this, [this] {
     cancelled_ = true;
-    prepare_stage_->setText("Stopping ...");
+    prepare_stage_->setText(tr("Stopping ..."));
   });
   auto* column = new QVBoxLayout(page);
   column->setContentsMargins(220, 0, 220, 0);
@@ -215,7 +215,7 @@ void MainWindow::choose_last_device(const QString& name) {
     if (!kind.hardware || name.section(':', 0, 0).toStdString() != kind.kind) continue;
     try {
       check_device_name(name.toStdString());
-      start_->choose_device(name, name + " (used last)");  // until it is found, and is told by its model
+      start_->choose_device(name, tr("%1 (used last)").arg(name));  // until it is found, and is told by its model
     } catch (const UnknownDevice&) {
       return;  // what an older version kept
     }

@@ -1,6 +1,4 @@
 // How the window prepares a trial or a replay, on a thread of its own, and opens it.
-#include "gui/pages/main_window.h"
-
 #include <QDateTime>
 #include <QLabel>
 #include <QProgressBar>
@@ -10,8 +8,10 @@
 #include <stdexcept>
 
 #include "gui/authoring/authoring_page.h"
+#include "gui/import/import_work.h"
 #include "gui/instructor/station.h"
 #include "gui/pages/background.h"
+#include "gui/pages/main_window.h"
 #include "gui/pages/replay_page.h"
 #include "gui/pages/result_page.h"
 #include "gui/pages/trial_page.h"
@@ -21,6 +21,7 @@
 #include "gui/session/program_log.h"
 #include "gui/session/user_paths.h"
 #include "gui/session/user_settings.h"
+#include "gui/session/words_from_below.h"
 #include "gui/views/patient_look.h"
 
 namespace vallecula::gui {
@@ -35,6 +36,11 @@ struct Prepared {
 struct Cancelled : std::runtime_error {
   Cancelled() : std::runtime_error("cancelled") {}
 };
+
+QString stage_words(const std::string& stage) {
+  static const std::string import = "import: ";  // of the manikin
+  return stage.rfind(import, 0) == 0 ? stage_text(stage.substr(import.size())) : in_words(stage);
+}
 
 }  // namespace
 
@@ -106,7 +112,7 @@ void MainWindow::prepare(TrialSetup setup, std::function<std::filesystem::path()
   results_ = setup.final_out.empty() ? setup.out : setup.final_out;
   tell_first("");
   cancelled_ = false;
-  prepare_stage_->setText("Looking for the patient ...");
+  prepare_stage_->setText(tr("Looking for the patient ..."));
   prepare_bar_->setValue(0);
   pages_->setCurrentWidget(prepare_page_);
   worker_ = run_in_background<Prepared>(
@@ -154,7 +160,7 @@ void MainWindow::replay(const std::filesystem::path& trial, double at_s, const s
   result_->tell("");
   tell_first("");
   cancelled_ = false;
-  prepare_stage_->setText("Reading the trial");
+  prepare_stage_->setText(tr("Reading the trial"));
   prepare_bar_->setValue(0);
   pages_->setCurrentWidget(prepare_page_);
   const auto failed = [this](const QString& message) {
@@ -171,7 +177,8 @@ void MainWindow::replay(const std::filesystem::path& trial, double at_s, const s
       this,
       [this, trial, patient, instructor = records_->desk().instructor()] {
         return open_replay(
-            trial, patient, [this](const std::string& stage, double done) { report_progress(stage, done); }, instructor);
+            trial, patient, [this](const std::string& stage, double done) { report_progress(stage, done); },
+            instructor);
       },
       [this, at_s, failed](std::shared_ptr<ReplayTrial> opened) {
         pages_->setCurrentWidget(replay_);
@@ -198,7 +205,7 @@ void MainWindow::report_progress(const std::string& stage, double fraction) {
   if (cancelled_) throw Cancelled();
   QMetaObject::invokeMethod(
       this,
-      [this, text = QString::fromStdString(stage), value = static_cast<int>(1000.0 * fraction)] {
+      [this, text = stage_words(stage), value = static_cast<int>(1000.0 * fraction)] {
         if (cancelled_) return;
         prepare_stage_->setText(text);
         prepare_bar_->setValue(value);

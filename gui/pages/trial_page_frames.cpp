@@ -13,6 +13,7 @@
 #include "gui/session/device_choice.h"
 #include "gui/session/scripted_hands.h"
 #include "gui/session/user_settings.h"
+#include "gui/session/words_from_below.h"
 #include "gui/views/operator_view.h"
 #include "gui/views/theme.h"
 #include "gui/views/trial_readings.h"
@@ -24,8 +25,10 @@ namespace {
 QString device_help(const device::DeviceInfo& info) {
   const QString help = TrialPage::tr("Enter starts the trial and takes hold again after a pause, Esc ends it.");
   const int clutch = clutch_button_in_hand(info);
-  return clutch == 0 ? help
-                     : help + " " + TrialPage::tr("Button %1 of the device, held, frees your hand: the blade stays.").arg(clutch);
+  return clutch == 0
+             ? help
+             : help + " " +
+                   TrialPage::tr("Button %1 of the device, held, frees your hand: the blade stays.").arg(clutch);
 }
 
 }  // namespace
@@ -108,13 +111,13 @@ void TrialPage::show_running(const engine::Snapshot& snapshot) {
   panels_->readings_panel().show_drawing(frames_per_second(), GlView::governor().reduced());
   hands_->show_snapshot(snapshot);
   helps_->refresh();
-  const QString pause = session_->starting() ? tr("The trial begins as soon as its log is on the disk.")
-                                             : QString::fromStdString(session_->pause());
+  const QString pause =
+      session_->starting() ? tr("The trial begins as soon as its log is on the disk.") : in_words(session_->pause());
   sound_->hear(snapshot, !pause.isEmpty());
   if (session_->takes_turns() && session_->in_hand() != shown_in_hand_) show_steered();
   const bool hinted = curricula::rules_of(session_->scenario().attempt.mode).assistance;  // a help like the others
   show_banner(session_->led_in() ? tr("The blade is being led to the vallecula; then it is yours.")
-                                  : banner_for(snapshot, QString::fromStdString(session_->fault()), pause),
+                                 : banner_for(snapshot, in_words(session_->fault()), pause),
               snapshot.has_intubation && hinted
                   ? hint_for(snapshot, session_->scenario().sight_percent, operator_view_->blade_in(),
                              session_->takes_turns() ? QString("X") : QString())
@@ -126,10 +129,9 @@ void TrialPage::show_banner(const QString& alert, const QString& hint) {
   if (banner_->text() == text && !banner_->styleSheet().isEmpty()) return;
   banner_->setText(text);
   banner_->setStyleSheet(
-      alert.isEmpty()
-          ? QString("padding: 6px 10px; font-size: %1pt;").arg(theme::points(11.0))
-          : QString("background: %1; color: %2; padding: 6px 10px; border-radius: 5px; font-weight: bold;")
-                .arg(theme::device().name(), theme::ground().name()));
+      alert.isEmpty() ? QString("padding: 6px 10px; font-size: %1pt;").arg(theme::points(11.0))
+                      : QString("background: %1; color: %2; padding: 6px 10px; border-radius: 5px; font-weight: bold;")
+                            .arg(theme::device().name(), theme::ground().name()));
 }
 
 void TrialPage::show_buttons() {

@@ -12,6 +12,7 @@
 #include "gui/pages/trial_panels.h"
 #include "gui/session/expert_loop.h"
 #include "gui/session/user_settings.h"
+#include "gui/session/words_from_below.h"
 #include "gui/views/operator_view.h"
 #include "gui/views/theme.h"
 #include "gui/views/video_view.h"
@@ -21,9 +22,8 @@ namespace vallecula::gui {
 void TrialPage::offer_helps() {
   const QString waits = session_ && running_ ? QString() : tr("Once the trial runs");
   const QString counts = assessed() ? tr("Not in an assessment") : QString();
-  const QString shown = session_ && session_->scenario().assistance.expert_loop
-                            ? QString()
-                            : tr("This scenario does not show it.");
+  const QString shown =
+      session_ && session_->scenario().assistance.expert_loop ? QString() : tr("This scenario does not show it.");
   const auto first = [](std::initializer_list<QString> reasons) {
     for (const QString& reason : reasons)
       if (!reason.isEmpty()) return reason;
@@ -38,7 +38,7 @@ void TrialPage::show_expert() {
     held_before_expert_ = session_->frozen();  // by an instructor, who lets it go as well
     session_->freeze(true);
   } catch (const std::exception& error) {
-    return show_banner(QString::fromUtf8(error.what()), "");
+    return show_banner(in_words(error.what()), "");
   }
   expert_wanted_ = true;
   control_->steer(nullptr);  // whatever the mouse does now is no steering
@@ -77,7 +77,7 @@ void TrialPage::draw_expert() {
   const double now_s = since_expert_.isValid() ? 1e-3 * static_cast<double>(since_expert_.elapsed()) : 0.0;
   const engine::Snapshot* snapshot = expert_ ? expert_->frame(now_s) : nullptr;
   if (snapshot == nullptr) {
-    const QString remark = expert_ && expert_->finished() ? QString::fromStdString(expert_->remark()) : QString();
+    const QString remark = expert_ && expert_->finished() ? in_words(expert_->remark()) : QString();
     expert_sign_->setText(remark.isEmpty() ? tr("Expert - being computed; your trial waits") : remark);
     operator_view_->draw();
     return;
@@ -95,7 +95,7 @@ void TrialPage::end_expert() {
   expert_sign_->hide();
   helps_->expert()->setText(tr("Expert (G)"));
   if (expert_ && !expert_->finished()) expert_.reset();  // its computing would take time from the trial
-  if (!held_before_expert_) session_->freeze(false);  // the hand takes hold as after any pause
+  if (!held_before_expert_) session_->freeze(false);     // the hand takes hold as after any pause
   steer();
   show_steered();
   operator_view_->update_from(session_->latest());

@@ -23,7 +23,7 @@ namespace vallecula::gui {
 namespace {
 
 constexpr int kSagittalMs = 140, kVideoMs = 80, kRestMs = 500;
-constexpr int kTwoViews = 420;  // px in height from which two views stand one above the other
+constexpr int kTwoViews = 420;   // px in height from which two views stand one above the other
 constexpr int kArrangement = 1;  // of the kept state; another number is not taken back
 constexpr double kSideShare = 0.36;
 
@@ -35,7 +35,7 @@ const std::array<const char*, TrialPanels::kPanels> kNames{"monitor", "cut", "vi
 }  // namespace
 
 TrialPanels::TrialPanels(QWidget* centre, QWidget* parent) : QMainWindow(parent) {
-  setWindowFlags(Qt::Widget);  // the constructor makes every main window one of its own
+  setWindowFlags(Qt::Widget);                    // the constructor makes every main window one of its own
   setContextMenuPolicy(Qt::PreventContextMenu);  // the right button turns the blade
   setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
   setCorner(Qt::TopRightCorner, Qt::RightDockWidgetArea);
@@ -68,7 +68,7 @@ TrialPanels::TrialPanels(QWidget* centre, QWidget* parent) : QMainWindow(parent)
   add(readings, tr("&Readings"), framed(readings_, 0));
   add(team, tr("&Team"), distractions_);
   menu_->addSeparator();
-  menu_->addAction(tr("Panels as at &first"), this, &TrialPanels::restore_first);
+  menu_->addAction(tr("Panels &as at first"), this, &TrialPanels::restore_first);
   arrange();
   const auto kept = user_settings();
   const QStringList hidden = kept->value(kHidden).toStringList();

@@ -18,7 +18,7 @@ namespace vallecula::gui {
 using curricula::ExportTrial;
 
 HandOn::HandOn(RecordsDesk& desk, std::function<Shown()> shown, QWidget* parent)
-    : QPushButton(tr("&Hand on ..."), parent), desk_(desk), shown_(std::move(shown)) {
+    : QPushButton(tr("Han&d on ..."), parent), desk_(desk), shown_(std::move(shown)) {
   auto* menu = new QMenu(this);
   table_ = menu->addAction(tr("&Table (CSV) ..."));
   trial_ = menu->addAction(tr("Report of the &chosen trial (PDF) ..."));

@@ -118,7 +118,7 @@ void TrialsPanel::open(int index) { open_row(rows() - 1 - index); }
 void TrialsPanel::row_chosen(int table_row) {
   const bool any = at(table_row) != nullptr, first = hidden(table_row);
   open_->setEnabled(any);
-  open_->setText(first ? tr("Rate it &first ...") : tr("&Open"));
+  open_->setText(first ? tr("Rate it firs&t ...") : tr("&Open"));
   open_->setToolTip(tr("Enter, or a double click on the trial"));
   rate_->setVisible(desk_.instructor());
   rate_->setEnabled(any && !first);

@@ -416,6 +416,10 @@
         <source>not competent above</source>
         <translation>nicht kompetent darüber</translation>
     </message>
+    <message>
+        <source>set aside</source>
+        <translation>außer Wertung</translation>
+    </message>
 </context>
 <context>
     <name>CurveReading</name>
@@ -437,18 +441,61 @@
     </message>
 </context>
 <context>
-    <name>DistractionPanel</name>
+    <name>Direction</name>
     <message>
-        <source>Alarm</source>
-        <translation>Alarm</translation>
+        <source>to the left</source>
+        <translation>nach links</translation>
     </message>
     <message>
-        <source>Question</source>
-        <translation>Frage</translation>
+        <source>to the right</source>
+        <translation>nach rechts</translation>
     </message>
     <message>
-        <source>The team talks</source>
-        <translation>Das Team spricht</translation>
+        <source>down</source>
+        <translation>nach unten</translation>
+    </message>
+    <message>
+        <source>up</source>
+        <translation>nach oben</translation>
+    </message>
+    <message>
+        <source>away from you</source>
+        <translation>von Ihnen weg</translation>
+    </message>
+    <message>
+        <source>towards you</source>
+        <translation>zu Ihnen hin</translation>
+    </message>
+</context>
+<context>
+    <name>DroppedFiles</name>
+    <message>
+        <source>Drop a CT (its folder, a DICOM, NIfTI, NRRD or MetaImage file), a patient (NAME.patient), a course (.yaml) or a trial (its folder or .vtrial).</source>
+        <translation>Legen Sie ein CT (seinen Ordner, eine DICOM-, NIfTI-, NRRD- oder MetaImage-Datei), einen Patienten (NAME.patient), einen Kurs (.yaml) oder einen Durchgang (seinen Ordner oder .vtrial) hier ab.</translation>
+    </message>
+    <message>
+        <source>%1 is no whole patient: it holds no patient.yaml.</source>
+        <translation>%1 ist kein ganzer Patient: Es enthält keine patient.yaml.</translation>
+    </message>
+    <message>
+        <source>%1 holds nothing that can be opened here.</source>
+        <translation>%1 enthält nichts, was sich hier öffnen lässt.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be opened here.</source>
+        <translation>%1 lässt sich hier nicht öffnen.</translation>
+    </message>
+    <message>
+        <source>That is no file.</source>
+        <translation>Das ist keine Datei.</translation>
+    </message>
+    <message>
+        <source>%1 is not there.</source>
+        <translation>%1 ist nicht da.</translation>
+    </message>
+    <message>
+        <source>These cannot be opened together; drop one of them.</source>
+        <translation>Das lässt sich nicht zusammen öffnen; legen Sie eines davon ab.</translation>
     </message>
 </context>
 <context>
@@ -3416,6 +3463,106 @@
         <source>%1 to %2 %</source>
         <translation>%1 bis %2 %</translation>
     </message>
+    <message>
+        <source>The trial is held: it goes on when it is let go.</source>
+        <translation>Der Durchgang wird angehalten: Er geht weiter, wenn er freigegeben wird.</translation>
+    </message>
+    <message>
+        <source>Why it counts neither way, and what was measured</source>
+        <translation>Warum er nicht gewertet wird und was gemessen wurde</translation>
+    </message>
+    <message>
+        <source>Own head moved aside</source>
+        <translation>Eigener Kopf zur Seite bewegt</translation>
+    </message>
+    <message>
+        <source>Head extended by an assistant</source>
+        <translation>Kopf von einer Assistenz gestreckt</translation>
+    </message>
+    <message>
+        <source>set aside</source>
+        <translation>außer Wertung</translation>
+    </message>
+    <message>
+        <source>Set aside</source>
+        <translation>Außer Wertung</translation>
+    </message>
+    <message>
+        <source>The trial is let go. To go on press Enter or a button of the device, or hold the grey blade on the steel one for half a second.</source>
+        <translation>Der Durchgang ist freigegeben. Um weiterzumachen, drücken Sie Enter oder eine Taste des Geräts oder halten Sie den grauen Spatel eine halbe Sekunde auf dem stählernen.</translation>
+    </message>
+    <message>
+        <source>Video laryngoscope</source>
+        <translation>Videolaryngoskop</translation>
+    </message>
+    <message>
+        <source>Expert&apos;s loop</source>
+        <translation>Expertenschleife</translation>
+    </message>
+    <message>
+        <source>the picture of a camera at the blade&apos;s tip</source>
+        <translation>das Bild einer Kamera an der Spatelspitze</translation>
+    </message>
+    <message>
+        <source>20 s of an expert at this patient, while the trial waits</source>
+        <translation>20 s eines Experten an diesem Patienten, während der Durchgang wartet</translation>
+    </message>
+    <message>
+        <source>manikin: shaping the anatomy</source>
+        <translation>Phantom: die Anatomie wird geformt</translation>
+    </message>
+    <message>
+        <source>manikin: scanning</source>
+        <translation>Phantom: wird gescannt</translation>
+    </message>
+    <message>
+        <source>manikin: scanner blur and noise</source>
+        <translation>Phantom: Unschärfe und Rauschen des Scanners</translation>
+    </message>
+    <message>
+        <source>manikin: writing the series</source>
+        <translation>Phantom: die Serie wird geschrieben</translation>
+    </message>
+    <message>
+        <source>manikin: writing the labels</source>
+        <translation>Phantom: die Labels werden geschrieben</translation>
+    </message>
+    <message>
+        <source>manikin: done</source>
+        <translation>Phantom: fertig</translation>
+    </message>
+    <message>
+        <source>an assessment is not held up; practise the scenario for that</source>
+        <translation>eine Prüfung wird nicht angehalten; üben Sie dafür das Szenario</translation>
+    </message>
+    <message>
+        <source>an assessment begins in front of the mouth; practise the scenario for that</source>
+        <translation>eine Prüfung beginnt vor dem Mund; üben Sie dafür das Szenario</translation>
+    </message>
+    <message>
+        <source>the expert&apos;s loop stopped at a fault of the computation</source>
+        <translation>die Expertenschleife hielt an einem Fehler der Berechnung an</translation>
+    </message>
+    <message>
+        <source>Begun at the vallecula: the blade was led there, so the trial counts neither as passed nor as failed, and its times are none</source>
+        <translation>An der Vallecula begonnen: Der Spatel wurde dorthin geführt, also zählt der Durchgang weder als bestanden noch als nicht bestanden, und er hat keine Zeiten</translation>
+    </message>
+    <message>
+        <source>The instructor changed the infant&apos;s vital signs from %1 s: the trial counts neither as passed nor as failed</source>
+        <translation>Die Lehrperson änderte ab %1 s die Vitalwerte des Kindes: Der Durchgang zählt weder als bestanden noch als nicht bestanden</translation>
+    </message>
+    <message>
+        <source>The instructor closed the vocal cords from %1 s: the trial counts neither as passed nor as failed</source>
+        <translation>Die Lehrperson schloss ab %1 s die Stimmlippen: Der Durchgang zählt weder als bestanden noch als nicht bestanden</translation>
+    </message>
+    <message>
+        <source>%1 time, %2 s in all, first at %3 s</source>
+        <translation>%1-mal, insgesamt %2 s, zuerst bei %3 s</translation>
+    </message>
+    <message>
+        <source>%1 times, %2 s in all, first at %3 s</source>
+        <translation>%1-mal, insgesamt %2 s, zuerst bei %3 s</translation>
+    </message>
 </context>
 <context>
     <name>GivenLabels</name>
@@ -3599,6 +3746,13 @@
     <message>
         <source>about %1 min left</source>
         <translation>noch etwa %1 min</translation>
+    </message>
+</context>
+<context>
+    <name>KeyList</name>
+    <message>
+        <source>Keys of this page</source>
+        <translation>Tasten dieser Seite</translation>
     </message>
 </context>
 <context>
@@ -3822,6 +3976,29 @@
     </message>
 </context>
 <context>
+    <name>QualityGovernor</name>
+    <message>
+        <source>rim light</source>
+        <translation>Randlicht</translation>
+    </message>
+    <message>
+        <source>shadows</source>
+        <translation>Schatten</translation>
+    </message>
+    <message>
+        <source>fine tongue</source>
+        <translation>feine Zunge</translation>
+    </message>
+    <message>
+        <source>resolution (%1 %)</source>
+        <translation>Auflösung (%1 %)</translation>
+    </message>
+    <message>
+        <source>Drawn with less to stay fluent: %1</source>
+        <translation>Einfacher gezeichnet, um flüssig zu bleiben: %1</translation>
+    </message>
+</context>
+<context>
     <name>RatingWords</name>
     <message>
         <source>%1: yes</source>
@@ -3850,6 +4027,25 @@
     <message>
         <source>An instructor: %1</source>
         <translation>Eine Lehrperson: %1</translation>
+    </message>
+</context>
+<context>
+    <name>RecentFiles</name>
+    <message>
+        <source>Patient: %1</source>
+        <translation>Patient: %1</translation>
+    </message>
+    <message>
+        <source>Course: %1</source>
+        <translation>Kurs: %1</translation>
+    </message>
+    <message>
+        <source>Trial: %1, %2</source>
+        <translation>Durchgang: %1, %2</translation>
+    </message>
+    <message>
+        <source>CT: %1</source>
+        <translation>CT: %1</translation>
     </message>
 </context>
 <context>
@@ -3907,6 +4103,13 @@
     <message>
         <source>No series</source>
         <translation>Keine Serie</translation>
+    </message>
+</context>
+<context>
+    <name>SoundOutput</name>
+    <message>
+        <source>No sound: the loudspeaker could not be opened. Another program may have it.</source>
+        <translation>Kein Ton: Der Lautsprecher ließ sich nicht öffnen. Vielleicht hat ihn ein anderes Programm.</translation>
     </message>
 </context>
 <context>
@@ -3973,6 +4176,45 @@
     </message>
 </context>
 <context>
+    <name>vallecula::gui::AboutDialog</name>
+    <message>
+        <source>About Vallecula</source>
+        <translation>Über Vallecula</translation>
+    </message>
+    <message>
+        <source>Vallecula %1</source>
+        <translation>Vallecula %1</translation>
+    </message>
+    <message>
+        <source>A force-true trainer for neonatal endotracheal intubation. A training tool, not a medical device: it is not made for diagnosis or treatment, and practice here does not replace supervised practice.
+
+Free software under the GNU Affero General Public License, version 3, because TetGen is; without any warranty. The other parts keep their own licences.</source>
+        <translation>Ein krafttreuer Trainer für die endotracheale Intubation Neugeborener. Ein Trainingsgerät, kein Medizinprodukt: Er ist nicht für Diagnose oder Behandlung gemacht, und Üben hier ersetzt kein Üben unter Aufsicht.
+
+Freie Software unter der GNU Affero General Public License, Version 3, weil TetGen es ist; ohne jede Gewährleistung. Die anderen Teile behalten ihre eigenen Lizenzen.</translation>
+    </message>
+    <message>
+        <source>Parts of the program</source>
+        <translation>Teile des Programms</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>Teil</translation>
+    </message>
+    <message>
+        <source>Version</source>
+        <translation>Version</translation>
+    </message>
+    <message>
+        <source>Licence</source>
+        <translation>Lizenz</translation>
+    </message>
+    <message>
+        <source>Drawn by %1</source>
+        <translation>Gezeichnet von %1</translation>
+    </message>
+</context>
+<context>
     <name>vallecula::gui::AccountTab</name>
     <message>
         <source>Sign in to have your trials counted as yours. Nobody needs to: without signing in one practises all the same, and the trials belong to nobody.</source>
@@ -4000,11 +4242,11 @@
     </message>
     <message>
         <source>Register as a &amp;trainee ...</source>
-        <translation>Als &amp;Lernende registrieren ...</translation>
+        <translation>Als Lernende &amp;registrieren ...</translation>
     </message>
     <message>
         <source>Set up the first &amp;instructor ...</source>
-        <translation>Erste Lehr&amp;person einrichten ...</translation>
+        <translation>Erste Lehrperson e&amp;inrichten ...</translation>
     </message>
     <message>
         <source>Trials from now on are yours. Sign out when somebody else takes the blade. All that is kept of you you can take along as a folder of open files, or have deleted whole.</source>
@@ -4012,7 +4254,7 @@
     </message>
     <message>
         <source>Sign &amp;out</source>
-        <translation>&amp;Abmelden</translation>
+        <translation>Ab&amp;melden</translation>
     </message>
     <message>
         <source>Change &amp;PIN ...</source>
@@ -4416,6 +4658,10 @@
         <source>It cannot be tried yet: %1</source>
         <translation>Es kann noch nicht ausprobiert werden: %1</translation>
     </message>
+    <message>
+        <source>Go on writing</source>
+        <translation>Weiterschreiben</translation>
+    </message>
 </context>
 <context>
     <name>vallecula::gui::BladeControl</name>
@@ -4426,6 +4672,46 @@
     <message>
         <source>Drag: move the blade   |   Ctrl-drag, right-drag or W A S D: turn it (Q E: roll)   |   wheel or PgUp PgDn: deeper, back   |   arrows: move (Shift: fine)   |   hold Space: lift along the handle, Backspace: lower   |   + -: gain, now %1</source>
         <translation>Ziehen: Spatel bewegen   |   Strg-Ziehen, rechts ziehen oder W A S D: drehen (Q E: rollen)   |   Rad oder Bild auf/ab: tiefer, zurück   |   Pfeile: bewegen (Umschalt: fein)   |   Leertaste halten: längs des Griffs heben, Rücktaste: senken   |   + -: Verstärkung, jetzt %1</translation>
+    </message>
+    <message>
+        <source>move it to the right and left</source>
+        <translation>nach rechts und links bewegen</translation>
+    </message>
+    <message>
+        <source>move it up and down in the picture</source>
+        <translation>im Bild nach oben und unten bewegen</translation>
+    </message>
+    <message>
+        <source>deeper, back</source>
+        <translation>tiefer, zurück</translation>
+    </message>
+    <message>
+        <source>raise and lower its outer end</source>
+        <translation>das äußere Ende heben und senken</translation>
+    </message>
+    <message>
+        <source>turn it to the left and right</source>
+        <translation>nach links und rechts drehen</translation>
+    </message>
+    <message>
+        <source>roll it about its length</source>
+        <translation>um die Längsachse rollen</translation>
+    </message>
+    <message>
+        <source>held: lift along the handle, lower</source>
+        <translation>gehalten: längs des Griffs heben, senken</translation>
+    </message>
+    <message>
+        <source>farther, and less far, for the same way of the hand</source>
+        <translation>weiter und weniger weit bei gleichem Weg der Hand</translation>
+    </message>
+    <message>
+        <source>held: all of it finer</source>
+        <translation>gehalten: alles feiner</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
     </message>
 </context>
 <context>
@@ -4440,7 +4726,7 @@
     </message>
     <message>
         <source>Build a&amp;gain</source>
-        <translation>&amp;Erneut bauen</translation>
+        <translation>Erneut ba&amp;uen</translation>
     </message>
     <message>
         <source>&amp;Save the patient</source>
@@ -4452,7 +4738,7 @@
     </message>
     <message>
         <source>&amp;Leave mouth and neck as scanned</source>
-        <translation>&amp;Mund und Hals wie gescannt</translation>
+        <translation>Mund und Hals w&amp;ie gescannt</translation>
     </message>
     <message>
         <source>Else a closed mouth is opened and the neck extended, as for an intubation</source>
@@ -4609,10 +4895,6 @@
         <translation>&amp;Qualität</translation>
     </message>
     <message>
-        <source>Save &amp;for 3D Slicer ...</source>
-        <translation>&amp;Für 3D Slicer ...</translation>
-    </message>
-    <message>
         <source>L&amp;oad ...</source>
         <translation>&amp;Laden ...</translation>
     </message>
@@ -4678,6 +4960,205 @@ Eine Label-Karte ohne Namen (NIfTI) wird nach diesen Werten gelesen: %1</transla
         <source>Saving for 3D Slicer</source>
         <translation>Wird für 3D Slicer gespeichert</translation>
     </message>
+    <message>
+        <source>Save fo&amp;r 3D Slicer ...</source>
+        <translation>Fü&amp;r 3D Slicer ...</translation>
+    </message>
+</context>
+<context>
+    <name>vallecula::gui::CheckRun</name>
+    <message>
+        <source>Found and opened</source>
+        <translation>Gefunden und geöffnet</translation>
+    </message>
+    <message>
+        <source>Calibration</source>
+        <translation>Kalibrierung</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>Rate</translation>
+    </message>
+    <message>
+        <source>Directions of motion</source>
+        <translation>Bewegungsrichtungen</translation>
+    </message>
+    <message>
+        <source>Reach over the mouth</source>
+        <translation>Reichweite über dem Mund</translation>
+    </message>
+    <message>
+        <source>Directions of force</source>
+        <translation>Kraftrichtungen</translation>
+    </message>
+    <message>
+        <source>Buttons and clutch</source>
+        <translation>Tasten und Kupplung</translation>
+    </message>
+    <message>
+        <source>%1, serial number %2</source>
+        <translation>%1, Seriennummer %2</translation>
+    </message>
+    <message>
+        <source>not come to</source>
+        <translation>nicht erreicht</translation>
+    </message>
+    <message>
+        <source>the device shows no force</source>
+        <translation>das Gerät zeigt keine Kraft</translation>
+    </message>
+    <message>
+        <source>no button is the clutch (Device settings)</source>
+        <translation>keine Taste ist die Kupplung (Geräteeinstellungen)</translation>
+    </message>
+    <message>
+        <source>it needs no clutch</source>
+        <translation>es braucht keine Kupplung</translation>
+    </message>
+    <message>
+        <source>It failed here: %1</source>
+        <translation>Hier ist es gescheitert: %1</translation>
+    </message>
+    <message>
+        <source>not needed</source>
+        <translation>nicht nötig</translation>
+    </message>
+    <message>
+        <source>good</source>
+        <translation>gut</translation>
+    </message>
+    <message>
+        <source>%1 Hz over %2 s, %3 % of the forces late by more than 1 ms</source>
+        <translation>%1 Hz über %2 s, %3 % der Kräfte um mehr als 1 ms verspätet</translation>
+    </message>
+    <message>
+        <source>%1 Hz over %2 s, %3 % of the forces late by more than 1 ms, without real-time priority</source>
+        <translation>%1 Hz über %2 s, %3 % der Kräfte um mehr als 1 ms verspätet, ohne Echtzeitpriorität</translation>
+    </message>
+    <message>
+        <source>%1: too slow (at least %2 Hz, at most %3 % late). End other programs; use a port of its own</source>
+        <translation>%1: zu langsam (mindestens %2 Hz, höchstens %3 % verspätet). Beenden Sie andere Programme; nehmen Sie einen eigenen Anschluss</translation>
+    </message>
+    <message>
+        <source>It went %1. Once more, straight %2</source>
+        <translation>Es ging %1. Noch einmal, gerade %2</translation>
+    </message>
+    <message>
+        <source>moved %1, it went %2</source>
+        <translation>%1 bewegt, es ging %2</translation>
+    </message>
+    <message>
+        <source>right, up and towards you are as they should be</source>
+        <translation>rechts, oben und zu Ihnen hin sind, wie sie sein sollen</translation>
+    </message>
+    <message>
+        <source>%1: axes are exchanged, or the device stands turned (Device settings)</source>
+        <translation>%1: Achsen sind vertauscht, oder das Gerät steht gedreht (Geräteeinstellungen)</translation>
+    </message>
+    <message>
+        <source>covers %1 x %2 x %3 mm</source>
+        <translation>umfasst %1 x %2 x %3 mm</translation>
+    </message>
+    <message>
+        <source>top left</source>
+        <translation>oben links</translation>
+    </message>
+    <message>
+        <source>top right</source>
+        <translation>oben rechts</translation>
+    </message>
+    <message>
+        <source>bottom left</source>
+        <translation>unten links</translation>
+    </message>
+    <message>
+        <source>bottom right</source>
+        <translation>unten rechts</translation>
+    </message>
+    <message>
+        <source>near</source>
+        <translation>nah</translation>
+    </message>
+    <message>
+        <source>far</source>
+        <translation>fern</translation>
+    </message>
+    <message>
+        <source>pushed %1, the handle went away: hold it</source>
+        <translation>Stoß %1, der Griff wich aus: Halten Sie ihn</translation>
+    </message>
+    <message>
+        <source>pushed %1, nothing was felt</source>
+        <translation>Stoß %1, nichts gespürt</translation>
+    </message>
+    <message>
+        <source>pushed %1, felt %2</source>
+        <translation>Stoß %1, gespürt %2</translation>
+    </message>
+    <message>
+        <source>%1 N</source>
+        <translation>%1 N</translation>
+    </message>
+    <message>
+        <source>felt as pushed, with %1</source>
+        <translation>gespürt wie gestoßen, mit %1</translation>
+    </message>
+    <message>
+        <source>%1 (with %2): do not practise with this device before it is mended</source>
+        <translation>%1 (mit %2): Üben Sie nicht mit diesem Gerät, bevor es in Ordnung gebracht ist</translation>
+    </message>
+    <message>
+        <source>button %1 frees the hand; pressed: %2</source>
+        <translation>Taste %1 gibt die Hand frei; gedrückt: %2</translation>
+    </message>
+    <message>
+        <source>the device does not move %1</source>
+        <translation>das Gerät bewegt sich nicht %1</translation>
+    </message>
+    <message>
+        <source>not reached: %1. Begin in the middle of the device&apos;s range, or make the blade&apos;s way longer (Device settings)</source>
+        <translation>nicht erreicht: %1. Beginnen Sie in der Mitte des Gerätebereichs, oder machen Sie den Weg des Spatels länger (Geräteeinstellungen)</translation>
+    </message>
+    <message>
+        <source>left out</source>
+        <translation>weggelassen</translation>
+    </message>
+    <message>
+        <source>no button was noticed</source>
+        <translation>keine Taste wurde bemerkt</translation>
+    </message>
+    <message>
+        <source>the clutch, button %1, was not noticed; others were</source>
+        <translation>die Kupplung, Taste %1, wurde nicht bemerkt; andere schon</translation>
+    </message>
+    <message>
+        <source>Hold still: the rate is measured for %1 s.</source>
+        <translation>Halten Sie still: Die Rate wird %1 s lang gemessen.</translation>
+    </message>
+    <message>
+        <source>Move the handle %1, about %2 cm.</source>
+        <translation>Bewegen Sie den Griff %1, etwa %2 cm.</translation>
+    </message>
+    <message>
+        <source>Go to the four corners, then far and near. Still to come: %1.</source>
+        <translation>Gehen Sie in die vier Ecken, dann fern und nah. Noch offen: %1.</translation>
+    </message>
+    <message>
+        <source>Hold the handle as in a trial. Push %1 of 3, with at most %2 N: press Push when you are ready.</source>
+        <translation>Halten Sie den Griff wie in einem Durchgang. Stoß %1 von 3, mit höchstens %2 N: Drücken Sie „Stoß“, wenn Sie bereit sind.</translation>
+    </message>
+    <message>
+        <source>Which way were you pushed?</source>
+        <translation>Wohin wurden Sie gestoßen?</translation>
+    </message>
+    <message>
+        <source>Feel which way it pushes ...</source>
+        <translation>Spüren Sie, wohin es stößt ...</translation>
+    </message>
+    <message>
+        <source>Press and hold button %1, the clutch, and let it go.</source>
+        <translation>Drücken und halten Sie Taste %1, die Kupplung, und lassen Sie sie los.</translation>
+    </message>
 </context>
 <context>
     <name>vallecula::gui::ClipExport</name>
@@ -4694,16 +5175,8 @@ Eine Label-Karte ohne Namen (NIfTI) wird nach diesen Werten gelesen: %1</transla
         <translation>Bis</translation>
     </message>
     <message>
-        <source>Both views as they are set now, as Ogg Theora (.ogv): browsers and VLC play it.</source>
-        <translation>Beide Ansichten, wie sie jetzt eingestellt sind, als Ogg Theora (.ogv): Browser und VLC spielen es ab.</translation>
-    </message>
-    <message>
         <source>Save ...</source>
         <translation>Speichern ...</translation>
-    </message>
-    <message>
-        <source>Clips (*.ogv)</source>
-        <translation>Clips (*.ogv)</translation>
     </message>
     <message>
         <source>The clip ends before it begins: choose a later end.</source>
@@ -4712,6 +5185,14 @@ Eine Label-Karte ohne Namen (NIfTI) wird nach diesen Werten gelesen: %1</transla
     <message>
         <source>Drawing ...</source>
         <translation>Wird gezeichnet ...</translation>
+    </message>
+    <message>
+        <source>Both views as they are set now, as MP4 (H.264): slide programs, browsers and players show it.</source>
+        <translation>Beide Ansichten, wie sie jetzt eingestellt sind, als MP4 (H.264): Präsentationsprogramme, Browser und Abspieler zeigen es.</translation>
+    </message>
+    <message>
+        <source>Clips (*.mp4)</source>
+        <translation>Clips (*.mp4)</translation>
     </message>
 </context>
 <context>
@@ -4886,6 +5367,92 @@ Eine Label-Karte ohne Namen (NIfTI) wird nach diesen Werten gelesen: %1</transla
     </message>
 </context>
 <context>
+    <name>vallecula::gui::DeviceCheck</name>
+    <message>
+        <source>Device check</source>
+        <translation>Geräteprüfung</translation>
+    </message>
+    <message>
+        <source>&amp;Push</source>
+        <translation>&amp;Stoß</translation>
+    </message>
+    <message>
+        <source>Enter: the device pushes once, gently, and you say which way</source>
+        <translation>Enter: Das Gerät stößt einmal, sanft, und Sie sagen, wohin</translation>
+    </message>
+    <message>
+        <source>Count from &amp;here</source>
+        <translation>Ab &amp;hier zählen</translation>
+    </message>
+    <message>
+        <source>The place where the handle is becomes the middle of the mouth</source>
+        <translation>Wo der Griff ist, wird die Mitte des Mundes</translation>
+    </message>
+    <message>
+        <source>I &amp;cannot do this</source>
+        <translation>Das &amp;geht nicht</translation>
+    </message>
+    <message>
+        <source>This step is noted as not done, and the next one comes</source>
+        <translation>Dieser Schritt wird als nicht getan notiert, und der nächste kommt</translation>
+    </message>
+    <message>
+        <source>Check &amp;again</source>
+        <translation>&amp;Erneut prüfen</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>Closing the device ...</source>
+        <translation>Das Gerät wird geschlossen ...</translation>
+    </message>
+    <message>
+        <source>Nothing</source>
+        <translation>Nichts</translation>
+    </message>
+    <message>
+        <source>Opening the device ...</source>
+        <translation>Das Gerät wird geöffnet ...</translation>
+    </message>
+    <message>
+        <source>Check of %1</source>
+        <translation>Prüfung von %1</translation>
+    </message>
+    <message>
+        <source>All is as it should be.</source>
+        <translation>Alles ist, wie es sein soll.</translation>
+    </message>
+    <message>
+        <source>Not as it should be: %1 of %2.</source>
+        <translation>Nicht, wie es sein soll: %1 von %2.</translation>
+    </message>
+</context>
+<context>
+    <name>vallecula::gui::DeviceChecks</name>
+    <message>
+        <source>Device not checked</source>
+        <translation>Gerät nicht geprüft</translation>
+    </message>
+    <message>
+        <source>Device checked just now</source>
+        <translation>Gerät eben geprüft</translation>
+    </message>
+    <message>
+        <source>Device checked %1 min ago</source>
+        <translation>Gerät vor %1 min geprüft</translation>
+    </message>
+    <message>
+        <source>%1: %2 of %3 not as it should be</source>
+        <translation>%1: %2 von %3 nicht, wie es sein soll</translation>
+    </message>
+</context>
+<context>
     <name>vallecula::gui::DeviceDialog</name>
     <message>
         <source>Device settings</source>
@@ -4990,6 +5557,14 @@ Eine Label-Karte ohne Namen (NIfTI) wird nach diesen Werten gelesen: %1</transla
         <source>%1: ready.</source>
         <translation>%1: bereit.</translation>
     </message>
+    <message>
+        <source>&amp;Check this one ...</source>
+        <translation>&amp;Prüfen ...</translation>
+    </message>
+    <message>
+        <source>Rate, calibration, directions, reach, force and buttons, step by step</source>
+        <translation>Rate, Kalibrierung, Richtungen, Reichweite, Kraft und Tasten, Schritt für Schritt</translation>
+    </message>
 </context>
 <context>
     <name>vallecula::gui::DistractionPanel</name>
@@ -5008,6 +5583,42 @@ Eine Label-Karte ohne Namen (NIfTI) wird nach diesen Werten gelesen: %1</transla
     <message>
         <source>Time left</source>
         <translation>Verbleibende Zeit</translation>
+    </message>
+    <message>
+        <source>Alarm</source>
+        <translation>Alarm</translation>
+    </message>
+    <message>
+        <source>Question</source>
+        <translation>Frage</translation>
+    </message>
+    <message>
+        <source>The team talks</source>
+        <translation>Das Team spricht</translation>
+    </message>
+    <message>
+        <source>Messages of the team</source>
+        <translation>Meldungen des Teams</translation>
+    </message>
+    <message>
+        <source>Nobody has said anything. An instructor&apos;s words come up here.</source>
+        <translation>Niemand hat etwas gesagt. Worte einer Lehrperson erscheinen hier.</translation>
+    </message>
+    <message>
+        <source>Instructor</source>
+        <translation>Lehrperson</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>answers the question that has been open longest</source>
+        <translation>beantwortet die Frage, die am längsten offen ist</translation>
+    </message>
+    <message>
+        <source>silences the alarm that has been open longest</source>
+        <translation>schaltet den Alarm stumm, der am längsten offen ist</translation>
     </message>
 </context>
 <context>
@@ -5073,11 +5684,153 @@ Eine Label-Karte ohne Namen (NIfTI) wird nach diesen Werten gelesen: %1</transla
     </message>
 </context>
 <context>
-    <name>vallecula::gui::HandOn</name>
+    <name>vallecula::gui::FirstRun</name>
     <message>
-        <source>&amp;Hand on ...</source>
-        <translation>Weiter&amp;geben ...</translation>
+        <source>Welcome to Vallecula</source>
+        <translation>Willkommen bei Vallecula</translation>
     </message>
+    <message>
+        <source>&amp;Skip</source>
+        <translation>&amp;Überspringen</translation>
+    </message>
+    <message>
+        <source>Straight to the first page (Esc); Help &gt; First steps comes back here</source>
+        <translation>Gleich zur ersten Seite (Esc); Hilfe &gt; Erste Schritte führt hierher zurück</translation>
+    </message>
+    <message>
+        <source>&amp;Back</source>
+        <translation>&amp;Zurück</translation>
+    </message>
+    <message>
+        <source>How will you steer?</source>
+        <translation>Womit steuern Sie?</translation>
+    </message>
+    <message>
+        <source>A mouse is enough: the force of your blade is drawn beside the picture. A haptic device lets you feel it.</source>
+        <translation>Eine Maus genügt: Die Kraft Ihres Spatels wird neben dem Bild gezeichnet. Ein haptisches Gerät lässt Sie sie spüren.</translation>
+    </message>
+    <message>
+        <source>No other device was found. One that is plugged in later is chosen under Devices.</source>
+        <translation>Kein anderes Gerät wurde gefunden. Eines, das später angeschlossen wird, wählen Sie unter „Geräte“.</translation>
+    </message>
+    <message>
+        <source>The &amp;mouse and the keyboard</source>
+        <translation>&amp;Maus und Tastatur</translation>
+    </message>
+    <message>
+        <source>Can you read and hear well?</source>
+        <translation>Können Sie gut lesen und hören?</translation>
+    </message>
+    <message>
+        <source>Both can be changed at any time: Ctrl++ and Ctrl+- for the text, Ctrl+, for all settings.</source>
+        <translation>Beides lässt sich jederzeit ändern: Strg++ und Strg+- für die Schrift, Strg+, für alle Einstellungen.</translation>
+    </message>
+    <message>
+        <source>Size of all text, 80 to 160 per cent</source>
+        <translation>Größe aller Schrift, 80 bis 160 Prozent</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Dunkel</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Hell</translation>
+    </message>
+    <message>
+        <source>As the desktop</source>
+        <translation>Wie der Desktop</translation>
+    </message>
+    <message>
+        <source>Colours of the whole window</source>
+        <translation>Farben des ganzen Fensters</translation>
+    </message>
+    <message>
+        <source>&amp;Text size</source>
+        <translation>&amp;Schriftgröße</translation>
+    </message>
+    <message>
+        <source>&amp;Ground</source>
+        <translation>&amp;Hintergrund</translation>
+    </message>
+    <message>
+        <source>Your first laryngoscopy</source>
+        <translation>Ihre erste Laryngoskopie</translation>
+    </message>
+    <message>
+        <source>A newborn lies before you, its head towards you. You hold the laryngoscope in your left hand: bring the blade over the tongue into the vallecula, lift along the handle, and see the glottis. A grey blade shows the way.
+
+Nothing can break, and every try is a new one. Before it begins a card tells what mouse and keys do.</source>
+        <translation>Ein Neugeborenes liegt vor Ihnen, den Kopf zu Ihnen. Sie halten das Laryngoskop in der linken Hand: Führen Sie den Spatel über die Zunge in die Vallecula, heben Sie längs des Griffs, und sehen Sie die Glottis. Ein grauer Spatel zeigt den Weg.
+
+Nichts kann kaputtgehen, und jeder Versuch ist ein neuer. Bevor es beginnt, sagt eine Karte, was Maus und Tasten tun.</translation>
+    </message>
+    <message>
+        <source>Step %1 of %2</source>
+        <translation>Schritt %1 von %2</translation>
+    </message>
+    <message>
+        <source>&amp;Next</source>
+        <translation>&amp;Weiter</translation>
+    </message>
+    <message>
+        <source>The monitor bee&amp;ps: lower as the saturation falls</source>
+        <translation>Der Monitor &amp;piept: tiefer, wenn die Sättigung fällt</translation>
+    </message>
+    <message>
+        <source>Be&amp;gin</source>
+        <translation>&amp;Beginnen</translation>
+    </message>
+</context>
+<context>
+    <name>vallecula::gui::ForceBars</name>
+    <message>
+        <source>Force on the tongue and on the gum</source>
+        <translation>Kraft auf Zunge und Zahnleiste</translation>
+    </message>
+    <message>
+        <source>Model force of the tissue on the blade, in newton. Yellow line: training target; white line: the highest so far; dashed: what the device can show. Below the tongue&apos;s bar: what your hand lifts of the load along the handle, and what is levered on the upper jaw (hatched).</source>
+        <translation>Modellkraft des Gewebes auf den Spatel, in Newton. Gelbe Linie: Trainingsziel; weiße Linie: die höchste bisher; gestrichelt: was das Gerät zeigen kann. Unter dem Balken der Zunge: was Ihre Hand von der Last längs des Griffs hebt und was am Oberkiefer gehebelt wird (schraffiert).</translation>
+    </message>
+    <message>
+        <source>tongue %1 N, gum %2 N, lift %3 N, lever %4 N</source>
+        <translation>Zunge %1 N, Zahnleiste %2 N, gehoben %3 N, gehebelt %4 N</translation>
+    </message>
+    <message>
+        <source>target %1</source>
+        <translation>Ziel %1</translation>
+    </message>
+    <message>
+        <source>device limit %1</source>
+        <translation>Gerätegrenze %1</translation>
+    </message>
+    <message>
+        <source>%1 N</source>
+        <translation>%1 N</translation>
+    </message>
+    <message>
+        <source>peak %1</source>
+        <translation>höchste %1</translation>
+    </message>
+    <message>
+        <source>lift %1 N</source>
+        <translation>gehoben %1 N</translation>
+    </message>
+    <message>
+        <source>lever %1 N</source>
+        <translation>gehebelt %1 N</translation>
+    </message>
+    <message>
+        <source>Tongue</source>
+        <translation>Zunge</translation>
+    </message>
+    <message>
+        <source>Gum</source>
+        <translation>Zahnleiste</translation>
+    </message>
+</context>
+<context>
+    <name>vallecula::gui::HandOn</name>
     <message>
         <source>&amp;Table (CSV) ...</source>
         <translation>&amp;Tabelle (CSV) ...</translation>
@@ -5120,6 +5873,270 @@ Eine Label-Karte ohne Namen (NIfTI) wird nach diesen Werten gelesen: %1</transla
     <message>
         <source>Not handed on. %1</source>
         <translation>Nicht weitergegeben. %1</translation>
+    </message>
+    <message>
+        <source>Han&amp;d on ...</source>
+        <translation>Weiter&amp;geben ...</translation>
+    </message>
+</context>
+<context>
+    <name>vallecula::gui::HandPanel</name>
+    <message>
+        <source>Breath (B)</source>
+        <translation>Hub (B)</translation>
+    </message>
+    <message>
+        <source>Held: 40 a minute, by mask, or by the tube once it is in</source>
+        <translation>Gehalten: 40 pro Minute, mit der Maske oder durch den Tubus, sobald er liegt</translation>
+    </message>
+    <message>
+        <source>Suction (V)</source>
+        <translation>Absaugen (V)</translation>
+    </message>
+    <message>
+        <source>Held, with the catheter&apos;s tip in the secretions</source>
+        <translation>Gehalten, mit der Spitze des Katheters im Sekret</translation>
+    </message>
+    <message>
+        <source>Press larynx (L)</source>
+        <translation>Kehlkopf (L)</translation>
+    </message>
+    <message>
+        <source>Held: the assistant presses on the larynx</source>
+        <translation>Gehalten: Die Assistenz drückt auf den Kehlkopf</translation>
+    </message>
+    <message>
+        <source>Stylet out (T)</source>
+        <translation>Mandrin (T)</translation>
+    </message>
+    <message>
+        <source>Draws the stylet out of the tube, for good</source>
+        <translation>Zieht den Mandrin aus dem Tubus, endgültig</translation>
+    </message>
+    <message>
+        <source>Catheter (C)</source>
+        <translation>Katheter (C)</translation>
+    </message>
+    <message>
+        <source>Takes the suction catheter in place of the tube, and back: outside the mouth</source>
+        <translation>Nimmt den Absaugkatheter statt des Tubus und zurück: außerhalb des Mundes</translation>
+    </message>
+    <message>
+        <source>Other hand (X)</source>
+        <translation>Andere Hand (X)</translation>
+    </message>
+    <message>
+        <source>Steers the other hand; what this one holds stays where it is (X or Tab)</source>
+        <translation>Steuert die andere Hand; was diese hält, bleibt, wo es ist (X oder Tab)</translation>
+    </message>
+    <message>
+        <source>Tube out first (C)</source>
+        <translation>Erst Tubus heraus (C)</translation>
+    </message>
+    <message>
+        <source>Catheter out first (C)</source>
+        <translation>Erst Katheter heraus (C)</translation>
+    </message>
+    <message>
+        <source>Tube (C)</source>
+        <translation>Tubus (C)</translation>
+    </message>
+</context>
+<context>
+    <name>vallecula::gui::HelpDialog</name>
+    <message>
+        <source>Help</source>
+        <translation>Hilfe</translation>
+    </message>
+    <message>
+        <source>Chapters</source>
+        <translation>Kapitel</translation>
+    </message>
+    <message>
+        <source>Text of the chapter</source>
+        <translation>Text des Kapitels</translation>
+    </message>
+</context>
+<context>
+    <name>vallecula::gui::HelpPanel</name>
+    <message>
+        <source>From vallecula (F)</source>
+        <translation>Ab Vallecula (F)</translation>
+    </message>
+    <message>
+        <source>Expert (G)</source>
+        <translation>Experte (G)</translation>
+    </message>
+    <message>
+        <source>Extend head (H)</source>
+        <translation>Kopf strecken (H)</translation>
+    </message>
+    <message>
+        <source>My head</source>
+        <translation>Mein Kopf</translation>
+    </message>
+    <message>
+        <source>%1: 2 cm, and back when pressed again (%2)</source>
+        <translation>%1: 2 cm, und zurück, wenn noch einmal gedrückt (%2)</translation>
+    </message>
+    <message>
+        <source>My head to the left</source>
+        <translation>Mein Kopf nach links</translation>
+    </message>
+    <message>
+        <source>Ctrl+Left</source>
+        <translation>Strg+Links</translation>
+    </message>
+    <message>
+        <source>My head up</source>
+        <translation>Mein Kopf nach oben</translation>
+    </message>
+    <message>
+        <source>Ctrl+Up</source>
+        <translation>Strg+Hoch</translation>
+    </message>
+    <message>
+        <source>My head down</source>
+        <translation>Mein Kopf nach unten</translation>
+    </message>
+    <message>
+        <source>Ctrl+Down</source>
+        <translation>Strg+Runter</translation>
+    </message>
+    <message>
+        <source>My head to the right</source>
+        <translation>Mein Kopf nach rechts</translation>
+    </message>
+    <message>
+        <source>Ctrl+Right</source>
+        <translation>Strg+Rechts</translation>
+    </message>
+    <message>
+        <source>Begins anew with the blade&apos;s tip in the vallecula (F). What was done until now is kept; the new trial does not count towards mastery.</source>
+        <translation>Beginnt neu mit der Spatelspitze in der Vallecula (F). Was bis jetzt getan wurde, bleibt; der neue Durchgang zählt nicht für das Beherrschen.</translation>
+    </message>
+    <message>
+        <source>20 s of an expert&apos;s hands at this patient, over and over, while your trial waits (G)</source>
+        <translation>20 s der Hände eines Experten an diesem Patienten, immer wieder, während Ihr Durchgang wartet (G)</translation>
+    </message>
+    <message>
+        <source>Once the trial runs</source>
+        <translation>Sobald der Durchgang läuft</translation>
+    </message>
+    <message>
+        <source>The infant&apos;s head is extended on the neck by 10 degrees, as by a shoulder roll, and back (H)</source>
+        <translation>Der Kopf des Kindes wird um 10 Grad gestreckt, wie durch eine Schulterrolle, und zurück (H)</translation>
+    </message>
+</context>
+<context>
+    <name>vallecula::gui::HomePage</name>
+    <message>
+        <source>Practise neonatal intubation, and see what your hands did. A training tool, not a medical device.</source>
+        <translation>Üben Sie die Intubation Neugeborener und sehen Sie, was Ihre Hände getan haben. Ein Trainingsgerät, kein Medizinprodukt.</translation>
+    </message>
+    <message>
+        <source>Practise</source>
+        <translation>Üben</translation>
+    </message>
+    <message>
+        <source>Begins this trial now (Enter)</source>
+        <translation>Beginnt jetzt diesen Durchgang (Enter)</translation>
+    </message>
+    <message>
+        <source>Course</source>
+        <translation>Kurs</translation>
+    </message>
+    <message>
+        <source>Choose a scenario, a patient and a device; see what is open and mastered</source>
+        <translation>Szenario, Patient und Gerät wählen; sehen, was offen und beherrscht ist</translation>
+    </message>
+    <message>
+        <source>All courses, module by module (Ctrl+2)</source>
+        <translation>Alle Kurse, Modul für Modul (Strg+2)</translation>
+    </message>
+    <message>
+        <source>New patient from a CT</source>
+        <translation>Neuer Patient aus einem CT</translation>
+    </message>
+    <message>
+        <source>From a CT scan to a patient to practise on</source>
+        <translation>Aus einem CT ein Patient zum Üben</translation>
+    </message>
+    <message>
+        <source>Opens the import of a CT; its folder can be dropped on the window as well (Ctrl+N)</source>
+        <translation>Öffnet den Import eines CT; sein Ordner lässt sich auch auf dem Fenster ablegen (Strg+N)</translation>
+    </message>
+    <message>
+        <source>Records</source>
+        <translation>Aufzeichnungen</translation>
+    </message>
+    <message>
+        <source>Your trials and progress; for instructors the cohort</source>
+        <translation>Ihre Durchgänge und Fortschritte; für Lehrpersonen die Gruppe</translation>
+    </message>
+    <message>
+        <source>Signing in, learning curves, trials to look at again (Ctrl+3)</source>
+        <translation>Anmelden, Lernkurven, Durchgänge zum erneuten Ansehen (Strg+3)</translation>
+    </message>
+    <message>
+        <source>Devices</source>
+        <translation>Geräte</translation>
+    </message>
+    <message>
+        <source>What is plugged in, and whether it is ready</source>
+        <translation>Was angeschlossen ist und ob es bereit ist</translation>
+    </message>
+    <message>
+        <source>Haptic devices, SpaceMouse and mouse (Ctrl+4)</source>
+        <translation>Haptische Geräte, SpaceMouse und Maus (Strg+4)</translation>
+    </message>
+    <message>
+        <source>Recent</source>
+        <translation>Zuletzt</translation>
+    </message>
+    <message>
+        <source>Recent patients, courses and trials</source>
+        <translation>Zuletzt geöffnete Patienten, Kurse und Durchgänge</translation>
+    </message>
+    <message>
+        <source>Enter or double click opens it</source>
+        <translation>Enter oder Doppelklick öffnet es</translation>
+    </message>
+    <message>
+        <source>Patients, courses and trials that you open are kept here. You can also drop a CT&apos;s folder, a patient, a course or a trial on this window.</source>
+        <translation>Patienten, Kurse und Durchgänge, die Sie öffnen, stehen hier. Sie können auch den Ordner eines CT, einen Patienten, einen Kurs oder einen Durchgang auf diesem Fenster ablegen.</translation>
+    </message>
+    <message>
+        <source>&amp;Write a course ...</source>
+        <translation>Kurs &amp;schreiben ...</translation>
+    </message>
+    <message>
+        <source>Create, change, try, compare and share courses</source>
+        <translation>Kurse anlegen, ändern, ausprobieren, vergleichen und weitergeben</translation>
+    </message>
+    <message>
+        <source>Hel&amp;p</source>
+        <translation>H&amp;ilfe</translation>
+    </message>
+    <message>
+        <source>How to use each page, with pictures (F1)</source>
+        <translation>Wie man jede Seite benutzt, mit Bildern (F1)</translation>
+    </message>
+    <message>
+        <source>No scenario is chosen yet</source>
+        <translation>Noch ist kein Szenario gewählt</translation>
+    </message>
+    <message>
+        <source>%1
+Patient: %2
+Device: %3</source>
+        <translation>%1
+Patient: %2
+Gerät: %3</translation>
+    </message>
+    <message>
+        <source>Opens the course, where what is missing can be chosen (Enter)</source>
+        <translation>Öffnet den Kurs, wo sich wählen lässt, was fehlt (Enter)</translation>
     </message>
 </context>
 <context>
@@ -5205,6 +6222,283 @@ Eine Label-Karte ohne Namen (NIfTI) wird nach diesen Werten gelesen: %1</transla
     </message>
 </context>
 <context>
+    <name>vallecula::gui::InstructorControls</name>
+    <message>
+        <source>&amp;Freeze</source>
+        <translation>&amp;Einfrieren</translation>
+    </message>
+    <message>
+        <source>The trial&apos;s clock stands, no force is shown, the tools stay where they are (F5)</source>
+        <translation>Die Uhr des Durchgangs steht, keine Kraft wird gezeigt, die Instrumente bleiben, wo sie sind (F5)</translation>
+    </message>
+    <message>
+        <source>SpO2 ▼</source>
+        <translation>SpO2 ▼</translation>
+    </message>
+    <message>
+        <source>Held, the saturation falls (%)</source>
+        <translation>Gehalten fällt die Sättigung (%)</translation>
+    </message>
+    <message>
+        <source>SpO2 ▲</source>
+        <translation>SpO2 ▲</translation>
+    </message>
+    <message>
+        <source>Held, the saturation rises (%)</source>
+        <translation>Gehalten steigt die Sättigung (%)</translation>
+    </message>
+    <message>
+        <source>Heart ▼</source>
+        <translation>Herz ▼</translation>
+    </message>
+    <message>
+        <source>Held, the heart slows (beats a minute)</source>
+        <translation>Gehalten wird das Herz langsamer (Schläge pro Minute)</translation>
+    </message>
+    <message>
+        <source>Heart ▲</source>
+        <translation>Herz ▲</translation>
+    </message>
+    <message>
+        <source>Held, the heart quickens (beats a minute)</source>
+        <translation>Gehalten wird das Herz schneller (Schläge pro Minute)</translation>
+    </message>
+    <message>
+        <source>Laryngospasm</source>
+        <translation>Laryngospasmus</translation>
+    </message>
+    <message>
+        <source>Pressed, the cords close; pressed again, they are let go</source>
+        <translation>Gedrückt schließen sich die Stimmlippen; noch einmal gedrückt öffnen sie sich</translation>
+    </message>
+    <message>
+        <source>What the team says</source>
+        <translation>Was das Team sagt</translation>
+    </message>
+    <message>
+        <source>A ready sentence, or your own; Enter has the team say it on the trainee&apos;s screen</source>
+        <translation>Ein fertiger Satz oder Ihr eigener; mit Enter sagt ihn das Team auf dem Bildschirm der Lernenden</translation>
+    </message>
+    <message>
+        <source>The team says ...</source>
+        <translation>Das Team sagt ...</translation>
+    </message>
+    <message>
+        <source>What do you see?</source>
+        <translation>Was sehen Sie?</translation>
+    </message>
+    <message>
+        <source>Saturation is falling.</source>
+        <translation>Die Sättigung fällt.</translation>
+    </message>
+    <message>
+        <source>Heart rate below 100.</source>
+        <translation>Herzfrequenz unter 100.</translation>
+    </message>
+    <message>
+        <source>Thirty seconds.</source>
+        <translation>Dreißig Sekunden.</translation>
+    </message>
+    <message>
+        <source>Shall I press on the larynx?</source>
+        <translation>Soll ich auf den Kehlkopf drücken?</translation>
+    </message>
+    <message>
+        <source>Suction is ready.</source>
+        <translation>Absaugung ist bereit.</translation>
+    </message>
+    <message>
+        <source>Shall we ventilate by mask?</source>
+        <translation>Sollen wir mit Maske beatmen?</translation>
+    </message>
+    <message>
+        <source>Stop, please.</source>
+        <translation>Bitte aufhören.</translation>
+    </message>
+    <message>
+        <source>&amp;Say</source>
+        <translation>&amp;Sagen</translation>
+    </message>
+    <message>
+        <source>Assessment: it is not held up, and the team says nothing, for a line would be a help. A trial whose vital signs you change counts neither way.</source>
+        <translation>Prüfung: Sie wird nicht angehalten, und das Team sagt nichts, denn ein Satz wäre eine Hilfe. Ein Durchgang, dessen Vitalwerte Sie ändern, wird nicht gewertet.</translation>
+    </message>
+    <message>
+        <source>Vital signs you change are recorded; the trial then counts neither way.</source>
+        <translation>Vitalwerte, die Sie ändern, werden aufgezeichnet; der Durchgang wird dann nicht gewertet.</translation>
+    </message>
+    <message>
+        <source>This scenario has no infant&apos;s vital signs.</source>
+        <translation>Dieses Szenario hat keine Vitalwerte eines Kindes.</translation>
+    </message>
+    <message>
+        <source>&amp;Continue</source>
+        <translation>&amp;Fortsetzen</translation>
+    </message>
+</context>
+<context>
+    <name>vallecula::gui::InstructorStation</name>
+    <message>
+        <source>&amp;Instructor&apos;s window</source>
+        <translation>Fenster der &amp;Lehrperson</translation>
+    </message>
+    <message>
+        <source>Watch the trial, freeze it, change vital signs, tick the checklist (Ctrl+I)</source>
+        <translation>Den Durchgang verfolgen, einfrieren, Vitalwerte ändern, die Checkliste abhaken (Strg+I)</translation>
+    </message>
+    <message>
+        <source>&amp;Next trainee ...</source>
+        <translation>&amp;Nächste Lernende ...</translation>
+    </message>
+    <message>
+        <source>Signs the present trainee out and the next one in; scenario, patient and device stay (Ctrl+T)</source>
+        <translation>Meldet die jetzigen Lernenden ab und die nächsten an; Szenario, Patient und Gerät bleiben (Strg+T)</translation>
+    </message>
+    <message>
+        <source>Instructor&apos;s window</source>
+        <translation>Fenster der Lehrperson</translation>
+    </message>
+    <message>
+        <source>An instructor signs in here; whoever is at the blade stays signed in there.</source>
+        <translation>Hier meldet sich eine Lehrperson an; wer am Spatel ist, bleibt dort angemeldet.</translation>
+    </message>
+    <message>
+        <source>%1 is signed out.</source>
+        <translation>%1 ist abgemeldet.</translation>
+    </message>
+    <message>
+        <source>Next trainee</source>
+        <translation>Nächste Lernende</translation>
+    </message>
+    <message>
+        <source>Scenario, patient and device stay; the mode is practice again. Nobody signs in for somebody else.</source>
+        <translation>Szenario, Patient und Gerät bleiben; es wird wieder geübt. Niemand meldet sich für jemand anderen an.</translation>
+    </message>
+</context>
+<context>
+    <name>vallecula::gui::InstructorWindow</name>
+    <message>
+        <source>Instructor - Vallecula</source>
+        <translation>Lehrperson - Vallecula</translation>
+    </message>
+    <message>
+        <source>&amp;Next trainee ...</source>
+        <translation>&amp;Nächste Lernende ...</translation>
+    </message>
+    <message>
+        <source>The present trainee is signed out, the next one signs in (Ctrl+T); not while a trial runs</source>
+        <translation>Die jetzigen Lernenden werden abgemeldet, die nächsten melden sich an (Strg+T); nicht, während ein Durchgang läuft</translation>
+    </message>
+    <message>
+        <source>The operator&apos;s view, live</source>
+        <translation>Die Sicht der Intubierenden, unmittelbar</translation>
+    </message>
+    <message>
+        <source>Events</source>
+        <translation>Ereignisse</translation>
+    </message>
+    <message>
+        <source>What happens, by the trial&apos;s clock (min:s)</source>
+        <translation>Was geschieht, nach der Uhr des Durchgangs (min:s)</translation>
+    </message>
+    <message>
+        <source>Checklist</source>
+        <translation>Checkliste</translation>
+    </message>
+    <message>
+        <source>Figures</source>
+        <translation>Messwerte</translation>
+    </message>
+    <message>
+        <source>Begun anew</source>
+        <translation>Neu begonnen</translation>
+    </message>
+    <message>
+        <source>No trial is open</source>
+        <translation>Kein Durchgang ist offen</translation>
+    </message>
+    <message>
+        <source>Over; waiting for the next trial</source>
+        <translation>Zu Ende; wartet auf den nächsten Durchgang</translation>
+    </message>
+    <message>
+        <source>Waiting for a trial</source>
+        <translation>Wartet auf einen Durchgang</translation>
+    </message>
+    <message>
+        <source>Prepared, not started</source>
+        <translation>Vorbereitet, nicht begonnen</translation>
+    </message>
+    <message>
+        <source>FROZEN at %1</source>
+        <translation>EINGEFROREN bei %1</translation>
+    </message>
+    <message>
+        <source>Running, %1</source>
+        <translation>Läuft, %1</translation>
+    </message>
+    <message>
+        <source>Paused at %1</source>
+        <translation>Angehalten bei %1</translation>
+    </message>
+    <message>
+        <source>nobody is signed in</source>
+        <translation>niemand ist angemeldet</translation>
+    </message>
+    <message>
+        <source>nobody: ticks cannot be kept</source>
+        <translation>niemand: Haken lassen sich nicht behalten</translation>
+    </message>
+    <message>
+        <source>At the blade: %1. Here: %2.%3</source>
+        <translation>Am Spatel: %1. Hier: %2.%3</translation>
+    </message>
+    <message>
+        <source> Assessment.</source>
+        <translation> Prüfung.</translation>
+    </message>
+    <message>
+        <source>You froze the trial</source>
+        <translation>Sie haben den Durchgang eingefroren</translation>
+    </message>
+    <message>
+        <source>You let it go on</source>
+        <translation>Sie haben ihn weitergehen lassen</translation>
+    </message>
+    <message>
+        <source>You lower the saturation</source>
+        <translation>Sie senken die Sättigung</translation>
+    </message>
+    <message>
+        <source>You raise the saturation</source>
+        <translation>Sie heben die Sättigung</translation>
+    </message>
+    <message>
+        <source>You slow the heart</source>
+        <translation>Sie verlangsamen das Herz</translation>
+    </message>
+    <message>
+        <source>You quicken the heart</source>
+        <translation>Sie beschleunigen das Herz</translation>
+    </message>
+    <message>
+        <source>You close the cords</source>
+        <translation>Sie schließen die Stimmlippen</translation>
+    </message>
+    <message>
+        <source>The team says: %1</source>
+        <translation>Das Team sagt: %1</translation>
+    </message>
+    <message>
+        <source>Recorded. An instructor who is signed in here can keep the ticks.</source>
+        <translation>Aufgezeichnet. Eine Lehrperson, die hier angemeldet ist, kann die Haken behalten.</translation>
+    </message>
+    <message>
+        <source>This trial has no record: the ticks cannot be kept.</source>
+        <translation>Dieser Durchgang hat keinen Eintrag: Die Haken lassen sich nicht behalten.</translation>
+    </message>
+</context>
+<context>
     <name>vallecula::gui::LabelView</name>
     <message>
         <source>Structures in 3D</source>
@@ -5234,10 +6528,6 @@ Eine Label-Karte ohne Namen (NIfTI) wird nach diesen Werten gelesen: %1</transla
         <translation>Herkunft</translation>
     </message>
     <message>
-        <source>Mo&amp;ve it to the crosshair</source>
-        <translation>Zum Fadenkreuz &amp;verschieben</translation>
-    </message>
-    <message>
         <source>Bac&amp;k to where it was found</source>
         <translation>&amp;Zurück zum Fundort</translation>
     </message>
@@ -5253,6 +6543,10 @@ Eine Label-Karte ohne Namen (NIfTI) wird nach diesen Werten gelesen: %1</transla
         <source>moved by hand</source>
         <translation>von Hand verschoben</translation>
     </message>
+    <message>
+        <source>Move &amp;it to the crosshair</source>
+        <translation>Zum &amp;Fadenkreuz verschieben</translation>
+    </message>
 </context>
 <context>
     <name>vallecula::gui::LinkedChart</name>
@@ -5263,6 +6557,275 @@ Eine Label-Karte ohne Namen (NIfTI) wird nach diesen Werten gelesen: %1</transla
     <message>
         <source>Drawing ...</source>
         <translation>Wird gezeichnet ...</translation>
+    </message>
+</context>
+<context>
+    <name>vallecula::gui::LiveEvents</name>
+    <message>
+        <source>It goes on</source>
+        <translation>Es geht weiter</translation>
+    </message>
+    <message>
+        <source>Paused: %1</source>
+        <translation>Angehalten: %1</translation>
+    </message>
+    <message>
+        <source>tongue</source>
+        <translation>Zunge</translation>
+    </message>
+    <message>
+        <source>gum</source>
+        <translation>Zahnleiste</translation>
+    </message>
+    <message>
+        <source>Blade in the mouth</source>
+        <translation>Spatel im Mund</translation>
+    </message>
+    <message>
+        <source>Blade out</source>
+        <translation>Spatel heraus</translation>
+    </message>
+    <message>
+        <source>Glottis in sight, %1 %</source>
+        <translation>Glottis in Sicht, %1 %</translation>
+    </message>
+    <message>
+        <source>Over the target on the %1: %2 N of %3 N</source>
+        <translation>Über dem Ziel an der %1: %2 N von %3 N</translation>
+    </message>
+    <message>
+        <source>Tube past the cords</source>
+        <translation>Tubus hinter den Stimmlippen</translation>
+    </message>
+    <message>
+        <source>Tube in a main bronchus</source>
+        <translation>Tubus in einem Hauptbronchus</translation>
+    </message>
+    <message>
+        <source>Tube in the oesophagus</source>
+        <translation>Tubus im Ösophagus</translation>
+    </message>
+    <message>
+        <source>Tube out</source>
+        <translation>Tubus heraus</translation>
+    </message>
+    <message>
+        <source>CO2 detector yellow</source>
+        <translation>CO2-Detektor gelb</translation>
+    </message>
+    <message>
+        <source>Laryngospasm begins</source>
+        <translation>Laryngospasmus beginnt</translation>
+    </message>
+    <message>
+        <source>Laryngospasm over</source>
+        <translation>Laryngospasmus vorbei</translation>
+    </message>
+    <message>
+        <source>Alarm: %1</source>
+        <translation>Alarm: %1</translation>
+    </message>
+    <message>
+        <source>Beside the hands: %1</source>
+        <translation>Neben den Händen: %1</translation>
+    </message>
+</context>
+<context>
+    <name>vallecula::gui::MainMenu</name>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Datei</translation>
+    </message>
+    <message>
+        <source>&amp;Open ...</source>
+        <translation>&amp;Öffnen ...</translation>
+    </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>Zuletzt &amp;geöffnet</translation>
+    </message>
+    <message>
+        <source>&amp;New patient from a CT ...</source>
+        <translation>&amp;Neuer Patient aus einem CT ...</translation>
+    </message>
+    <message>
+        <source>&amp;Write a course ...</source>
+        <translation>Kurs &amp;schreiben ...</translation>
+    </message>
+    <message>
+        <source>Ctrl+E</source>
+        <translation>Ctrl+E</translation>
+    </message>
+    <message>
+        <source>&amp;Settings ...</source>
+        <translation>&amp;Einstellungen ...</translation>
+    </message>
+    <message>
+        <source>Ctrl+,</source>
+        <translation>Ctrl+,</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Beenden</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Ansicht</translation>
+    </message>
+    <message>
+        <source>&amp;Home</source>
+        <translation>&amp;Startseite</translation>
+    </message>
+    <message>
+        <source>Ctrl+1</source>
+        <translation>Ctrl+1</translation>
+    </message>
+    <message>
+        <source>&amp;Course</source>
+        <translation>&amp;Kurs</translation>
+    </message>
+    <message>
+        <source>Ctrl+2</source>
+        <translation>Ctrl+2</translation>
+    </message>
+    <message>
+        <source>&amp;Records</source>
+        <translation>&amp;Aufzeichnungen</translation>
+    </message>
+    <message>
+        <source>Ctrl+3</source>
+        <translation>Ctrl+3</translation>
+    </message>
+    <message>
+        <source>&amp;Devices</source>
+        <translation>&amp;Geräte</translation>
+    </message>
+    <message>
+        <source>Ctrl+4</source>
+        <translation>Ctrl+4</translation>
+    </message>
+    <message>
+        <source>&amp;Ground</source>
+        <translation>&amp;Hintergrund</translation>
+    </message>
+    <message>
+        <source>&amp;Dark</source>
+        <translation>&amp;Dunkel</translation>
+    </message>
+    <message>
+        <source>&amp;Light</source>
+        <translation>&amp;Hell</translation>
+    </message>
+    <message>
+        <source>As the &amp;desktop</source>
+        <translation>Wie der Des&amp;ktop</translation>
+    </message>
+    <message>
+        <source>&amp;Larger text</source>
+        <translation>G&amp;rößere Schrift</translation>
+    </message>
+    <message>
+        <source>&amp;Smaller text</source>
+        <translation>Kl&amp;einere Schrift</translation>
+    </message>
+    <message>
+        <source>Text as it &amp;was</source>
+        <translation>Schrift &amp;wie zuvor</translation>
+    </message>
+    <message>
+        <source>&amp;Full screen</source>
+        <translation>&amp;Vollbild</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Hilfe</translation>
+    </message>
+    <message>
+        <source>&amp;Contents</source>
+        <translation>&amp;Inhalt</translation>
+    </message>
+    <message>
+        <source>&amp;First steps ...</source>
+        <translation>&amp;Erste Schritte ...</translation>
+    </message>
+    <message>
+        <source>Save a &amp;log to send ...</source>
+        <translation>&amp;Protokoll zum Senden speichern ...</translation>
+    </message>
+    <message>
+        <source>&amp;About Vallecula</source>
+        <translation>&amp;Über Vallecula</translation>
+    </message>
+</context>
+<context>
+    <name>vallecula::gui::MainWindow</name>
+    <message>
+        <source>Save a log to send</source>
+        <translation>Protokoll zum Senden speichern</translation>
+    </message>
+    <message>
+        <source>Text (*.txt)</source>
+        <translation>Text (*.txt)</translation>
+    </message>
+    <message>
+        <source>The log is saved. It names no person, no patient and no folder; look through it before you send it.</source>
+        <translation>Das Protokoll ist gespeichert. Es nennt keine Person, keinen Patienten und keinen Ordner; sehen Sie es durch, bevor Sie es senden.</translation>
+    </message>
+    <message>
+        <source>Look at it</source>
+        <translation>Ansehen</translation>
+    </message>
+    <message>
+        <source>A course was being written when the program ended.</source>
+        <translation>Ein Kurs wurde gerade geschrieben, als das Programm endete.</translation>
+    </message>
+    <message>
+        <source>Go on with it</source>
+        <translation>Daran weiterschreiben</translation>
+    </message>
+    <message>
+        <source>Let it go</source>
+        <translation>Verwerfen</translation>
+    </message>
+    <message>
+        <source>Open a trial, a patient&apos;s patient.yaml, a course or a CT&apos;s file</source>
+        <translation>Einen Durchgang, die patient.yaml eines Patienten, einen Kurs oder die Datei eines CT öffnen</translation>
+    </message>
+    <message>
+        <source>What can be opened (*.vtrial *.yaml *.yml *.dcm *.ima *.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd);;All files (*)</source>
+        <translation>Was sich öffnen lässt (*.vtrial *.yaml *.yml *.dcm *.ima *.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Finish or leave what is under way on this page first; then it can be opened.</source>
+        <translation>Beenden oder verlassen Sie erst, was auf dieser Seite im Gange ist; dann lässt es sich öffnen.</translation>
+    </message>
+    <message>
+        <source>%1: a course of this id (%2) is there already; give it another id.</source>
+        <translation>%1: Ein Kurs mit dieser Kennung (%2) ist schon da; geben Sie ihm eine andere.</translation>
+    </message>
+    <message>
+        <source>Preparing the patient</source>
+        <translation>Der Patient wird vorbereitet</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Stopping ...</source>
+        <translation>Wird angehalten ...</translation>
+    </message>
+    <message>
+        <source>%1 (used last)</source>
+        <translation>%1 (zuletzt benutzt)</translation>
+    </message>
+    <message>
+        <source>Looking for the patient ...</source>
+        <translation>Der Patient wird gesucht ...</translation>
+    </message>
+    <message>
+        <source>Reading the trial</source>
+        <translation>Der Durchgang wird gelesen</translation>
     </message>
 </context>
 <context>
@@ -5479,7 +7042,7 @@ Eine Label-Karte ohne Namen (NIfTI) wird nach diesen Werten gelesen: %1</transla
     </message>
     <message>
         <source>&amp;Add ...</source>
-        <translation>&amp;Hinzufügen ...</translation>
+        <translation>Hin&amp;zufügen ...</translation>
     </message>
     <message>
         <source>Re&amp;name ...</source>
@@ -5798,6 +7361,25 @@ Eine Label-Karte ohne Namen (NIfTI) wird nach diesen Werten gelesen: %1</transla
     </message>
 </context>
 <context>
+    <name>vallecula::gui::ReachPad</name>
+    <message>
+        <source>Where the blade&apos;s tip is</source>
+        <translation>Wo die Spatelspitze ist</translation>
+    </message>
+    <message>
+        <source>The blade&apos;s tip as the operator sees it, and its depth (mm). With the mouse: drag here, the wheel goes deeper.</source>
+        <translation>Die Spatelspitze, wie die Intubierenden sie sehen, und ihre Tiefe (mm). Mit der Maus: hier ziehen, das Rad geht tiefer.</translation>
+    </message>
+    <message>
+        <source>far</source>
+        <translation>fern</translation>
+    </message>
+    <message>
+        <source>near</source>
+        <translation>nah</translation>
+    </message>
+</context>
+<context>
     <name>vallecula::gui::RecordsPage</name>
     <message>
         <source>Records</source>
@@ -5857,10 +7439,6 @@ Eine Label-Karte ohne Namen (NIfTI) wird nach diesen Werten gelesen: %1</transla
     <message>
         <source>The scripted expert has no plan for this patient</source>
         <translation>Der Experte nach Drehbuch hat keinen Plan für diesen Patienten</translation>
-    </message>
-    <message>
-        <source>Tip&apos;s path: &lt;span style=&apos;color:%1&apos;&gt;&amp;#9644;&lt;/span&gt; below half the target force on the tongue &lt;span style=&apos;color:%2&apos;&gt;&amp;#9644;&lt;/span&gt; up to it (%4 N) &lt;span style=&apos;color:%3&apos;&gt;&amp;#9644;&lt;/span&gt; over it; in white the expert&apos;s</source>
-        <translation>Weg der Spitze: &lt;span style=&apos;color:%1&apos;&gt;&amp;#9644;&lt;/span&gt; unter der halben Zielkraft auf die Zunge &lt;span style=&apos;color:%2&apos;&gt;&amp;#9644;&lt;/span&gt; bis zu ihr (%4 N) &lt;span style=&apos;color:%3&apos;&gt;&amp;#9644;&lt;/span&gt; darüber; in Weiß der des Experten</translation>
     </message>
     <message>
         <source> (%1 of %2 points)</source>
@@ -6086,6 +7664,22 @@ Eine Label-Karte ohne Namen (NIfTI) wird nach diesen Werten gelesen: %1</transla
         <source>Back</source>
         <translation>Zurück</translation>
     </message>
+    <message>
+        <source>Heat map</source>
+        <translation>Druckkarte</translation>
+    </message>
+    <message>
+        <source>C: where the blade pressed on tongue and epiglottis so far, and how hard (kPa): the highest pressure on each part</source>
+        <translation>C: wo der Spatel bisher auf Zunge und Epiglottis drückte und wie stark (kPa): der höchste Druck auf jede Stelle</translation>
+    </message>
+    <message>
+        <source>Tip&apos;s path: %1 below half the target force on the tongue %2 up to it (%4 N) %3 over it; in white the expert&apos;s</source>
+        <translation>Weg der Spitze: %1 unter der halben Zielkraft auf die Zunge %2 bis zu ihr (%4 N) %3 darüber; in Weiß der des Experten</translation>
+    </message>
+    <message>
+        <source>Highest pressure on tongue and epiglottis so far: %1 little %2 %3 %4 %5 kPa</source>
+        <translation>Höchster Druck auf Zunge und Epiglottis bisher: %1 wenig %2 %3 %4 %5 kPa</translation>
+    </message>
 </context>
 <context>
     <name>vallecula::gui::ResultPage</name>
@@ -6163,6 +7757,65 @@ Eine Label-Karte ohne Namen (NIfTI) wird nach diesen Werten gelesen: %1</transla
     </message>
 </context>
 <context>
+    <name>vallecula::gui::RunChecklist</name>
+    <message>
+        <source>All in all</source>
+        <translation>Alles in allem</translation>
+    </message>
+    <message>
+        <source>%1 of 5: %2</source>
+        <translation>%1 von 5: %2</translation>
+    </message>
+    <message>
+        <source>All in all %1 of 5: %2</source>
+        <translation>Alles in allem %1 von 5: %2</translation>
+    </message>
+    <message>
+        <source>&amp;Keep as my rating</source>
+        <translation>Als meine &amp;Bewertung behalten</translation>
+    </message>
+    <message>
+        <source>Once the trial is recorded: the ticks become your rating of it</source>
+        <translation>Sobald der Durchgang aufgezeichnet ist: Die Haken werden Ihre Bewertung</translation>
+    </message>
+    <message>
+        <source>Yes</source>
+        <translation>Ja</translation>
+    </message>
+    <message>
+        <source>%1: yes</source>
+        <translation>%1: ja</translation>
+    </message>
+    <message>
+        <source>No</source>
+        <translation>Nein</translation>
+    </message>
+    <message>
+        <source>%1: no</source>
+        <translation>%1: nein</translation>
+    </message>
+    <message>
+        <source>Tick while you watch; ticked again, it is open.</source>
+        <translation>Haken Sie ab, während Sie zusehen; noch einmal, und es ist wieder offen.</translation>
+    </message>
+    <message>
+        <source>recorded: yes</source>
+        <translation>aufgezeichnet: ja</translation>
+    </message>
+    <message>
+        <source>recorded: no</source>
+        <translation>aufgezeichnet: nein</translation>
+    </message>
+    <message>
+        <source>Recorded. What the recording could not tell is yours to give.</source>
+        <translation>Aufgezeichnet. Was die Aufzeichnung nicht sagen konnte, geben Sie an.</translation>
+    </message>
+    <message>
+        <source>The rating is kept.</source>
+        <translation>Die Bewertung ist aufbewahrt.</translation>
+    </message>
+</context>
+<context>
     <name>vallecula::gui::SelfRatingPage</name>
     <message>
         <source>Before you see the score: what do you think yourself? Your answer is kept with the trial and cannot be changed.</source>
@@ -6210,6 +7863,172 @@ Eine Label-Karte ohne Namen (NIfTI) wird nach diesen Werten gelesen: %1</transla
     </message>
 </context>
 <context>
+    <name>vallecula::gui::SettingsDialog</name>
+    <message>
+        <source>Settings</source>
+        <translation>Einstellungen</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Dunkel</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Hell</translation>
+    </message>
+    <message>
+        <source>As the desktop</source>
+        <translation>Wie der Desktop</translation>
+    </message>
+    <message>
+        <source>Colours of the whole window; pictures of CTs stay on black</source>
+        <translation>Farben des ganzen Fensters; CT-Bilder bleiben auf Schwarz</translation>
+    </message>
+    <message>
+        <source>Size of all text in per cent (Ctrl++ and Ctrl+- on every page)</source>
+        <translation>Größe aller Schrift in Prozent (Strg++ und Strg+- auf jeder Seite)</translation>
+    </message>
+    <message>
+        <source>Natural</source>
+        <translation>Natürlich</translation>
+    </message>
+    <message>
+        <source>Blue, as in the paper</source>
+        <translation>Blau, wie in der Veröffentlichung</translation>
+    </message>
+    <message>
+        <source>Colour of the windpipe in the operator&apos;s view; from the next trial on</source>
+        <translation>Farbe der Luftröhre in der Sicht der Intubierenden; ab dem nächsten Durchgang</translation>
+    </message>
+    <message>
+        <source>Automatic: effects give way to fluency</source>
+        <translation>Automatisch: Effekte weichen dem flüssigen Bild</translation>
+    </message>
+    <message>
+        <source>High, whatever it costs</source>
+        <translation>Hoch, was es auch kostet</translation>
+    </message>
+    <message>
+        <source>Low, for slow computers</source>
+        <translation>Niedrig, für langsame Rechner</translation>
+    </message>
+    <message>
+        <source>How the patient is drawn; from the next trial on</source>
+        <translation>Wie der Patient gezeichnet wird; ab dem nächsten Durchgang</translation>
+    </message>
+    <message>
+        <source>Look</source>
+        <translation>Aussehen</translation>
+    </message>
+    <message>
+        <source>&amp;Ground</source>
+        <translation>&amp;Hintergrund</translation>
+    </message>
+    <message>
+        <source>&amp;Text size</source>
+        <translation>&amp;Schriftgröße</translation>
+    </message>
+    <message>
+        <source>T&amp;rachea</source>
+        <translation>&amp;Trachea</translation>
+    </message>
+    <message>
+        <source>&amp;Quality</source>
+        <translation>&amp;Qualität</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>&amp;Monitor&apos;s beep: its pitch falls with the saturation</source>
+        <translation>&amp;Monitorton: Seine Höhe fällt mit der Sättigung</translation>
+    </message>
+    <message>
+        <source>Loudness of the monitor in per cent</source>
+        <translation>Lautstärke des Monitors in Prozent</translation>
+    </message>
+    <message>
+        <source>Sound</source>
+        <translation>Ton</translation>
+    </message>
+    <message>
+        <source>&amp;Volume</source>
+        <translation>&amp;Lautstärke</translation>
+    </message>
+    <message>
+        <source>Of the window&apos;s words; from the next start on</source>
+        <translation>Der Worte des Fensters; ab dem nächsten Start</translation>
+    </message>
+    <message>
+        <source>As the system</source>
+        <translation>Wie das System</translation>
+    </message>
+    <message>
+        <source>Words</source>
+        <translation>Worte</translation>
+    </message>
+    <message>
+        <source>&amp;Language</source>
+        <translation>S&amp;prache</translation>
+    </message>
+</context>
+<context>
+    <name>vallecula::gui::SignInDialog</name>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Up and Down change it from the PIN&apos;s field too</source>
+        <translation>Hoch und Runter ändern ihn auch vom PIN-Feld aus</translation>
+    </message>
+    <message>
+        <source>PIN</source>
+        <translation>PIN</translation>
+    </message>
+    <message>
+        <source>&amp;Name</source>
+        <translation>&amp;Name</translation>
+    </message>
+    <message>
+        <source>&amp;PIN</source>
+        <translation>&amp;PIN</translation>
+    </message>
+    <message>
+        <source>Go on as nobody</source>
+        <translation>Als niemand fortfahren</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Somebody ne&amp;w ...</source>
+        <translation>&amp;Jemand Neues ...</translation>
+    </message>
+    <message>
+        <source>Sign in</source>
+        <translation>Anmelden</translation>
+    </message>
+    <message>
+        <source>Asking the records ...</source>
+        <translation>Die Aufzeichnungen werden gefragt ...</translation>
+    </message>
+    <message>
+        <source>Nobody is registered here yet.</source>
+        <translation>Hier ist noch niemand registriert.</translation>
+    </message>
+    <message>
+        <source>Looking at the PIN ...</source>
+        <translation>Die PIN wird geprüft ...</translation>
+    </message>
+    <message>
+        <source>Too many wrong PINs: wait %1 s, or ask an instructor for a new PIN.</source>
+        <translation>Zu viele falsche PINs: Warten Sie %1 s oder bitten Sie eine Lehrperson um eine neue PIN.</translation>
+    </message>
+</context>
+<context>
     <name>vallecula::gui::SliceScene</name>
     <message>
         <source>outside the scan</source>
@@ -6232,6 +8051,44 @@ Eine Label-Karte ohne Namen (NIfTI) wird nach diesen Werten gelesen: %1</transla
     </message>
 </context>
 <context>
+    <name>vallecula::gui::SoundButton</name>
+    <message>
+        <source>Sound of the monitor</source>
+        <translation>Ton des Monitors</translation>
+    </message>
+    <message>
+        <source>Volume, per cent</source>
+        <translation>Lautstärke, Prozent</translation>
+    </message>
+    <message>
+        <source>Volume of the monitor&apos;s sound, per cent</source>
+        <translation>Lautstärke des Monitortons, Prozent</translation>
+    </message>
+    <message>
+        <source>Sound on</source>
+        <translation>Ton an</translation>
+    </message>
+    <message>
+        <source>Sound off</source>
+        <translation>Ton aus</translation>
+    </message>
+    <message>
+        <source>A tone at each heart beat, lower as the saturation falls, and the monitor&apos;s alarms (M)</source>
+        <translation>Ein Ton bei jedem Herzschlag, tiefer, wenn die Sättigung fällt, und die Alarme des Monitors (M)</translation>
+    </message>
+</context>
+<context>
+    <name>vallecula::gui::SoundOutput</name>
+    <message>
+        <source>No sound: this computer has no loudspeaker that can be used.</source>
+        <translation>Kein Ton: Dieser Rechner hat keinen Lautsprecher, der sich benutzen lässt.</translation>
+    </message>
+    <message>
+        <source>No sound: the loudspeaker takes no 16 bit samples.</source>
+        <translation>Kein Ton: Der Lautsprecher nimmt keine 16-Bit-Werte.</translation>
+    </message>
+</context>
+<context>
     <name>vallecula::gui::SourcePage</name>
     <message>
         <source>Folder with the CT&apos;s DICOM files</source>
@@ -6242,12 +8099,8 @@ Eine Label-Karte ohne Namen (NIfTI) wird nach diesen Werten gelesen: %1</transla
         <translation>Wo das CT liegt</translation>
     </message>
     <message>
-        <source>&amp;Folder ...</source>
-        <translation>&amp;Ordner ...</translation>
-    </message>
-    <message>
         <source>F&amp;ile ...</source>
-        <translation>&amp;Datei ...</translation>
+        <translation>Da&amp;tei ...</translation>
     </message>
     <message>
         <source>Series found</source>
@@ -6312,6 +8165,10 @@ Eine Label-Karte ohne Namen (NIfTI) wird nach diesen Werten gelesen: %1</transla
     <message>
         <source>can be imported</source>
         <translation>kann importiert werden</translation>
+    </message>
+    <message>
+        <source>Fol&amp;der ...</source>
+        <translation>&amp;Ordner ...</translation>
     </message>
 </context>
 <context>
@@ -6412,6 +8269,34 @@ Eine Label-Karte ohne Namen (NIfTI) wird nach diesen Werten gelesen: %1</transla
         <source>Tube&apos;s hand</source>
         <translation>Hand des Tubus</translation>
     </message>
+    <message>
+        <source>H&amp;ome</source>
+        <translation>S&amp;tartseite</translation>
+    </message>
+    <message>
+        <source>Back to the first page (Esc)</source>
+        <translation>Zurück zur ersten Seite (Esc)</translation>
+    </message>
+    <message>
+        <source>the built-in manikin</source>
+        <translation>das eingebaute Phantom</translation>
+    </message>
+    <message>
+        <source>Choose a scenario of a course first.</source>
+        <translation>Wählen Sie zuerst ein Szenario eines Kurses.</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Blade and tube are to be chosen first.</source>
+        <translation>Spatel und Tubus sind erst zu wählen.</translation>
+    </message>
+    <message>
+        <source>It can only be taken as an assessment.</source>
+        <translation>Es lässt sich nur als Prüfung nehmen.</translation>
+    </message>
 </context>
 <context>
     <name>vallecula::gui::StatementDelivery</name>
@@ -6493,7 +8378,7 @@ Eine Label-Karte ohne Namen (NIfTI) wird nach diesen Werten gelesen: %1</transla
     </message>
     <message>
         <source>&amp;Accept</source>
-        <translation>&amp;Annehmen</translation>
+        <translation>An&amp;nehmen</translation>
     </message>
     <message>
         <source>It is as it should be</source>
@@ -6537,11 +8422,11 @@ Eine Label-Karte ohne Namen (NIfTI) wird nach diesen Werten gelesen: %1</transla
     </message>
     <message>
         <source>&amp;Use the threshold</source>
-        <translation>Schwelle &amp;verwenden</translation>
+        <translation>S&amp;chwelle verwenden</translation>
     </message>
     <message>
         <source>&amp;Load a label map ...</source>
-        <translation>Karte &amp;laden ...</translation>
+        <translation>&amp;Karte laden ...</translation>
     </message>
     <message>
         <source>Takes this structure from a label map made elsewhere (3D Slicer)</source>
@@ -6658,6 +8543,407 @@ Eine Label-Karte ohne Namen (NIfTI) wird nach diesen Werten gelesen: %1</transla
     </message>
 </context>
 <context>
+    <name>vallecula::gui::TrialPage</name>
+    <message>
+        <source>Scoring the trial ...</source>
+        <translation>Der Durchgang wird ausgewertet ...</translation>
+    </message>
+    <message>
+        <source>Enter starts the trial and takes hold again after a pause, Esc ends it.</source>
+        <translation>Enter beginnt den Durchgang und fasst nach einer Pause wieder zu, Esc beendet ihn.</translation>
+    </message>
+    <message>
+        <source>Button %1 of the device, held, frees your hand: the blade stays.</source>
+        <translation>Taste %1 des Geräts, gehalten, gibt Ihre Hand frei: Der Spatel bleibt.</translation>
+    </message>
+    <message>
+        <source>Scripted hands are at work. Esc ends the trial.</source>
+        <translation>Hände nach Drehbuch sind am Werk. Esc beendet den Durchgang.</translation>
+    </message>
+    <message>
+        <source>The hands of a recorded trial are at work. Esc ends the trial.</source>
+        <translation>Die Hände eines aufgezeichneten Durchgangs sind am Werk. Esc beendet den Durchgang.</translation>
+    </message>
+    <message>
+        <source>%1   |   F1: all keys</source>
+        <translation>%1   |   F1: alle Tasten</translation>
+    </message>
+    <message>
+        <source>You hold: right hand, TUBE. The blade stays.</source>
+        <translation>Sie halten: rechte Hand, TUBUS. Der Spatel bleibt.</translation>
+    </message>
+    <message>
+        <source>You hold: left hand, BLADE. The tube stays.</source>
+        <translation>Sie halten: linke Hand, SPATEL. Der Tubus bleibt.</translation>
+    </message>
+    <message>
+        <source>The trial begins as soon as its log is on the disk.</source>
+        <translation>Der Durchgang beginnt, sobald sein Protokoll auf der Platte ist.</translation>
+    </message>
+    <message>
+        <source>The blade is being led to the vallecula; then it is yours.</source>
+        <translation>Der Spatel wird zur Vallecula geführt; dann gehört er Ihnen.</translation>
+    </message>
+    <message>
+        <source>View: auto</source>
+        <translation>Sicht: auto</translation>
+    </message>
+    <message>
+        <source>View: face</source>
+        <translation>Sicht: Gesicht</translation>
+    </message>
+    <message>
+        <source>View: mouth</source>
+        <translation>Sicht: Mund</translation>
+    </message>
+    <message>
+        <source>Once the trial runs</source>
+        <translation>Sobald der Durchgang läuft</translation>
+    </message>
+    <message>
+        <source>Not in an assessment</source>
+        <translation>Nicht in einer Prüfung</translation>
+    </message>
+    <message>
+        <source>This scenario does not show it.</source>
+        <translation>Dieses Szenario zeigt das nicht.</translation>
+    </message>
+    <message>
+        <source>Expert - your trial waits</source>
+        <translation>Experte - Ihr Durchgang wartet</translation>
+    </message>
+    <message>
+        <source>Back to my trial (G)</source>
+        <translation>Zurück (G)</translation>
+    </message>
+    <message>
+        <source>An expert&apos;s hands at this patient, computed for it. Esc or G: back to your trial.</source>
+        <translation>Die Hände eines Experten an diesem Patienten, für ihn berechnet. Esc oder G: zurück zu Ihrem Durchgang.</translation>
+    </message>
+    <message>
+        <source>The expert cannot be shown: %1</source>
+        <translation>Der Experte lässt sich nicht zeigen: %1</translation>
+    </message>
+    <message>
+        <source>Expert - being computed; your trial waits</source>
+        <translation>Experte - wird berechnet; Ihr Durchgang wartet</translation>
+    </message>
+    <message>
+        <source>Expert (G)</source>
+        <translation>Experte (G)</translation>
+    </message>
+    <message>
+        <source>starts the trial; takes hold again after a pause</source>
+        <translation>beginnt den Durchgang; fasst nach einer Pause wieder zu</translation>
+    </message>
+    <message>
+        <source>ends the trial; before it, goes back</source>
+        <translation>beendet den Durchgang; vor dem Beginn zurück</translation>
+    </message>
+    <message>
+        <source>begins anew; what was done is kept</source>
+        <translation>beginnt neu; was getan wurde, bleibt</translation>
+    </message>
+    <message>
+        <source>begins anew with the blade&apos;s tip in the vallecula</source>
+        <translation>beginnt neu mit der Spatelspitze in der Vallecula</translation>
+    </message>
+    <message>
+        <source>20 s of an expert while the trial waits, and back</source>
+        <translation>20 s eines Experten, während der Durchgang wartet, und zurück</translation>
+    </message>
+    <message>
+        <source>your own head 2 cm to the left, and back</source>
+        <translation>Ihr eigener Kopf 2 cm nach links und zurück</translation>
+    </message>
+    <message>
+        <source>your own head 2 cm to the right, and back</source>
+        <translation>Ihr eigener Kopf 2 cm nach rechts und zurück</translation>
+    </message>
+    <message>
+        <source>your own head 2 cm up, and back</source>
+        <translation>Ihr eigener Kopf 2 cm nach oben und zurück</translation>
+    </message>
+    <message>
+        <source>your own head 2 cm down, and back</source>
+        <translation>Ihr eigener Kopf 2 cm nach unten und zurück</translation>
+    </message>
+    <message>
+        <source>extends the infant&apos;s head by 10 degrees, and back</source>
+        <translation>streckt den Kopf des Kindes um 10 Grad und zurück</translation>
+    </message>
+    <message>
+        <source>how near the view is: by itself, the face, the mouth</source>
+        <translation>wie nah die Sicht ist: von selbst, Gesicht, Mund</translation>
+    </message>
+    <message>
+        <source>the monitor&apos;s sound, on or off</source>
+        <translation>Ton des Monitors an oder aus</translation>
+    </message>
+    <message>
+        <source>this list</source>
+        <translation>diese Liste</translation>
+    </message>
+    <message>
+        <source>Trial</source>
+        <translation>Durchgang</translation>
+    </message>
+    <message>
+        <source>What the hand steers</source>
+        <translation>Was die Hand steuert</translation>
+    </message>
+    <message>
+        <source>Hands and helpers</source>
+        <translation>Hände und Helfende</translation>
+    </message>
+    <message>
+        <source>Questions and alarms</source>
+        <translation>Fragen und Alarme</translation>
+    </message>
+    <message>
+        <source>Panels</source>
+        <translation>Bereiche</translation>
+    </message>
+    <message>
+        <source>&amp;Panels</source>
+        <translation>&amp;Bereiche</translation>
+    </message>
+    <message>
+        <source>Which panels are shown (Alt+1 and on); each may be moved, or taken out of the window</source>
+        <translation>Welche Bereiche gezeigt werden (Alt+1 und weiter); jeder lässt sich verschieben oder aus dem Fenster nehmen</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Tasten</translation>
+    </message>
+    <message>
+        <source>All keys of this page (F1)</source>
+        <translation>Alle Tasten dieser Seite (F1)</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Start</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>Ende</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>Von vorn</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Begins the trial (Enter)</source>
+        <translation>Beginnt den Durchgang (Enter)</translation>
+    </message>
+    <message>
+        <source>Ends the trial and scores it (Esc)</source>
+        <translation>Beendet den Durchgang und wertet ihn aus (Esc)</translation>
+    </message>
+    <message>
+        <source>Begins anew; what was done until now is kept (R)</source>
+        <translation>Beginnt neu; was bis jetzt getan wurde, bleibt (R)</translation>
+    </message>
+    <message>
+        <source>How near the operator&apos;s view is: by itself, the face, or the mouth (Z)</source>
+        <translation>Wie nah die Sicht der Intubierenden ist: von selbst, Gesicht oder Mund (Z)</translation>
+    </message>
+    <message>
+        <source>Back to where this trial was chosen (Esc, before the start)</source>
+        <translation>Zurück dorthin, wo dieser Durchgang gewählt wurde (Esc, vor dem Start)</translation>
+    </message>
+</context>
+<context>
+    <name>vallecula::gui::TrialPanels</name>
+    <message>
+        <source>&amp;Panels</source>
+        <translation>&amp;Bereiche</translation>
+    </message>
+    <message>
+        <source>&amp;Monitor</source>
+        <translation>&amp;Monitor</translation>
+    </message>
+    <message>
+        <source>Mid-&amp;sagittal cut</source>
+        <translation>Sagittal&amp;schnitt</translation>
+    </message>
+    <message>
+        <source>&amp;Video laryngoscope</source>
+        <translation>&amp;Videolaryngoskop</translation>
+    </message>
+    <message>
+        <source>&amp;Force</source>
+        <translation>&amp;Kraft</translation>
+    </message>
+    <message>
+        <source>&amp;Readings</source>
+        <translation>Mess&amp;werte</translation>
+    </message>
+    <message>
+        <source>&amp;Team</source>
+        <translation>&amp;Team</translation>
+    </message>
+    <message>
+        <source>This scenario does not show it.</source>
+        <translation>Dieses Szenario zeigt das nicht.</translation>
+    </message>
+    <message>
+        <source>In this scenario there is no infant on a monitor.</source>
+        <translation>In diesem Szenario ist kein Kind an einem Monitor.</translation>
+    </message>
+    <message>
+        <source>This scenario asks you things: its place stays.</source>
+        <translation>Dieses Szenario fragt Sie etwas: Der Platz dafür bleibt.</translation>
+    </message>
+    <message>
+        <source>Switches this panel on and off</source>
+        <translation>Schaltet diesen Bereich an und aus</translation>
+    </message>
+    <message>
+        <source>Panels &amp;as at first</source>
+        <translation>Bereiche wie am &amp;Anfang</translation>
+    </message>
+</context>
+<context>
+    <name>vallecula::gui::TrialReadings</name>
+    <message>
+        <source>Attempt</source>
+        <translation>Intubationsversuch</translation>
+    </message>
+    <message>
+        <source>Glottis visible</source>
+        <translation>Glottis sichtbar</translation>
+    </message>
+    <message>
+        <source>Tube</source>
+        <translation>Tubus</translation>
+    </message>
+    <message>
+        <source>The mark at the lips (cm), how hard the tube pushes back on the hand (N)</source>
+        <translation>Die Marke an den Lippen (cm), wie stark der Tubus auf die Hand zurückdrückt (N)</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>Gerät</translation>
+    </message>
+    <message>
+        <source>Loop</source>
+        <translation>Schleife</translation>
+    </message>
+    <message>
+        <source>Late: share of the forces written more than 1 ms after they were due. Dropped: share of the ticks whose simulation step was not finished in time. The result page says what real-time priority was granted.</source>
+        <translation>Zu spät: Anteil der Kräfte, die mehr als 1 ms nach ihrer Zeit geschrieben wurden. Verworfen: Anteil der Takte, deren Simulationsschritt nicht rechtzeitig fertig war. Die Ergebnisseite sagt, welche Echtzeitpriorität gewährt wurde.</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>Frames drawn a second, and what was left out of the picture so that hand and picture keep their time.</source>
+        <translation>Gezeichnete Bilder pro Sekunde, und was im Bild weggelassen wurde, damit Hand und Bild ihre Zeit einhalten.</translation>
+    </message>
+    <message>
+        <source>at most %1 s</source>
+        <translation>höchstens %1 s</translation>
+    </message>
+    <message>
+        <source>ready</source>
+        <translation>bereit</translation>
+    </message>
+    <message>
+        <source>not in the mouth</source>
+        <translation>nicht im Mund</translation>
+    </message>
+    <message>
+        <source>not running</source>
+        <translation>läuft nicht</translation>
+    </message>
+    <message>
+        <source>%1 Hz</source>
+        <translation>%1 Hz</translation>
+    </message>
+    <message>
+        <source>measuring</source>
+        <translation>wird gemessen</translation>
+    </message>
+    <message>
+        <source>%1, %2 % late, %3 % dropped</source>
+        <translation>%1, %2 % zu spät, %3 % verworfen</translation>
+    </message>
+    <message>
+        <source>%1 frames/s</source>
+        <translation>%1 Bilder/s</translation>
+    </message>
+    <message>
+        <source>standing</source>
+        <translation>steht</translation>
+    </message>
+    <message>
+        <source>%1; %2</source>
+        <translation>%1; %2</translation>
+    </message>
+    <message>
+        <source>following your hand</source>
+        <translation>folgt Ihrer Hand</translation>
+    </message>
+    <message>
+        <source>at the device limit</source>
+        <translation>an der Gerätegrenze</translation>
+    </message>
+    <message>
+        <source>Device limit reached: the device cannot push back harder, so the blade stays where it is. The grey blade shows your hand.</source>
+        <translation>Gerätegrenze erreicht: Das Gerät kann nicht stärker zurückdrücken, also bleibt der Spatel, wo er ist. Der graue Spatel zeigt Ihre Hand.</translation>
+    </message>
+    <message>
+        <source>paused</source>
+        <translation>angehalten</translation>
+    </message>
+    <message>
+        <source>lost</source>
+        <translation>gelöst</translation>
+    </message>
+    <message>
+        <source>The device stopped answering. No force is shown until it is back.</source>
+        <translation>Das Gerät antwortet nicht mehr. Bis es zurück ist, wird keine Kraft gezeigt.</translation>
+    </message>
+    <message>
+        <source>The device stayed over its limit too long and let go. Bring the grey blade back to the steel one to take hold again.</source>
+        <translation>Das Gerät blieb zu lange über seiner Grenze und ließ los. Bringen Sie den grauen Spatel zum stählernen zurück, um wieder zuzufassen.</translation>
+    </message>
+    <message>
+        <source>taking hold again</source>
+        <translation>fasst wieder zu</translation>
+    </message>
+    <message>
+        <source>Taking hold again: the force returns gently.</source>
+        <translation>Wieder zugefasst: Die Kraft kommt sanft zurück.</translation>
+    </message>
+    <message>
+        <source>Paused. %1</source>
+        <translation>Angehalten. %1</translation>
+    </message>
+    <message>
+        <source>A fault: %1. Reset to begin anew; what led to it is kept.</source>
+        <translation>Ein Fehler: %1. „Von vorn“ beginnt neu; was dazu führte, ist aufbewahrt.</translation>
+    </message>
+    <message>
+        <source>catheter %1 cm at the lips</source>
+        <translation>Katheter, %1 cm an den Lippen</translation>
+    </message>
+    <message>
+        <source>%1 cm at the lips</source>
+        <translation>%1 cm an den Lippen</translation>
+    </message>
+    <message>
+        <source>catheter not in the mouth</source>
+        <translation>Katheter, nicht im Mund</translation>
+    </message>
+</context>
+<context>
     <name>vallecula::gui::TrialsPanel</name>
     <message>
         <source>Trials</source>
@@ -6708,10 +8994,6 @@ Eine Label-Karte ohne Namen (NIfTI) wird nach diesen Werten gelesen: %1</transla
         <translation>zuerst bewerten</translation>
     </message>
     <message>
-        <source>Rate it &amp;first ...</source>
-        <translation>Zuerst &amp;bewerten ...</translation>
-    </message>
-    <message>
         <source>Enter, or a double click on the trial</source>
         <translation>Enter oder ein Doppelklick auf den Durchgang</translation>
     </message>
@@ -6739,6 +9021,10 @@ Eine Label-Karte ohne Namen (NIfTI) wird nach diesen Werten gelesen: %1</transla
         <source>The rating is kept.</source>
         <translation>Die Bewertung ist aufbewahrt.</translation>
     </message>
+    <message>
+        <source>Rate it firs&amp;t ...</source>
+        <translation>Zuerst &amp;bewerten ...</translation>
+    </message>
 </context>
 <context>
     <name>vallecula::gui::WhoStrip</name>
@@ -6748,7 +9034,7 @@ Eine Label-Karte ohne Namen (NIfTI) wird nach diesen Werten gelesen: %1</transla
     </message>
     <message>
         <source>&amp;Records ...</source>
-        <translation>&amp;Aufzeichnungen ...</translation>
+        <translation>Auf&amp;zeichnungen ...</translation>
     </message>
     <message>
         <source>Signed in: %1</source>

@@ -7,7 +7,9 @@
 #include <QCalendarWidget>
 #include <QCheckBox>
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QHeaderView>
+#include <QKeySequence>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPlainTextEdit>
@@ -17,6 +19,7 @@
 #include <QTabBar>
 #include <QTextEdit>
 #include <QWidget>
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -47,6 +50,27 @@ inline bool is_control(const QWidget& widget) {
 inline std::string described(const QWidget& widget) {
   return std::string(widget.metaObject()->className()) + " '" + widget.objectName().toStdString() + "' in " +
          (widget.parentWidget() == nullptr ? "nothing" : widget.parentWidget()->metaObject()->className());
+}
+
+/// Every text of the page whose key with Alt is a menu's in the window's language: then neither answers to it.
+inline std::vector<std::string> keys_of_menus(const QWidget& page) {
+  std::vector<QKeySequence> menus;
+  std::vector<std::string> found;
+  for (const char* menu : {"&File", "&View", "&Help"}) {
+    menus.push_back(QKeySequence::mnemonic(QCoreApplication::translate("vallecula::gui::MainMenu", menu)));
+    if (menus.back().isEmpty()) found.push_back(std::string(menu) + " has no key");
+  }
+  const auto look = [&](const QString& text) {
+    const QKeySequence key = QKeySequence::mnemonic(text);
+    if (!key.isEmpty() && std::find(menus.begin(), menus.end(), key) != menus.end())
+      found.push_back(text.toStdString());
+  };
+  for (const auto* button : page.findChildren<QAbstractButton*>()) look(button->text());
+  for (const auto* label : page.findChildren<QLabel*>())
+    if (label->buddy() != nullptr) look(label->text());
+  for (const auto* tabs : page.findChildren<QTabBar*>())
+    for (int i = 0; i < tabs->count(); ++i) look(tabs->tabText(i));
+  return found;
 }
 
 /// Every control of the page that a screen reader could not name: no text of its own, no accessible name, no label

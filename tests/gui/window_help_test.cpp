@@ -9,6 +9,7 @@
 #include <QRegularExpression>
 #include <QTest>
 #include <QTextBrowser>
+#include <QUrl>
 #include <map>
 
 #include "gui/authoring/authoring_page.h"
@@ -17,6 +18,7 @@
 #include "gui/pages/main_menu.h"
 #include "gui/pages/replay_page.h"
 #include "gui/pages/trial_page.h"
+#include "gui/session/languages.h"
 #include "gui/session/user_paths.h"
 #include "tests/gui/block_patient.h"
 #include "tests/gui/program.h"
@@ -28,7 +30,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kWidth = 720;               ///< pixels of a stored picture
+constexpr int kWidth = 720;                ///< pixels of a stored picture
 constexpr qint64 kMostBytes = 600 * 1024;  ///< of all pictures
 
 QString text_of_chapter(const QString& chapter) {
@@ -41,7 +43,8 @@ QStringList named_pictures() {
   QStringList names;
   static const QRegularExpression picture("!\\[[^\\]]+\\]\\(([^)]+)\\)");
   for (const QString& chapter : help_chapters())
-    for (auto match = picture.globalMatch(text_of_chapter(chapter)); match.hasNext();) names << match.next().captured(1);
+    for (auto match = picture.globalMatch(text_of_chapter(chapter)); match.hasNext();)
+      names << match.next().captured(1);
   return names;
 }
 
@@ -85,10 +88,10 @@ class WindowHelp : public Screen {
     keep("home.jpg");
     open_course_page(*window_);
     keep("course.jpg");
-    for (const auto& [signal, picture] :
-         std::initializer_list<std::pair<void (MainMenu::*)(), const char*>>{{&MainMenu::records_wanted, "records.jpg"},
-                                                                             {&MainMenu::devices_wanted, "devices.jpg"},
-                                                                             {&MainMenu::import_wanted, "import.jpg"}}) {
+    for (const auto& [signal, picture] : std::initializer_list<std::pair<void (MainMenu::*)(), const char*>>{
+             {&MainMenu::records_wanted, "records.jpg"},
+             {&MainMenu::devices_wanted, "devices.jpg"},
+             {&MainMenu::import_wanted, "import.jpg"}}) {
       (window_->menu().*signal)();
       wait_for([&] { return false; }, 400);  // lists are asked for on threads of their own
       keep(picture);
@@ -131,8 +134,39 @@ TEST(HelpText, EveryChapterIsThereAndSaysSomething) {
     EXPECT_TRUE(text.startsWith("# ")) << chapter.toStdString();
     EXPECT_GT(text.size(), 400) << chapter.toStdString();
   }
-  for (const char* page : {"home", "start", "records", "devices", "import", "authoring", "prepare", "trial", "rating", "result", "replay"})
+  for (const char* page :
+       {"home", "start", "records", "devices", "import", "authoring", "prepare", "trial", "rating", "result", "replay"})
     EXPECT_TRUE(help_chapters().contains(help_chapter_of(page))) << page;
+}
+
+/// How a chapter is built: its headings, rows of tables and items, in their order.
+QStringList build_of(const QString& text) {
+  QStringList build;
+  static const QRegularExpression part("^(#+ |\\||- |\\d+\\. )");
+  for (const QString& line : text.split('\n'))
+    if (const auto match = part.match(line); match.hasMatch()) build << match.captured(1);
+  return build;
+}
+
+TEST(HelpText, EveryLanguageOfTheWindowHasEveryChapterWithTheSameParts) {
+  static const QRegularExpression picture("!\\[[^\\]]+\\]\\(([^)]+)\\)");
+  int others = 0;
+  for (const Language& language : available_languages()) {
+    if (language.code == "en") continue;
+    ++others;
+    for (const QString& chapter : help_chapters()) {
+      const QString english = text_of_chapter(chapter), text = text_of_chapter(language.code + '/' + chapter);
+      EXPECT_TRUE(text != english) << chapter.toStdString();
+      EXPECT_EQ(build_of(text).join(' ').toStdString(), build_of(english).join(' ').toStdString())
+          << chapter.toStdString() << " in " << language.name.toStdString();
+      QStringList names, english_names;
+      for (auto match = picture.globalMatch(text); match.hasNext();) names << match.next().captured(1);
+      for (auto match = picture.globalMatch(english); match.hasNext();)
+        english_names << "../" + match.next().captured(1);
+      EXPECT_EQ(names.join(' ').toStdString(), english_names.join(' ').toStdString()) << chapter.toStdString();
+    }
+  }
+  EXPECT_GE(others, 1);
 }
 
 TEST(HelpText, ItsPicturesAreThereNoneTooManyAndSmall) {
@@ -168,6 +202,20 @@ TEST_F(WindowHelp, ItsPicturesLookLikeThePagesOfToday) {
   // The scale tells pages apart.
   EXPECT_GT(difference_from_afar(pictures_["home.jpg"], QImage(":/help/trial.jpg")), kMostDifference);
   EXPECT_GT(difference_from_afar(pictures_["course.jpg"], QImage(":/help/replay.jpg")), kMostDifference);
+}
+
+TEST_F(WindowHelp, SpeaksTheLanguageOfTheWindow) {
+  ASSERT_TRUE(install_language(*qApp, "de"));
+  HelpDialog german;
+  german.show_chapter("devices");
+  install_language(*qApp, "en");
+  auto* text = german.findChild<QTextBrowser*>();
+  EXPECT_TRUE(text->toPlainText().contains("Haptische Ger\u00e4te")) << text->toPlainText().toStdString();
+  EXPECT_EQ(german.findChild<QListWidget*>("chapters")->item(0)->text(), "Ihre erste Laryngoskopie");
+  EXPECT_FALSE(text->loadResource(QTextDocument::ImageResource, QUrl("../devices.jpg")).isNull());
+  HelpDialog english;
+  english.show_chapter("devices");
+  EXPECT_TRUE(english.findChild<QTextBrowser*>()->toPlainText().contains("Haptic devices"));
 }
 
 TEST_F(WindowHelp, F1OpensTheChapterOfThePage) {

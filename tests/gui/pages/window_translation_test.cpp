@@ -16,6 +16,7 @@
 #include "gui/pages/device_dialog.h"
 #include "gui/pages/devices_page.h"
 #include "gui/session/languages.h"
+#include "gui/pages/home_page.h"
 #include "gui/pages/replay_page.h"
 #include "gui/pages/result_page.h"
 #include "gui/pages/self_rating_page.h"
@@ -171,6 +172,7 @@ class WindowTranslation : public Screen {
     EXPECT_EQ(nameless_controls(page), std::vector<std::string>()) << name << lines(nameless_controls(page));
     EXPECT_EQ(unreachable_controls(page), std::vector<std::string>()) << name << lines(unreachable_controls(page));
     EXPECT_EQ(cut_texts(page), std::vector<std::string>()) << name << lines(cut_texts(page));
+    EXPECT_EQ(keys_of_menus(page), std::vector<std::string>()) << name << lines(keys_of_menus(page));
     keep_picture(page, name + ".png");
     page.hide();
   }
@@ -186,6 +188,10 @@ class WindowTranslation : public Screen {
     look_at(settings, "device-settings-" + language);
     RecordsPage records;
     look_at(records, "records-" + language);
+    const HomePage home;
+    const WhoStrip who(records.desk(), nullptr);
+    for (const QWidget* one : {static_cast<const QWidget*>(&home), static_cast<const QWidget*>(&who)})
+      EXPECT_EQ(keys_of_menus(*one), std::vector<std::string>()) << language << lines(keys_of_menus(*one));
     SelfRatingPage rating;
     rating.ask(*curricula::load_curriculum(curricula_folder() / "first-intubation.yaml").find("term-tube"));
     look_at(rating, "own-rating-" + language);
