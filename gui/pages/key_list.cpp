@@ -9,7 +9,11 @@
 
 namespace vallecula::gui {
 
-QString key_name(int key) { return QKeySequence(key).toString(QKeySequence::NativeText); }
+QString key_name(int key) {
+  // Alone these are no sequence, and Qt would write their code as a letter.
+  if (key == Qt::Key_Shift) return QKeySequence(Qt::SHIFT).toString(QKeySequence::NativeText).remove('+');
+  return QKeySequence(key).toString(QKeySequence::NativeText);
+}
 
 void show_key_list(QWidget* page, const std::vector<KeyGroup>& groups) {
   if (auto* open = page->findChild<QDialog*>("key_list")) {

@@ -39,6 +39,7 @@ engine::Snapshot monitor_snapshot(const curricula::LogTick& tick) {
   snapshot.step = 0;
   snapshot.time_s = tick.time_s;
   snapshot.has_intubation = tick.has_intubation;
+  if (curricula::paused(tick)) snapshot.faults = engine::kFaultDeviceInvalid;
   const curricula::LogIntubation& i = tick.intubation;
   snapshot.intubation.spo2 = i.spo2;
   snapshot.intubation.sao2 = i.sao2;

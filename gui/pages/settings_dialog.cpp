@@ -133,7 +133,7 @@ void SettingsDialog::add_language(QFormLayout* form) {
   for (const Language& one : available_languages()) language_->addItem(one.name, one.code);
   language_->setCurrentIndex(std::max(0, language_->findData(chosen_language())));
   form->addRow(heading(tr("Words"), this));
-  form->addRow(tr("&Language"), language_);
+  form->addRow(tr("&Language (from the next start)"), language_);
 }
 
 LookSettings SettingsDialog::chosen() const {

@@ -44,10 +44,10 @@ TrialPanels::TrialPanels(QWidget* centre, QWidget* parent) : QMainWindow(parent)
   menu_ = new QMenu(tr("&Panels"), this);
   monitor_ = new MonitorPanel(this);
   sagittal_view_ = new SagittalView(this);
-  sagittal_view_->setMinimumSize(260, 150);
+  sagittal_view_->setMinimumSize(260, 110);
   sagittal_view_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
   video_view_ = new VideoView(this);
-  video_view_->setMinimumSize(260, 150);
+  video_view_->setMinimumSize(260, 110);
   video_view_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
   bars_ = new ForceBars(this);
   readings_ = new TrialReadings(this);
@@ -110,6 +110,7 @@ void TrialPanels::arrange() {
   arranging_ = true;
   addDockWidget(Qt::TopDockWidgetArea, docks_[monitor]);
   for (const Panel panel : {team, cut, video, force, readings}) addDockWidget(Qt::RightDockWidgetArea, docks_[panel]);
+  tabifyDockWidget(docks_[cut], docks_[video]);  // no window grows for the second view; fit() parts them where there is room
   for (QDockWidget* dock : docks_) dock->setFloating(false);
   arranging_ = false;
   as_at_first_ = true;

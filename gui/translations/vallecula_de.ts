@@ -7969,8 +7969,8 @@ Gerät: %3</translation>
         <translation>Worte</translation>
     </message>
     <message>
-        <source>&amp;Language</source>
-        <translation>S&amp;prache</translation>
+        <source>&amp;Language (from the next start)</source>
+        <translation>S&amp;prache (ab dem nächsten Start)</translation>
     </message>
 </context>
 <context>
@@ -8871,8 +8871,10 @@ Gerät: %3</translation>
         <translation>wird gemessen</translation>
     </message>
     <message>
-        <source>%1, %2 % late, %3 % dropped</source>
-        <translation>%1, %2 % zu spät, %3 % verworfen</translation>
+        <source>%1, %2 late of %3 (%4 %)
+%5 of %3 steps dropped (%6 %)</source>
+        <translation>%1, %2 von %3 verspätet (%4 %)
+%5 von %3 Schritten ausgelassen (%6 %)</translation>
     </message>
     <message>
         <source>%1 frames/s</source>

@@ -23,7 +23,7 @@ QFont with_points(QFont font, double points, bool bold = false) {
 /// Two patterns as well as two colours, so that the parts are told apart without colour.
 void fill_lifted(QPainter& painter, const QRectF& place) { painter.fillRect(place, theme::within()); }
 void fill_levered(QPainter& painter, const QRectF& place) {
-  painter.fillRect(place, theme::over());
+  painter.fillRect(place, theme::bad());
   painter.fillRect(place, QBrush(theme::ground(), Qt::BDiagPattern));
 }
 

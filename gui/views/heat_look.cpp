@@ -17,7 +17,7 @@ namespace vallecula::gui {
 namespace {
 
 constexpr double kClearBelow = 0.05;
-constexpr double kNearer = -60000.0;  // of the depth buffer's steps: about 1.5 mm, before the drawn skin
+constexpr double kNearer = -300.0;  // 65000ths of the depth that is drawn: under a millimetre, just before the drawn skin
 
 }  // namespace
 

@@ -60,7 +60,7 @@ MonitorPanel::MonitorPanel(QWidget* parent) : QWidget(parent) {
 
 void MonitorPanel::clear() {
   minute_.clear();
-  now_s_ = last_breath_s_ = beat_ = 0.0;
+  now_s_ = seen_s_ = last_breath_s_ = beat_ = 0.0;
   breaths_ = 0;
   there_ = false;
   update();
@@ -68,10 +68,14 @@ void MonitorPanel::clear() {
 
 void MonitorPanel::show_snapshot(const engine::Snapshot& snapshot) {
   if (!snapshot.has_intubation || snapshot.step < 0) return;
-  if (there_ && snapshot.time_s < now_s_) clear();
-  const double passed = there_ ? snapshot.time_s - now_s_ : 0.0;
+  if (there_ && snapshot.time_s < seen_s_) clear();
+  // The infant's time stands in a pause, the servo's goes on.
+  const bool paused = (snapshot.faults & engine::kFaultDeviceInvalid) != 0 ||
+                      (snapshot.intubation.faults & engine::kIntubationFaultHand) != 0;
+  const double passed = there_ && !paused ? snapshot.time_s - seen_s_ : 0.0;
   record_ = snapshot.intubation;
-  now_s_ = snapshot.time_s;
+  now_s_ = there_ ? now_s_ + passed : snapshot.time_s;
+  seen_s_ = snapshot.time_s;
   if (record_.breaths_given != breaths_) last_breath_s_ = now_s_;
   breaths_ = record_.breaths_given;
   beat_ = std::fmod(beat_ + passed * record_.heart_per_min / 60.0, 1.0);

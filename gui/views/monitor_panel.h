@@ -46,7 +46,8 @@ class MonitorPanel : public QWidget {
 
   engine::IntubationRecord record_;
   std::deque<Moment> minute_;
-  double now_s_ = 0.0, last_breath_s_ = 0.0;
+  double now_s_ = 0.0, last_breath_s_ = 0.0;  ///< without pauses
+  double seen_s_ = 0.0;                       ///< the newest snapshot's own time
   std::int32_t breaths_ = 0;
   double beat_ = 0.0;  ///< of the present beat, 0..1
   bool there_ = false;

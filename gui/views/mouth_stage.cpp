@@ -44,6 +44,11 @@ MouthStage::MouthStage(std::shared_ptr<PatientLook> look, const engine::Triangle
     : look_(std::move(look)), tool_(std::make_unique<ToolLook>(tool)) {
   tissues_ = {tissue_actor(eye == Eye::operators ? look_->face : look_->around_mouth, eye),
               tissue_actor(look_->soft->surface(), eye)};
+  if (eye == Eye::operators) {
+    close_skin_ = tissue_actor(look_->seen_close, eye);
+    close_skin_->VisibilityOff();
+    tissues_.push_back(close_skin_);
+  }
   if (look_->trachea->GetNumberOfPoints() > 0) {
     trachea_ = tissue_actor(look_->trachea, eye);
     trachea_->GetMapper()->SetScalarModeToUsePointFieldData();
@@ -129,6 +134,11 @@ void MouthStage::colour_trachea() {
   blue_shown_ = blue;
   trachea_->GetMapper()->SelectColorArray(blue ? kTracheaBlue : kTracheaNatural);
   set_glow(trachea_, blue ? kGlowBlue : kGlowNatural);
+}
+
+void MouthStage::set_close(bool on) {
+  close_skin_->SetVisibility(on);
+  tissues_.front()->SetVisibility(!on);
 }
 
 void MouthStage::set_half(bool on) {

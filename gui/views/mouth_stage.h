@@ -36,6 +36,8 @@ class MouthStage {
   void set_blue_trachea(std::optional<bool> blue);
   /// What all views have from their next frame on that were not told otherwise: natural unless set. Window's thread.
   static void set_blue_everywhere(bool blue);
+  /// Of an operator's stage: the mouth fills the view, so that no more of the face than about it need be drawn.
+  void set_close(bool on);
   /// Takes the patient's left half of the skin away, for a look from the side.
   void set_half(bool on);
   /// What a slow machine goes without; both are on at first.
@@ -55,6 +57,7 @@ class MouthStage {
   std::unique_ptr<CordsLook> cords_;
   std::unique_ptr<SecretionsLook> secretions_;
   std::vector<vtkSmartPointer<vtkActor>> tissues_;  ///< the skin first
+  vtkSmartPointer<vtkActor> close_skin_;            ///< one of them; null but on an operator's stage
   vtkSmartPointer<vtkActor> trachea_;               ///< one of them; null without a trachea
   std::optional<bool> blue_, blue_shown_;
   double tube_radius_mm_ = 0.0, catheter_radius_mm_ = 0.0, depth_ = -1.0, exposure_ = 1.0;

@@ -124,6 +124,7 @@ void OperatorView::light() { stage_->light(renderer()->GetActiveCamera()); }
 void OperatorView::aim() {
   if (!look_) return;
   if (free_camera_) {
+    stage_->set_close(false);
     renderer()->ResetCameraClippingRange();
     light();
     return;
@@ -133,6 +134,7 @@ void OperatorView::aim() {
   const double elapsed = 1e-9 * static_cast<double>(since_aimed_.nsecsElapsed());
   since_aimed_.start();
   closeness_ += std::clamp((close ? 1.0 : 0.0) - closeness_, -elapsed / kZoomSeconds, elapsed / kZoomSeconds);
+  stage_->set_close(closeness_ >= 1.0);
   const double eased = closeness_ * closeness_ * (3.0 - 2.0 * closeness_);
 
   const engine::Vec3 eye = vec(framing.eye) + eye_offset_mm_;

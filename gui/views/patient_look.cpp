@@ -168,23 +168,42 @@ void keep_what_the_eye_can_see(vtkPolyData* face, const Framing& framing) {
   face->SetPolys(kept);
 }
 
-// Of the same points, so that it moves with the face: what lies about the way from the lips to the glottis.
-vtkSmartPointer<vtkPolyData> near_the_mouth(vtkPolyData* face, const Framing& framing) {
-  const Point way = minus(framing.glottis, framing.mouth);
+// Of the same points, so that it moves with the face: the triangles whose first corner `keep` is true of. Without a
+// graphics card a view costs by its triangles, whether they come to lie in the picture or not.
+template <class Keep>
+vtkSmartPointer<vtkPolyData> part_of(vtkPolyData* face, Keep keep) {
   auto kept = vtkSmartPointer<vtkCellArray>::New();
   vtkNew<vtkIdList> ids;
   for (vtkIdType i = 0; i < face->GetNumberOfCells(); ++i) {
     face->GetCellPoints(i, ids);
     Point p;
     face->GetPoint(ids->GetId(0), p.data());
-    const Point from = minus(p, framing.mouth);
-    const double t = std::clamp(dot(from, way) / dot(way, way), -0.3, 1.3);
-    if (length(minus(from, {t * way[0], t * way[1], t * way[2]})) < 0.6 * framing.face_mm) kept->InsertNextCell(ids);
+    if (keep(p)) kept->InsertNextCell(ids);
   }
   auto part = vtkSmartPointer<vtkPolyData>::New();
   part->ShallowCopy(face);
   part->SetPolys(kept);
   return part;
+}
+
+// What lies about the way from the lips to the glottis.
+vtkSmartPointer<vtkPolyData> near_the_mouth(vtkPolyData* face, const Framing& framing) {
+  const Point way = minus(framing.glottis, framing.mouth);
+  return part_of(face, [&](const Point& p) {
+    const Point from = minus(p, framing.mouth);
+    const double t = std::clamp(dot(from, way) / dot(way, way), -0.3, 1.3);
+    return length(minus(from, {t * way[0], t * way[1], t * way[2]})) < 0.35 * framing.face_mm;
+  });
+}
+
+// What lies in a cone three times as wide as the framed mouth is high, about the way to what is in it.
+vtkSmartPointer<vtkPolyData> in_the_close_view(vtkPolyData* face, const Framing& framing) {
+  const Point axis = minus(framing.inside, framing.eye);
+  const double widest = std::cos(std::atan(1.5 * framing.mouth_mm / length(axis)));
+  return part_of(face, [&](const Point& p) {
+    const Point look = minus(p, framing.eye);
+    return dot(look, axis) > widest * length(look) * length(axis);
+  });
 }
 
 // A bump map of one value a point: the normal leans away from where the grain rises.
@@ -377,6 +396,7 @@ std::shared_ptr<PatientLook> make_patient_look(pipeline::PatientPackage package,
   look->face = make_face(package, openness);
   look->around_mouth = near_the_mouth(look->face, look->framing);
   if (seen == Seen::from_the_eye) keep_what_the_eye_can_see(look->face, look->framing);
+  look->seen_close = in_the_close_view(look->face, look->framing);
   look->soft->shade(openness);
   report("airway", 0.9);
   look->trachea = make_trachea(package);

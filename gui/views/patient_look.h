@@ -33,6 +33,8 @@ struct PatientLook {
   vtkSmartPointer<vtkPolyData> face;     ///< points mm, normals, colours
   /// What of it a camera in the mouth may see, whichever way it faces: of the same points.
   vtkSmartPointer<vtkPolyData> around_mouth;
+  /// What of it the operator's eye may meet in a view that the mouth fills: likewise of the same points.
+  vtkSmartPointer<vtkPolyData> seen_close;
   /// Wall below the glottis, seen from inside; its colours by name: kTracheaNatural, kTracheaBlue.
   vtkSmartPointer<vtkPolyData> trachea;
   std::unique_ptr<SoftSurface> soft;     ///< tongue and epiglottis

@@ -100,7 +100,7 @@ ReplayMarks::ReplayMarks() : path_data_(line_through({})), expert_data_(line_thr
     arrows_[i]->VisibilityOff();
   }
   path_ = line_actor(path_data_, theme::device(), 3.0f);
-  expert_ = line_actor(expert_data_, theme::text(), 1.6f);
+  expert_ = line_actor(expert_data_, Qt::white, 1.6f);
   expert_->GetProperty()->SetOpacity(0.75);
 }
 

@@ -88,6 +88,7 @@ const char* const kSheet = R"(
     QTabBar::tab { background: @head@; padding: 6px 14px; border-top-left-radius: 5px; border-top-right-radius: 5px; margin-right: 2px; }
     QTabBar::tab:selected { background: @chosen@; color: @chosen-text@; }
     QListWidget, QComboBox, QTextBrowser { background: @panel@; border: 1px solid @line@; border-radius: 5px; padding: 4px; }
+    QComboBox QAbstractItemView { background: @panel@; color: @text@; selection-background-color: @chosen@; selection-color: @chosen-text@; }
     QListWidget::item { padding: 9px 8px; border-radius: 4px; }
     QListWidget::item:selected { background: @chosen@; color: @chosen-text@; }
     QLabel#title { font-size: @19pt@; font-weight: bold; }
@@ -154,6 +155,8 @@ void apply(QApplication& application, const Look& look) {
   const QColor off = applied.ground == Ground::dark ? faint().darker(130) : faint().lighter(150);
   palette.setColor(QPalette::Disabled, QPalette::ButtonText, off);
   palette.setColor(QPalette::Disabled, QPalette::WindowText, off);
+  palette.setColor(QPalette::Disabled, QPalette::Text, off);
+  palette.setColor(QPalette::Disabled, QPalette::Light, panel());  // no second, brighter copy beneath a menu's words
   application.setPalette(palette);
   QFont font("DejaVu Sans");
   font.setPointSizeF(points(10.0));

@@ -188,9 +188,12 @@ void TrialReadings::show_snapshot(const engine::Snapshot& snapshot, double pause
   const double percent_of_ticks = 100.0 / static_cast<double>(std::max<std::int64_t>(1, snapshot.ticks));
   const QString rate =
       snapshot.loop_rate_hz > 0.0 ? tr("%1 Hz").arg(snapshot.loop_rate_hz, 0, 'f', 0) : tr("measuring");
-  loop_->setText(tr("%1, %2 % late, %3 % dropped")
+  loop_->setText(tr("%1, %2 late of %3 (%4 %)\n%5 of %3 steps dropped (%6 %)")
                      .arg(rate)
+                     .arg(snapshot.deadline_misses)
+                     .arg(snapshot.ticks)
                      .arg(percent_of_ticks * static_cast<double>(snapshot.deadline_misses), 0, 'f', 1)
+                     .arg(snapshot.overruns)
                      .arg(percent_of_ticks * static_cast<double>(snapshot.overruns), 0, 'f', 1));
 }
 

@@ -65,13 +65,13 @@ class Bars : public Screen {
 
 TEST_F(Bars, GrowWithTheForceAndTellLiftFromLever) {
   bars_.show_forces({2.0, 0.0, 2.0, 0.0});
-  const int lifted = pixels(theme::within()), none = pixels(theme::over());
+  const int lifted = pixels(theme::within()), none = pixels(theme::bad());
   keep_picture(bars_, "bars-lift.png");
   bars_.show_forces({4.0, 0.0, 4.0, 0.0});
   EXPECT_NEAR(pixels(theme::within()) / static_cast<double>(lifted), 2.0, 0.15) << "twice the force, twice the length";
   bars_.clear();
   bars_.show_forces({2.0, 1.2, 0.8, 1.2});
-  EXPECT_GT(pixels(theme::over()), none + 100) << "the levered part stands in its own colour";
+  EXPECT_GT(pixels(theme::bad()), none + 100) << "the levered part stands in its own colour";
   keep_picture(bars_, "bars-lever.png");
   EXPECT_TRUE(bars_.accessibleDescription().contains("lift 0.8 N, lever 1.2 N"));
   bars_.show_forces({6.2, 2.6, 3.6, 2.6});

@@ -39,6 +39,14 @@ TEST_F(Monitor, CountsFromTheLastBreathAndBeginsAnewWithTheTrial) {
   EXPECT_DOUBLE_EQ(panel.since_breath_s(), 0.0);
   panel.show_snapshot(infant(16.5, 0.95, 150.0, 1));
   EXPECT_DOUBLE_EQ(panel.since_breath_s(), 3.5);
+  engine::Snapshot held = infant(16.6, 0.95, 150.0, 1);
+  held.faults = engine::kFaultDeviceInvalid;
+  panel.show_snapshot(held);
+  held.time_s = 60.0;
+  panel.show_snapshot(held);
+  EXPECT_DOUBLE_EQ(panel.since_breath_s(), 3.5) << "in a pause the infant's time stands";
+  panel.show_snapshot(infant(61.0, 0.95, 150.0, 1));
+  EXPECT_DOUBLE_EQ(panel.since_breath_s(), 4.5);
   panel.show_snapshot(infant(0.5, 0.97, 150.0));  // reset: the clock is back at the start
   EXPECT_DOUBLE_EQ(panel.since_breath_s(), 0.5);
   engine::Snapshot laryngoscopy_alone;
