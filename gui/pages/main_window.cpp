@@ -170,16 +170,16 @@ MainWindow::~MainWindow() {
 
 QWidget* MainWindow::make_prepare_page() {
   auto* page = new QWidget(pages_);
-  auto* title = new QLabel("Preparing the patient", page);
+  auto* title = new QLabel(tr("Preparing the patient"), page);
   title->setObjectName("title");
   prepare_stage_ = new QLabel(page);
   prepare_bar_ = new QProgressBar(page);
   prepare_bar_->setRange(0, 1000);
   prepare_bar_->setTextVisible(false);
-  auto* cancel = new QPushButton("Cancel", page);
+  auto* cancel = new QPushButton(tr("Cancel"), page);
   connect(cancel, &QPushButton::clicked, this, [this] {
     cancelled_ = true;
-    prepare_stage_->setText("Stopping ...");
+    prepare_stage_->setText(tr("Stopping ..."));
   });
   auto* column = new QVBoxLayout(page);
   column->setContentsMargins(220, 0, 220, 0);
@@ -215,7 +215,7 @@ void MainWindow::choose_last_device(const QString& name) {
     if (!kind.hardware || name.section(':', 0, 0).toStdString() != kind.kind) continue;
     try {
       check_device_name(name.toStdString());
-      start_->choose_device(name, name + " (used last)");  // until it is found, and is told by its model
+      start_->choose_device(name, tr("%1 (used last)").arg(name));  // until it is found, and is told by its model
     } catch (const UnknownDevice&) {
       return;  // what an older version kept
     }

@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "gui/authoring/authoring_page.h"
+#include "gui/import/import_work.h"
 #include "gui/instructor/station.h"
 #include "gui/pages/background.h"
 #include "gui/pages/replay_page.h"
@@ -21,6 +22,7 @@
 #include "gui/session/program_log.h"
 #include "gui/session/user_paths.h"
 #include "gui/session/user_settings.h"
+#include "gui/session/words_from_below.h"
 #include "gui/views/patient_look.h"
 
 namespace vallecula::gui {
@@ -106,7 +108,7 @@ void MainWindow::prepare(TrialSetup setup, std::function<std::filesystem::path()
   results_ = setup.final_out.empty() ? setup.out : setup.final_out;
   tell_first("");
   cancelled_ = false;
-  prepare_stage_->setText("Looking for the patient ...");
+  prepare_stage_->setText(tr("Looking for the patient ..."));
   prepare_bar_->setValue(0);
   pages_->setCurrentWidget(prepare_page_);
   worker_ = run_in_background<Prepared>(
@@ -154,7 +156,7 @@ void MainWindow::replay(const std::filesystem::path& trial, double at_s, const s
   result_->tell("");
   tell_first("");
   cancelled_ = false;
-  prepare_stage_->setText("Reading the trial");
+  prepare_stage_->setText(tr("Reading the trial"));
   prepare_bar_->setValue(0);
   pages_->setCurrentWidget(prepare_page_);
   const auto failed = [this](const QString& message) {
@@ -198,7 +200,8 @@ void MainWindow::report_progress(const std::string& stage, double fraction) {
   if (cancelled_) throw Cancelled();
   QMetaObject::invokeMethod(
       this,
-      [this, text = QString::fromStdString(stage), value = static_cast<int>(1000.0 * fraction)] {
+      [this, text = stage.rfind("import: ", 0) == 0 ? stage_text(stage.substr(8)) : in_words(stage),
+       value = static_cast<int>(1000.0 * fraction)] {
         if (cancelled_) return;
         prepare_stage_->setText(text);
         prepare_bar_->setValue(value);

@@ -13,6 +13,7 @@
 #include "gui/session/device_choice.h"
 #include "gui/session/scripted_hands.h"
 #include "gui/session/user_settings.h"
+#include "gui/session/words_from_below.h"
 #include "gui/views/operator_view.h"
 #include "gui/views/theme.h"
 #include "gui/views/trial_readings.h"
@@ -108,13 +109,13 @@ void TrialPage::show_running(const engine::Snapshot& snapshot) {
   panels_->readings_panel().show_drawing(frames_per_second(), GlView::governor().reduced());
   hands_->show_snapshot(snapshot);
   helps_->refresh();
-  const QString pause = session_->starting() ? tr("The trial begins as soon as its log is on the disk.")
-                                             : QString::fromStdString(session_->pause());
+  const QString pause =
+      session_->starting() ? tr("The trial begins as soon as its log is on the disk.") : in_words(session_->pause());
   sound_->hear(snapshot, !pause.isEmpty());
   if (session_->takes_turns() && session_->in_hand() != shown_in_hand_) show_steered();
   const bool hinted = curricula::rules_of(session_->scenario().attempt.mode).assistance;  // a help like the others
   show_banner(session_->led_in() ? tr("The blade is being led to the vallecula; then it is yours.")
-                                  : banner_for(snapshot, QString::fromStdString(session_->fault()), pause),
+                                 : banner_for(snapshot, in_words(session_->fault()), pause),
               snapshot.has_intubation && hinted
                   ? hint_for(snapshot, session_->scenario().sight_percent, operator_view_->blade_in(),
                              session_->takes_turns() ? QString("X") : QString())

@@ -47,19 +47,22 @@ class SightBar : public QWidget {
 StateWords words_for(engine::HapticState state, bool device_invalid) {
   switch (state) {
     case engine::HapticState::tracking:
-      return {"following your hand", ""};
+      return {TrialReadings::tr("following your hand"), ""};
     case engine::HapticState::limited:
-      return {"at the device limit",
-              "Device limit reached: the device cannot push back harder, so the blade stays where it is. The grey "
-              "blade shows "
-              "your hand."};
+      return {TrialReadings::tr("at the device limit"),
+              TrialReadings::tr("Device limit reached: the device cannot push back harder, so the blade stays where it "
+                                "is. The grey blade shows your hand.")};
     case engine::HapticState::lost:
-      return {device_invalid ? "paused" : "lost",
-              device_invalid ? "The device stopped answering. No force is shown until it is back."
-                             : "The device stayed over its limit too long and let go. Bring the grey blade back to the "
-                               "steel one to take hold again."};
+      if (device_invalid)
+        return {TrialReadings::tr("paused"),
+                TrialReadings::tr("The device stopped answering. No force is shown until it is back.")};
+      return {
+          TrialReadings::tr("lost"),
+          TrialReadings::tr("The device stayed over its limit too long and let go. Bring the grey blade back to the "
+                            "steel one to take hold again.")};
     case engine::HapticState::recovering:
-      return {"taking hold again", "Taking hold again: the force returns gently."};
+      return {TrialReadings::tr("taking hold again"),
+              TrialReadings::tr("Taking hold again: the force returns gently.")};
   }
   return {};
 }
@@ -67,10 +70,11 @@ StateWords words_for(engine::HapticState state, bool device_invalid) {
 QString banner_for(const engine::Snapshot& snapshot, const QString& fault, const QString& pause) {
   QStringList sentences;
   if (!pause.isEmpty())
-    sentences << "Paused. " + pause;
+    sentences << TrialReadings::tr("Paused. %1").arg(pause);
   else
     sentences << words_for(snapshot.state, (snapshot.faults & engine::kFaultDeviceInvalid) != 0).banner;
-  if (!fault.isEmpty()) sentences << "A fault: " + fault + ". Reset to begin anew; what led to it is kept.";
+  if (!fault.isEmpty())
+    sentences << TrialReadings::tr("A fault: %1. Reset to begin anew; what led to it is kept.").arg(fault);
   sentences.removeAll("");
   return sentences.join(" ");
 }
@@ -170,13 +174,14 @@ void TrialReadings::show_snapshot(const engine::Snapshot& snapshot, double pause
   sight_->show_percent(percent, best_percent_, sight_percent_);
   if (snapshot.has_intubation) {
     const auto& now = snapshot.intubation;
-    const char* held = now.in_hand == engine::InHand::catheter ? "catheter " : "";
-    tube_->setText(now.at_mouth_m > 0.0 ? QString("%1%2 cm at the lips")
-                                              .arg(held)
-                                              .arg(100.0 * now.at_mouth_m, 0, 'f', 1)
-                                        : QString("%1not in the mouth").arg(held));
+    const bool catheter = now.in_hand == engine::InHand::catheter;
+    if (now.at_mouth_m > 0.0)
+      tube_->setText((catheter ? tr("catheter %1 cm at the lips") : tr("%1 cm at the lips"))
+                         .arg(100.0 * now.at_mouth_m, 0, 'f', 1));
+    else
+      tube_->setText(catheter ? tr("catheter not in the mouth") : tr("not in the mouth"));
     if (force_shown_ && now.at_mouth_m > 0.0)
-      tube_->setText(tube_->text() + QString(", %1 N").arg(now.model_force_n.norm(), 0, 'f', 1));
+      tube_->setText(tr("%1, %2 N").arg(tube_->text()).arg(now.model_force_n.norm(), 0, 'f', 1));
   }
   const bool invalid = (snapshot.faults & engine::kFaultDeviceInvalid) != 0;
   state_->setText(words_for(snapshot.state, invalid).name);
