@@ -127,6 +127,8 @@ constexpr char kCordsToCarina[] = "cords_to_carina_m";
 constexpr char kHeadExtension[] = "head_extension_deg";
 
 /// Of a trial begun at the vallecula: so many ticks, not counting those in a pause, the blade was led there by a plan.
+/// In them its device was told no force, whatever displayed_force_n has: that is what the servo would have shown, and
+/// what a replay computes.
 constexpr char kLeadInTicks[] = "lead_in_ticks";
 
 /// Bits of LogTick::buttons that scores ask for (engine::Action has all of them).
@@ -137,6 +139,7 @@ enum LoggedAction : std::uint32_t {
   kLoggedEyeDown = 1u << 24,
   kLoggedExtension = 1u << 25,
   kLoggedEyeMoves = kLoggedEyeRight | kLoggedEyeLeft | kLoggedEyeUp | kLoggedEyeDown,
+  kLoggedAided = 1u << 31,  ///< in a pause as well
   kLoggedSaturationDriven = (1u << 26) | (1u << 27),
   kLoggedHeartDriven = (1u << 28) | (1u << 29),
   kLoggedSpasm = 1u << 30,

@@ -66,7 +66,10 @@ std::vector<Column> blade_columns() {
        [](const LogTick& t) { return std::to_string(t.step_used); }},
       {{"state", "", "tracking, limited, lost or recovering, of the device's force limit", ""},
        [](const LogTick& t) { return std::string(word(t.state)); }},
-      {{"buttons", "", "of the device, a bit each", ""}, [](const LogTick& t) { return std::to_string(t.buttons); }},
+      {{"buttons", "",
+        "a bit each: 0 to 15 of the device, above them what was asked for by keys, by an instructor, and the helps",
+        ""},
+       [](const LogTick& t) { return std::to_string(t.buttons); }},
       {{"faults", "", "of the loop, a bit each", ""}, [](const LogTick& t) { return std::to_string(t.faults); }},
       {{"glottis_visible", "", "share of the glottis in sight, 0 to 1; sampled every 20 ticks", "POGO, Levitan 1998"},
        [](const LogTick& t) { return t.has_sight ? number(t.glottis_visible) : std::string(); }},
@@ -75,7 +78,9 @@ std::vector<Column> blade_columns() {
   add_pose(c, "proxy", "where the scene holds the blade", [](const LogTick& t) { return t.proxy_pose; });
   add_vector(c, "model_force", "n", "of the tissue on the blade, world axes", [](const LogTick& t) { return t.model_force_n; });
   add_vector(c, "model_torque", "nm", "about the blade's tip", [](const LogTick& t) { return t.model_torque_nm; });
-  add_vector(c, "displayed_force", "n", "what the device was told", [](const LogTick& t) { return t.displayed_force_n; });
+  add_vector(c, "displayed_force", "n",
+             "what the device was told; where the blade was led to the vallecula it was told none",
+             [](const LogTick& t) { return t.displayed_force_n; });
   constexpr const char* kNames[kStructures] = {"tongue", "epiglottis", "gum", "palate", "teeth", "larynx"};
   for (std::size_t i = 0; i < kStructures; ++i) {
     const std::string name = kNames[i];

@@ -7,13 +7,13 @@
 namespace vallecula::curricula {
 namespace {
 
-/// How often and how long one of these bits was set, less pauses, in which nothing is asked for.
-Use use_of(const TrialLog& log, std::uint32_t bits) {
+/// How often and how long one of these bits was set, less pauses where nothing is asked for in them.
+Use use_of(const TrialLog& log, std::uint32_t bits, bool in_pauses = false) {
   Use use;
   long long ticks = 0;
   std::uint32_t before = 0;
   for (const LogTick& tick : log.ticks) {
-    if (paused(tick)) continue;
+    if (!in_pauses && paused(tick)) continue;
     const std::uint32_t asked = tick.buttons & bits;
     ticks += asked != 0;
     use.times += (asked & ~before) != 0;
@@ -41,6 +41,7 @@ void measure_helps(const TrialLog& log, bool led_in, Score& score) {
   score.at_vallecula = led_in;
   score.eye_moves = use_of(log, kLoggedEyeMoves);
   score.extension = use_of(log, kLoggedExtension);
+  score.aided = use_of(log, kLoggedAided, true);  // the trial waits while an expert is shown
   if (log.header.has_intubation) {  // without one they change nothing
     score.saturation_driven = use_of(log, kLoggedSaturationDriven);
     score.heart_driven = use_of(log, kLoggedHeartDriven);

@@ -23,6 +23,7 @@ constexpr double kClosedOpening = 0.25;  ///< cords nearer together let no tube 
 /// The head's flexion moves the tip down by this, for one degree (assumed: 5 mm for the 25 degrees of sniffing; it is
 /// less in smaller infants).
 constexpr double kTipDownPerDegreeM = 0.0002;
+constexpr double kAssistantDegrees = 10.0;  ///< that the assistant extends the head further (engine::kExtension)
 
 /// The tube stood against the cricoid, or against closed cords.
 struct Stop {
@@ -205,7 +206,10 @@ IntubationScore measure_intubation(const TrialLog& log, const Scenario& scenario
       score.depth_m = last.past_cords_m;
       const auto extension = settings.find(kHeadExtension);
       if (extension != settings.end())
-        score.depth_neutral_m = last.past_cords_m + kTipDownPerDegreeM * extension->second;
+        score.depth_neutral_m =
+            last.past_cords_m +
+            kTipDownPerDegreeM *
+                (extension->second + ((course.last->buttons & kLoggedExtension) != 0 ? kAssistantDegrees : 0.0));
     }
   }
   score.outcome = outcome_of(log, scenario, course, score);

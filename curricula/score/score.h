@@ -79,6 +79,7 @@ struct Score {
   std::optional<IntubationScore> intubation;         ///< none: laryngoscopy alone
 
   Use eye_moves, extension, saturation_driven, heart_driven, spasm_driven;  ///< the last three by an instructor
+  Use aided;                  ///< shown an expert's hands, or told a line by an instructor; in pauses as well
   bool at_vallecula = false;  ///< begun there: what the blade was led through is in no figure
   /// Why the trial counts neither as passed nor as failed, whatever `passed` says: a sentence each; they stand first among
   /// the reasons. Empty: it counts.

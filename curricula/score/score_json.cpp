@@ -59,6 +59,7 @@ std::string score_to_json(const Score& score, const TrialLog& log, const Scenari
   o["at_vallecula"] = score.at_vallecula;
   o["eye_moves"] = use_to_json(score.eye_moves);
   o["head_extension"] = use_to_json(score.extension);
+  o["shown_or_told"] = use_to_json(score.aided);
   o["instructor"] = QJsonObject{{"saturation", use_to_json(score.saturation_driven)},
                                 {"heart", use_to_json(score.heart_driven)},
                                 {"laryngospasm", use_to_json(score.spasm_driven)}};

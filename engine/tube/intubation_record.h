@@ -26,8 +26,11 @@ enum Action : std::uint32_t {
   kInstructorHeartDown = 1u << 28,  ///< while set: kDrivenHeart
   kInstructorHeartUp = 1u << 29,
   kInstructorSpasm = 1u << 30,  ///< while set the cords are closed as in a laryngospasm; no effect on relaxed cords
+  /// While set the operator is shown an expert's hands, and for a second when an instructor has told a line: recorded,
+  /// also in a pause, and nothing to the engine.
+  kActionAided = 1u << 31,
 };
-constexpr std::uint32_t kAllActions = 0x7fffu << 16;
+constexpr std::uint32_t kAllActions = 0x7fffu << 16;  ///< that the engine acts on
 constexpr std::uint32_t kEyeActions = kActionEyeRight | kActionEyeLeft | kActionEyeUp | kActionEyeDown;
 constexpr std::uint32_t kInstructorActions = kInstructorSaturationDown | kInstructorSaturationUp |
                                              kInstructorHeartDown | kInstructorHeartUp | kInstructorSpasm;

@@ -1,11 +1,13 @@
 #include "gui/instructor/check_run.h"
 
+#include <QCoreApplication>
 #include <QStringList>
 #include <algorithm>
 #include <cmath>
 
 #include "device/rotation.h"
 #include "gui/session/user_settings.h"
+#include "gui/session/words_from_below.h"
 
 namespace vallecula::gui {
 
@@ -14,9 +16,7 @@ using Verdict = CheckVerdict;
 
 namespace {
 
-QString fault_words(device::DeviceFault fault) {
-  return QCoreApplication::translate("DeviceFault", device::describe(fault));
-}
+QString fault_words(device::DeviceFault fault) { return in_words(device::describe(fault)); }
 
 /// A device that was just opened may need so long for its first reading.
 constexpr double kSettleS = 1.0;

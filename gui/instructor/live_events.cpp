@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "gui/report/markdown.h"
+#include "gui/session/words_from_below.h"
 #include "gui/views/monitor_panel.h"
 
 namespace vallecula::gui {
@@ -35,7 +36,7 @@ std::vector<LiveEvent> LiveEvents::watch(const engine::Snapshot& snapshot, const
                                          DualTask* task) {
   told_.clear();
   now_s_ = std::max(now_s_, snapshot.time_s - paused_s);
-  if (pause != pause_) tell(pause.isEmpty() ? tr("It goes on") : tr("Paused: %1").arg(pause));
+  if (pause != pause_) tell(pause.isEmpty() ? tr("It goes on") : tr("Paused: %1").arg(in_words(pause.toStdString())));
   pause_ = pause;
   watch_blade(snapshot);
   watch_force(tr("tongue"), load(snapshot, engine::Structure::tongue), tongue_target_n_, over_tongue_);

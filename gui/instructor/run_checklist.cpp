@@ -1,6 +1,5 @@
 #include "gui/instructor/run_checklist.h"
 
-#include <QCoreApplication>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -9,6 +8,8 @@
 #include <QStyle>
 #include <QToolButton>
 #include <QVBoxLayout>
+
+#include "gui/session/words_from_below.h"
 
 namespace vallecula::gui {
 
@@ -32,8 +33,7 @@ RunChecklist::RunChecklist(QWidget* parent) : QWidget(parent) {
   all_in_all->addWidget(new QLabel(tr("All in all"), this));
   for (int step = 1; step <= 5; ++step) {
     QToolButton* button = tick(QString::number(step), QString());
-    const QString words =
-        QCoreApplication::translate("Checklist", curricula::kGlobalRatingWords[static_cast<std::size_t>(step - 1)]);
+    const QString words = in_words(curricula::kGlobalRatingWords[static_cast<std::size_t>(step - 1)]);
     button->setToolTip(tr("%1 of 5: %2").arg(step).arg(words));
     button->setAccessibleName(tr("All in all %1 of 5: %2").arg(step).arg(words));
     connect(button, &QToolButton::toggled, this, [this, button](bool on) {
@@ -90,7 +90,7 @@ void RunChecklist::begin(const curricula::Scenario& scenario) {
   for (const curricula::ChecklistItem& item : curricula::checklist_to_watch(scenario)) {
     Row row;
     row.id = item.id;
-    row.text = QCoreApplication::translate("Checklist", item.text.c_str());
+    row.text = in_words(item.text);
     auto* text = new QLabel(row.text, rows_widget_);
     text->setWordWrap(true);
     row.yes = tick(tr("Yes"), tr("%1: yes").arg(row.text));
@@ -122,7 +122,7 @@ void RunChecklist::recorded(const std::vector<curricula::ChecklistItem>& decided
         const bool yes = item.done == curricula::ChecklistItem::Done::yes;
         row.decided = true;
         row.recording->setText(yes ? tr("recorded: yes") : tr("recorded: no"));
-        row.recording->setToolTip(QString::fromStdString(item.sentence));
+        row.recording->setToolTip(in_words(item.sentence));
       }
   may_keep_ = why_not.isEmpty();
   message_->setText(may_keep_ ? tr("Recorded. What the recording could not tell is yours to give.") : why_not);

@@ -181,6 +181,14 @@ const pipeline::PatientPackage& TrialPage::patient() const {
 
 SagittalView& TrialPage::sagittal_view() { return panels_->sagittal_view(); }
 
-void TrialPage::say(const QString& line) { panels_->say(line); }
+void TrialPage::say(const QString& line) {
+  panels_->say(line);
+  if (!session_ || !running_) return;
+  session_->actions().hold(engine::kActionAided, true);  // what was said is nobody's business, that it was is the log's
+  QTimer::singleShot(1000, this, [this, to = std::weak_ptr<TrialSession>(session_)] {
+    if (const auto session = to.lock(); session && session == session_ && !expert_wanted_)
+      session->actions().hold(engine::kActionAided, false);
+  });
+}
 
 }  // namespace vallecula::gui

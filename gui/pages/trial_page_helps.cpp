@@ -43,6 +43,7 @@ void TrialPage::show_expert() {
   expert_wanted_ = true;
   control_->steer(nullptr);  // whatever the mouse does now is no steering
   hands_->release_all();
+  session_->actions().hold(engine::kActionAided, true);
   expert_sign_->setStyleSheet(QString("background: %1; color: %2; padding: 8px 18px; border-radius: 5px; margin: 8px; "
                                       "font-weight: bold; font-size: %3pt;")
                                   .arg(theme::device().name(), theme::ground().name())
@@ -93,6 +94,7 @@ void TrialPage::end_expert() {
   if (!expert_wanted_) return;
   expert_wanted_ = false;
   expert_sign_->hide();
+  session_->actions().hold(engine::kActionAided, false);
   helps_->expert()->setText(tr("Expert (G)"));
   if (expert_ && !expert_->finished()) expert_.reset();  // its computing would take time from the trial
   if (!held_before_expert_) session_->freeze(false);     // the hand takes hold as after any pause

@@ -27,6 +27,8 @@ constexpr Heading kHeadings[CohortModel::kColumns] = {
                        "(PMC8290971), its other numbers assumed")},
     {QT_TRANSLATE_NOOP("CohortModel", "Cut off"),
      QT_TRANSLATE_NOOP("CohortModel", "interrupted trials: in no other figure")},
+    {QT_TRANSLATE_NOOP("CohortModel", "Set aside"),
+     QT_TRANSLATE_NOOP("CohortModel", "changed by an instructor, or begun at the vallecula: in no other figure")},
     {QT_TRANSLATE_NOOP("CohortModel", "Last"), QT_TRANSLATE_NOOP("CohortModel", "when the last trial ended")}};
 
 }  // namespace
@@ -67,6 +69,8 @@ QVariant CohortModel::data(const QModelIndex& index, int role) const {
       return QString::fromStdString(verdict_in_words(one.cusum));
     case kInterrupted:
       return one.interrupted;
+    case kSetAside:
+      return one.set_aside;
     default:
       return role == kSortRole ? QString::fromStdString(one.last_utc) : for_people(one.last_utc);
   }

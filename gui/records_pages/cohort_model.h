@@ -23,6 +23,7 @@ class CohortModel : public QAbstractTableModel {
     kInARow,
     kCusum,
     kInterrupted,
+    kSetAside,
     kLast,
     kColumns
   };

@@ -37,7 +37,7 @@ TrialChart::Content learning_chart(const std::vector<RecordRow>& rows, const Fig
     point.mark = !row.score.counts() ? TrialChart::Mark::interrupted
                  : row.score.passed  ? TrialChart::Mark::good
                                      : TrialChart::Mark::bad;
-    if (!row.score.counts()) point.value.reset();  // of a part of a trial: comparable with nothing
+    if (!row.score.counts()) point.value.reset();  // set aside or a part of a trial: comparable with nothing
     point.tip = QCoreApplication::translate("CurveCharts", "trial %1, %2: %3%4")
                     .arg(++number)
                     .arg(for_people(row.finished_utc), result_of(row),

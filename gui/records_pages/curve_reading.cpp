@@ -67,7 +67,7 @@ CurveReading read_curve(const std::vector<curricula::RecordRow>& rows, const cur
   }
   for (const curricula::RecordRow& row : rows) {
     if (!row.score.counts()) {
-      reading.interrupted += row.score.complete ? 0 : 1;
+      ++(row.score.complete ? reading.set_aside : reading.interrupted);
       continue;
     }
     if (reading.assessments_only && row.mode != curricula::Mode::assessment) continue;

@@ -21,7 +21,7 @@ struct CurveReading {
   int attempts = 2;           ///< of a procedure; more is no success
   bool assessments_only = false;  ///< by the rule, practice counts in nothing
   std::string rule_in_words;  ///< whose rule it is, with its source
-  int interrupted = 0;
+  int interrupted = 0, set_aside = 0;  ///< counted in nothing
   int to_three_in_a_row = -1;  ///< trials; -1: not reached
   int to_competent = -1;       ///< trials until the sum says competent; -1: not reached
   int in_a_row = 0;            ///< successes up to the last trial

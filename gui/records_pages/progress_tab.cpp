@@ -225,6 +225,7 @@ void ProgressTab::show_subject(Subject subject) {
                          .arg(curve.passed)
                          .arg(curve.trials) +
                      (curve.interrupted > 0 ? tr(" · %1 cut off").arg(curve.interrupted) : QString()) +
+                     (curve.set_aside > 0 ? tr(" · %1 set aside").arg(curve.set_aside) : QString()) +
                      (subject.to_rate[i] > 0 ? tr(" · %1 to rate").arg(subject.to_rate[i]) : QString()));
       list_->item(static_cast<int>(i))->setToolTip(courses_.title(curve.key.curriculum_id));
       if (same(curve.key, wanted_)) row = static_cast<int>(i);
@@ -301,13 +302,14 @@ void ProgressTab::show_curve(std::vector<RecordRow> to_rate) {
   }
   reading_ = read_curve(rows_, courses_.find(rows_.front().curriculum_id));
   sum_->show_content(cusum_chart(reading_));
-  mastery_->setText(tr("Three in a row: %1.  CUSUM competent: %2.  Now: %3, %4 in a row.%5")
-                        .arg(after_trials(reading_.to_three_in_a_row), after_trials(reading_.to_competent),
-                             QString::fromStdString(verdict_in_words(reading_.cusum)))
-                        .arg(reading_.in_a_row)
-                        .arg(reading_.interrupted == 0
-                                 ? QString()
-                                 : tr("  Interrupted: %1, counted in nothing.").arg(reading_.interrupted)));
+  mastery_->setText(
+      tr("Three in a row: %1.  CUSUM competent: %2.  Now: %3, %4 in a row.%5")
+          .arg(after_trials(reading_.to_three_in_a_row), after_trials(reading_.to_competent),
+               QString::fromStdString(verdict_in_words(reading_.cusum)))
+          .arg(reading_.in_a_row)
+          .arg(reading_.interrupted == 0 ? QString()
+                                         : tr("  Interrupted: %1, counted in nothing.").arg(reading_.interrupted)) +
+      (reading_.set_aside == 0 ? QString() : tr("  Set aside: %1, counted in nothing.").arg(reading_.set_aside)));
   rule_->setText(QString::fromStdString(reading_.rule_in_words) + ' ' + tr("No pass mark is validated."));
   show_figure();
   trials_->show_trials(whose, rows_, std::move(to_rate), figure());

@@ -159,13 +159,14 @@ void write_trainee_pdf(const std::filesystem::path& file, long long trainee_id, 
   for (const auto& [of, rows] : curves) {
     const auto& [curriculum, scenario, device] = of;
     const CurveReading reading = read_curve(rows, courses.find(curriculum));
-    const std::size_t whole = rows.size() - static_cast<std::size_t>(reading.interrupted);
+    const auto whole =
+        std::count_if(rows.begin(), rows.end(), [](const curricula::RecordRow& row) { return row.score.counts(); });
     const auto passed = std::count_if(rows.begin(), rows.end(), [&](const curricula::RecordRow& row) {
       return row.score.counts() && succeeded(row, reading);
     });
     summary.push_back(
         {title_of(courses, curriculum), title_of(courses, curriculum, scenario), escaped(device), std::to_string(whole),
-         std::to_string(reading.interrupted), std::to_string(passed),
+         std::to_string(reading.interrupted), std::to_string(reading.set_aside), std::to_string(passed),
          in_page(reading.to_competent < 0 ? "not yet" : "at trial " + std::to_string(reading.to_competent))});
     if (whole == 0) continue;
     const std::string picture_name = "curve-" + std::to_string(++number_of_chart) + ".png";
@@ -193,7 +194,8 @@ void write_trainee_pdf(const std::filesystem::path& file, long long trainee_id, 
           .arg(minute(first).c_str(), minute(last).c_str())
           .toStdString() +
       "</p>" + heading("By scenario and device") +
-      table({"Curriculum", "Scenario", "Device", "Trials", "Cut off", "Passed", "CUSUM says competent"}, summary) +
+      table({"Curriculum", "Scenario", "Device", "Trials", "Cut off", "Set aside", "Passed", "CUSUM says competent"},
+            summary) +
       "<p>" +
       in_page(
           "Passed: every mark met, within the attempts of the rule, which each curve names (two by the published one). "

@@ -93,6 +93,7 @@ std::vector<Row> technique_rows(const curricula::Score& score) {
   if (score.dual_task) add_dual_task(*score.dual_task, rows);
   add_help("Own head moved aside", score.eye_moves, rows);
   add_help("Head extended by an assistant", score.extension, rows);
+  add_help("Shown an expert, or told a line by the instructor", score.aided, rows);
   return rows;
 }
 

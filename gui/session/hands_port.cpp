@@ -10,8 +10,8 @@ namespace {
 
 constexpr std::uint32_t kDeviceButtons = 0xffff;  // the bits above are engine::Action's
 /// A pause leaves these as they are; the others are asked for in time, which stands.
-constexpr std::uint32_t kStandingActions =
-    engine::kActionStyletOut | engine::kActionCatheter | engine::kEyeActions | engine::kActionExtend;
+constexpr std::uint32_t kStandingActions = engine::kActionStyletOut | engine::kActionCatheter | engine::kEyeActions |
+                                           engine::kActionExtend | engine::kActionAided;
 
 static_assert(engine::kActionBreath == 1u << device::kFirstActionBit &&
                   (engine::kAllActions & ~engine::kInstructorActions) ==
@@ -103,6 +103,7 @@ void HandsPort::lead(const engine::Pose& device, engine::PortInput& input) noexc
     input.second_valid = input.valid;
   }
   changes_ = actions_ != nullptr ? actions_->changes() : 0;
+  buttons_ = input.buttons;  // held at the hand-over, a button is no new press
   if (works) device_ = device;
   valid_ = works;
   if (led_ticks_ < lead_ticks_) return;

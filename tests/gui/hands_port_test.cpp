@@ -237,6 +237,21 @@ TEST_F(HandsPortTest, APauseStopsTheWayInAndTheTubeWaitsInItsPlace) {
   EXPECT_NEAR(last.pose.position.y(), 0.05, 1e-12);
 }
 
+TEST_F(HandsPortTest, AButtonHeldAtTheHandOverChangesNoHand) {
+  HandsPort port(blade_, tube_, kChange, plan_, actions_);
+  port.lead_in(lead(), 10);
+  blade_device_.reading.buttons = kChange;
+  ticks(port, 10, Vec3::Zero(), Vec3::Zero());
+  ASSERT_FALSE(port.led_in());
+  ticks(port, 5, Vec3::Zero(), Vec3::Zero());
+  EXPECT_EQ(port.in_hand(), Tool::blade) << "pressed before the hand had anything";
+  blade_device_.reading.buttons = 0;
+  tick(port);
+  blade_device_.reading.buttons = kChange;
+  tick(port);
+  EXPECT_EQ(port.in_hand(), Tool::tube) << "pressed anew";
+}
+
 TEST_F(HandsPortTest, WithoutATubeKeysAndPlanAreHeardAsWell) {
   const device::ActionPlan plan({{0.003, engine::kActionExtend}, {0.006, 0}});
   HandsPort port(blade_, plan, actions_);
@@ -249,6 +264,10 @@ TEST_F(HandsPortTest, WithoutATubeKeysAndPlanAreHeardAsWell) {
   actions_.hold(engine::kInstructorHeartDown, true);
   EXPECT_EQ(tick(port).buttons & engine::kAllActions, static_cast<std::uint32_t>(engine::kActionEyeLeft))
       << "a pause leaves the eye, and nobody changes the infant in it";
+  actions_.hold(engine::kActionAided, true);
+  const std::uint32_t aided = tick(port).buttons;
+  EXPECT_NE(aided & engine::kActionAided, 0u) << "it is in a pause that an expert is shown";
+  EXPECT_EQ(aided & engine::kAllActions, static_cast<std::uint32_t>(engine::kActionEyeLeft));
 }
 
 }  // namespace

@@ -46,6 +46,23 @@ TEST(Helps, OwnHeadAndExtensionAreToldAndJudgeNothing) {
   EXPECT_TRUE(json_of(log_of(), plain)["eye_moves"].toObject()["first_s"].isNull());
 }
 
+TEST(Helps, AnExpertShownAndALineToldAreToldAndJudgeNothing) {
+  const TrialLog log = log_of([](LogTick& t) {
+    if (between(t, 8, 11)) t.buttons |= kLoggedAided, t.device_valid = false;  // the trial waits for the expert's loop
+    if (between(t, 13, 14)) t.buttons |= kLoggedAided;                         // a line
+  });
+  TrialLog unaided = log;
+  for (LogTick& t : unaided.ticks) t.buttons = 0;
+  const Score s = score_trial(log, scenario()), plain = score_trial(unaided, scenario());
+  EXPECT_EQ(s.aided.times, 2);
+  EXPECT_NEAR(s.aided.for_s, 4.0, 1e-9) << "the pause as well";
+  EXPECT_NEAR(s.aided.first_s, 8.0, 1e-9);
+  EXPECT_TRUE(s.counts()) << "a help of practice, as the others are";
+  EXPECT_EQ(s.passed, plain.passed);
+  EXPECT_EQ(plain.aided.times, 0);
+  EXPECT_EQ(json_of(log, s)["shown_or_told"].toObject()["times"].toInt(), 2);
+}
+
 TEST(Helps, WhatAnInstructorChangedCountsNeitherWay) {
   const struct {
     std::uint32_t bit;

@@ -79,6 +79,12 @@ TEST(IntubationScore, TheHeadNeutralPutsTheTipDeeperAndIsJudgedWhereAskedFor) {
   TrialLog log = log_of();
   log.header.settings[kHeadExtension] = 25.0;
   EXPECT_NEAR(*score_trial(log, s).intubation->depth_neutral_m, 0.029, 1e-12);
+  TrialLog held = log;  // by an assistant, 10 degrees further, until the end
+  held.ticks.back().buttons |= kLoggedExtension;
+  EXPECT_NEAR(*score_trial(held, s).intubation->depth_neutral_m, 0.031, 1e-12);
+  held.ticks.front().buttons |= kLoggedExtension;
+  held.ticks.back().buttons = 0;
+  EXPECT_NEAR(*score_trial(held, s).intubation->depth_neutral_m, 0.029, 1e-12) << "no longer at the end";
   s.intubation->pass.depth_neutral = true;
   EXPECT_TRUE(score_trial(log, s).passed) << "29 of 48 mm";
   const auto at_depth = [&](double depth_m) {

@@ -51,6 +51,19 @@ TEST(Driven, SaturationRisesAndNeverLeavesWhatThereIs) {
   EXPECT_EQ(p.signs.faults, 0u);
 }
 
+TEST(Driven, WhoIsLowerThanAnyoneIsDrivenIsNotRaisedByBeingDrivenDown) {
+  const Patient p(term(3));
+  const Oxygen& o = p.infant.oxygen;
+  OxygenState low = p.state.oxygen;
+  low.arterial = 0.03;
+  low.venous = 0.01;
+  const double store = store_ml(o, low);
+  EXPECT_EQ(drive(o, low, -0.01, 150.0), 0.0);
+  EXPECT_EQ(low.arterial, 0.03);
+  EXPECT_EQ(store_ml(o, low), store);
+  EXPECT_GT(drive(o, low, 0.05, 150.0), 0.0) << "up it goes all the same";
+}
+
 TEST(Driven, TheHeartGoesAtItsRateAndBreathsBringItBack) {
   for (const int way : {-1, 1}) {
     Patient p(preterm(2));

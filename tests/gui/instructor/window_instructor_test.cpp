@@ -179,6 +179,8 @@ TEST_F(WindowInstructor, WatchesAnIntubationAndActsOnIt) {
   QTest::keyClicks(line, "The cords are closed.");
   QTest::keyClick(line, Qt::Key_Return);
   EXPECT_TRUE(told("The team says: The cords are closed."));
+  EXPECT_TRUE(held(engine::kActionAided)) << "that one was told is in the log";
+  EXPECT_TRUE(wait_for([&] { return !held(engine::kActionAided); }, 10000));
   EXPECT_TRUE(line->text().isEmpty());
   EXPECT_TRUE(wait_for(
       [&] {

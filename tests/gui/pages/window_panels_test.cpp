@@ -344,6 +344,7 @@ TEST_F(WindowPanelsOfATube, TheExpertIsSeenWhileTheTrialWaitsAndThenItGoesOn) {
   key(page, Qt::Key_G);
   EXPECT_TRUE(page.expert_shown());
   EXPECT_TRUE(page.session()->frozen());
+  EXPECT_TRUE(page.session()->actions().held(engine::kActionAided)) << "the log has it";
   ASSERT_TRUE(wait_for([&] { return says("Expert - your trial waits"); }, 60000));
   // The expert's blade comes in: another picture than the one where the trial stands.
   ASSERT_TRUE(wait_for([&] { return difference(before, page.operator_view().picture()).pixels > 4000; }, 60000));
@@ -355,6 +356,7 @@ TEST_F(WindowPanelsOfATube, TheExpertIsSeenWhileTheTrialWaitsAndThenItGoesOn) {
   EXPECT_TRUE(page.running()) << "Esc ended the loop alone";
   EXPECT_FALSE(page.session()->frozen());
   EXPECT_FALSE(says("your trial waits"));
+  EXPECT_FALSE(page.session()->actions().held(engine::kActionAided));
   ASSERT_TRUE(wait_for([&] { return page.session()->pause().empty(); }, 20000)) << "the hand has hold again";
   key(page, Qt::Key_F);
   EXPECT_TRUE(page.running());

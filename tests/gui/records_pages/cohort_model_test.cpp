@@ -12,6 +12,7 @@ curricula::CurveSummary curve(const std::string& name, const std::string& scenar
   one.trainee_name = name;
   one.trials = trials;
   one.passed = trials / 2;
+  one.set_aside = 2;
   one.last_utc = last;
   one.cusum = curricula::cusum({}, std::vector<bool>(8, true));
   return one;
@@ -40,6 +41,7 @@ TEST_F(Cohort, EveryColumnHasItsHeadingAndItsCell) {
     EXPECT_NE(model_.index(0, column).data(Qt::DisplayRole).toString(), "") << column;
   }
   EXPECT_EQ(model_.index(0, CohortModel::kCusum).data(Qt::DisplayRole).toString(), "competent (trial 8)");
+  EXPECT_EQ(model_.index(0, CohortModel::kSetAside).data(Qt::DisplayRole).toInt(), 2);
   EXPECT_EQ(model_.index(0, CohortModel::kScenario).data(Qt::DisplayRole).toString(), "term")
       << "not known here: its id";
 }

@@ -47,6 +47,12 @@ TEST(CurveReading, CountsWholeTrialsAndNamesTheInterrupted) {
   EXPECT_EQ(reading.to_competent, -1);
   EXPECT_EQ(reading.cusum.size(), 7u);
   EXPECT_NE(reading.rule_in_words.find("PMC8290971"), std::string::npos);
+  std::vector<RecordRow> rows = trials("-+x+-+++");
+  rows[3].score.set_aside = {"why"};
+  const CurveReading other = read_curve(rows, nullptr);
+  EXPECT_EQ(other.interrupted, 1);
+  EXPECT_EQ(other.set_aside, 1);
+  EXPECT_EQ(other.successes.size(), 6u);
 }
 
 /// By hand, for p0 = 0.2, p1 = 0.4, alpha = beta = 0.1: P = ln 2, Q = ln(0.8 / 0.6), s = 0.29330, h0 = ln 9 / (P + Q)
