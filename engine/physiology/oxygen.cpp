@@ -62,6 +62,7 @@ void use(const Oxygen& o, OxygenState& s, double flow, double dt_s) noexcept {
 double drive(const Oxygen& o, OxygenState& s, double by, double most_mmhg) noexcept {
   const double before = s.arterial, arterial = std::clamp(s.arterial + by, kLeastDriven, kMostDriven);
   const double way = arterial - before;
+  if (by * way < 0.0) return 0.0;  // below the least already: "down" does not lift it there
   for (int i = 0; i < kLungUnits; ++i) {
     const double wanted = saturation(s.alveolar_mmhg[i], o.p50_mmhg) + way;
     double low = 0.0, high = most_mmhg;

@@ -51,6 +51,18 @@ TEST(Driven, SaturationRisesAndNeverLeavesWhatThereIs) {
   EXPECT_EQ(p.signs.faults, 0u);
 }
 
+TEST(Driven, DownNeverLiftsWhatIsBelowTheLeastAlready) {
+  Patient p(term(1));
+  OxygenState state = p.state.oxygen;
+  state.arterial = state.venous = 0.02;
+  const OxygenState before = state;
+  EXPECT_EQ(drive(p.infant.oxygen, state, -0.01, 150.0), 0.0);
+  EXPECT_EQ(state.arterial, before.arterial);
+  EXPECT_EQ(state.venous, before.venous);
+  EXPECT_EQ(store_ml(p.infant.oxygen, state), store_ml(p.infant.oxygen, before));
+  EXPECT_GT(drive(p.infant.oxygen, state, 0.01, 150.0), 0.0) << "up still does";
+}
+
 TEST(Driven, TheHeartGoesAtItsRateAndBreathsBringItBack) {
   for (const int way : {-1, 1}) {
     Patient p(preterm(2));
