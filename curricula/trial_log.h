@@ -143,7 +143,6 @@ enum LoggedAction : std::uint32_t {
   kLoggedSaturationDriven = (1u << 26) | (1u << 27),
   kLoggedHeartDriven = (1u << 28) | (1u << 29),
   kLoggedSpasm = 1u << 30,
-  kLoggedByInstructor = kLoggedSaturationDriven | kLoggedHeartDriven | kLoggedSpasm,
 };
 
 /// Everything that must be known to understand and to repeat the trial. No identity of patient or trainee.

@@ -1,11 +1,13 @@
 #include "gui/authoring/compare_view.h"
 
+#include <QEvent>
 #include <QLabel>
 #include <QTextBrowser>
 #include <QVBoxLayout>
 #include <algorithm>
 
 #include "curricula/authoring/line_diff.h"
+#include "gui/views/theme.h"
 
 namespace vallecula::gui {
 
@@ -15,7 +17,9 @@ constexpr std::size_t kAround = 3;  ///< unchanged lines shown before and after 
 
 QString row_of(const curricula::DiffLine& line) {
   using Kind = curricula::DiffLine::Kind;
-  const char* colour = line.kind == Kind::added ? "#174a3c" : line.kind == Kind::removed ? "#5a2d12" : "";
+  const QString colour = line.kind == Kind::added     ? theme::new_line().name()
+                         : line.kind == Kind::removed ? theme::gone_line().name()
+                                                      : QString();
   const char* sign = line.kind == Kind::added ? "+" : line.kind == Kind::removed ? "-" : "&nbsp;";
   const auto number = [](int n) { return n > 0 ? QString::number(n) : QString(); };
   return QString(
@@ -42,6 +46,7 @@ CompareView::CompareView(QWidget* parent) : QWidget(parent) {
 
 void CompareView::show_difference(const QString& name, const std::string& other, const std::string& course) {
   using Kind = curricula::DiffLine::Kind;
+  anew_ = [=] { show_difference(name, other, course); };
   const std::vector<curricula::DiffLine> lines = curricula::line_diff(other, course);
   const auto count = [&](Kind kind) {
     return std::count_if(lines.begin(), lines.end(), [kind](const auto& line) { return line.kind == kind; });
@@ -69,6 +74,12 @@ void CompareView::show_difference(const QString& name, const std::string& other,
     html += row_of(lines[i]);
   }
   lines_->setHtml(html + "</table>");
+}
+
+void CompareView::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() != QEvent::PaletteChange && event->type() != QEvent::StyleChange) return;
+  if (const auto anew = anew_) anew();  // its colours stand in the text; a copy, for it puts another in its place
 }
 
 }  // namespace vallecula::gui

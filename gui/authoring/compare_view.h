@@ -2,7 +2,8 @@
 #pragma once
 
 #include <QWidget>
-#include <filesystem>
+#include <functional>
+#include <string>
 
 class QLabel;
 class QTextBrowser;
@@ -16,7 +17,11 @@ class CompareView : public QWidget {
   /// `name` of the other one, as people know it.
   void show_difference(const QString& name, const std::string& other, const std::string& course);
 
+ protected:
+  void changeEvent(QEvent* event) override;
+
  private:
+  std::function<void()> anew_;  ///< shows the same once more
   QLabel* title_;
   QTextBrowser* lines_;
 };

@@ -18,6 +18,7 @@
 #include "gui/records_pages/keep_ratings.h"
 #include "gui/records_pages/person_words.h"
 #include "gui/report/markdown.h"
+#include "gui/session/package_parts.h"
 #include "gui/session/words_from_below.h"
 #include "gui/views/force_bars.h"
 #include "gui/views/monitor_panel.h"
@@ -44,13 +45,6 @@ QFrame* panel_with(QWidget* inside, QWidget* parent) {
   column->setContentsMargins(8, 6, 8, 6);
   column->addWidget(inside);
   return panel;
-}
-
-std::optional<curricula::Mouth> mouth_of(const pipeline::PatientPackage& package) {
-  std::map<std::string, std::array<double, 3>> landmarks_m;
-  for (const auto& [name, point] : package.landmarks)
-    landmarks_m[name] = {1e-3 * point[0], 1e-3 * point[1], 1e-3 * point[2]};
-  return curricula::mouth_from_landmarks(landmarks_m);
 }
 
 }  // namespace

@@ -99,10 +99,7 @@ void InstructorStation::check_device(const QString& name, const std::function<vo
   };
   auto* check = new DeviceCheck(name, make, &window_);
   check->setAttribute(Qt::WA_DeleteOnClose);
-  connect(check, &DeviceCheck::checked, this, [this](const CheckResult& result) {
-    checks_.keep(result);
-    emit device_checked(result);
-  });
+  connect(check, &DeviceCheck::checked, this, [this](const CheckResult& result) { checks_.keep(result); });
   if (then) connect(check, &QDialog::finished, this, then);
   check->open();
 }

@@ -40,7 +40,6 @@ class InstructorStation : public QObject {
   void next_trainee_begins();  ///< the one before is signed out; whatever was open of theirs is to be left
   void records_wanted();
   void told(const QString& message);  ///< why something was not done
-  void device_checked(const vallecula::gui::CheckResult& result);
 
  private:
   bool eventFilter(QObject* watched, QEvent* event) override;

@@ -34,7 +34,7 @@ HomePage::HomePage(QWidget* parent) : QWidget(parent) {
     made->setToolTip(tip);
     return made;
   };
-  practise_ = choice("practise", tr("Practise"), {}, tr("Begins this trial now (Enter)"));
+  practise_ = choice("practise", tr("Practise"), {}, tr("Opens this trial (Enter); it begins with Start, once your hands are in place"));
   practise_->setProperty("role", "first-choice");
   course_ = choice("course", tr("Course"), tr("Choose a scenario, a patient and a device; see what is open and mastered"),
                    tr("All courses, module by module (Ctrl+2)"));
@@ -131,7 +131,7 @@ void HomePage::set_next(const NextTrial& next) {
                       : tr("%1\nPatient: %2\nDevice: %3").arg(next.scenario, next.patient, next.device);
   if (!next.hindrance.isEmpty()) about += "\n\n" + next.hindrance;
   practise_->say(tr("Practise"), about);
-  practise_->setToolTip(next.hindrance.isEmpty() ? tr("Begins this trial now (Enter)")
+  practise_->setToolTip(next.hindrance.isEmpty() ? tr("Opens this trial (Enter); it begins with Start, once your hands are in place")
                                                  : tr("Opens the course, where what is missing can be chosen (Enter)"));
 }
 

@@ -16,9 +16,11 @@
 #include "gui/authoring/kept_draft.h"
 #include "gui/import/import_wizard.h"
 #include "gui/instructor/station.h"
+#include "gui/pages/background.h"
 #include "gui/pages/devices_page.h"
 #include "gui/pages/home_page.h"
 #include "gui/pages/main_menu.h"
+#include "gui/pages/ready_patient.h"
 #include "gui/pages/replay_page.h"
 #include "gui/pages/result_page.h"
 #include "gui/pages/self_rating_page.h"
@@ -34,7 +36,7 @@
 
 namespace vallecula::gui {
 
-MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
+MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent), ready_(std::make_unique<ReadyPatient>()) {
   setWindowTitle("Vallecula");
   pages_ = new QStackedWidget(this);
   home_ = new HomePage(pages_);
@@ -87,13 +89,15 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
   connect(authoring_, &AuthoringPage::try_wanted, this, &MainWindow::try_scenario);
   connect(authoring_, &AuthoringPage::courses_changed, this, [this] {
     if (!has_start_) return;
-    try {
-      std::vector<curricula::Curriculum> found = find_curricula().curricula;
-      found.insert(found.end(), opened_courses_.begin(), opened_courses_.end());
-      start_->set_curricula(std::move(found));
-    } catch (const std::exception& error) {
-      authoring_->set_message(QString::fromUtf8(error.what()));
-    }
+    run_in_background<FoundCurricula>(
+        this, find_curricula,
+        [this, asked = ++courses_asked_](FoundCurricula found) {
+          if (asked != courses_asked_) return;  // one that was asked for later knows more
+          std::vector<curricula::Curriculum>& all = found.curricula;
+          all.insert(all.end(), opened_courses_.begin(), opened_courses_.end());
+          start_->set_curricula(std::move(all));
+        },
+        [this](const QString& message) { authoring_->set_message(message); });
   });
   connect(devices_, &DevicesPage::left, this, &MainWindow::back_to_start);
   connect(devices_, &DevicesPage::found, start_, &StartPage::set_found_devices);
@@ -151,7 +155,7 @@ void MainWindow::connect_station() {
   menu_->view().addActions({station_->open_action(), station_->next_trainee_action()});
   who_->offer(station_->next_trainee_action());
   connect(station_, &InstructorStation::next_trainee_begins, this, [this] {
-    cancelled_ = true;  // what is being prepared was for the one before
+    give_up_work();  // what is being prepared was for the one before
     if (trial_->session()) trial_->close_trial();
     if (pages_->currentWidget() == replay_) leave_replay();
     back_to_start();
@@ -163,8 +167,9 @@ void MainWindow::connect_station() {
 }
 
 MainWindow::~MainWindow() {
-  cancelled_ = true;
-  for (const auto& thread : {worker_, looker_})
+  give_up_work();
+  ready_->stop();
+  for (const auto& thread : {worker_, looker_, readier_})
     if (thread) thread->wait();
 }
 
@@ -173,12 +178,13 @@ QWidget* MainWindow::make_prepare_page() {
   auto* title = new QLabel(tr("Preparing the patient"), page);
   title->setObjectName("title");
   prepare_stage_ = new QLabel(page);
+  prepare_stage_->setObjectName("stage");
   prepare_bar_ = new QProgressBar(page);
   prepare_bar_->setRange(0, 1000);
   prepare_bar_->setTextVisible(false);
   auto* cancel = new QPushButton(tr("Cancel"), page);
   connect(cancel, &QPushButton::clicked, this, [this] {
-    cancelled_ = true;
+    give_up_work();
     prepare_stage_->setText(tr("Stopping ..."));
   });
   auto* column = new QVBoxLayout(page);
@@ -203,9 +209,7 @@ void MainWindow::show_start(std::vector<curricula::Curriculum> curricula) {
   choose_last_device(device);
   start_->select(kept->value("scenario").toString(), device);
   devices_->refresh();
-  add_imported_patients();
-  const std::filesystem::path patient = kept->value("patient").toString().toStdString();
-  if (!patient.empty() && std::filesystem::exists(patient / "patient.yaml")) start_->add_patient(patient, true);
+  add_imported_patients(kept->value("patient").toString().toStdString());
   back_to_start();
   page_changed();
 }
@@ -222,14 +226,29 @@ void MainWindow::choose_last_device(const QString& name) {
   }
 }
 
-void MainWindow::add_imported_patients() {
-  std::error_code none;
-  std::vector<std::filesystem::path> found;
-  for (const auto& entry : std::filesystem::directory_iterator(patients_folder(), none))
-    if (entry.path().extension() == ".patient" && std::filesystem::exists(entry.path() / "patient.yaml"))
-      found.push_back(entry.path());
-  std::sort(found.begin(), found.end());
-  for (const auto& package : found) start_->add_patient(package, false);
+void MainWindow::add_imported_patients(const std::filesystem::path& last) {
+  using Packages = std::vector<std::filesystem::path>;
+  run_in_background<Packages>(
+      this,
+      [last, folder = patients_folder()] {
+        std::error_code none;
+        Packages found;
+        const auto add = [&](const std::filesystem::path& package) {
+          if (package.extension() == ".patient" && std::filesystem::exists(package / "patient.yaml", none))
+            found.push_back(package);
+        };
+        for (const auto& entry : std::filesystem::directory_iterator(folder, none)) add(entry.path());
+        std::sort(found.begin(), found.end());
+        if (std::find(found.begin(), found.end(), last) == found.end()) add(last);
+        return found;
+      },
+      [this, last](const Packages& found) {
+        const bool untouched = start_->hands().patient.empty();  // nobody was quicker and chose another
+        for (const auto& package : found) start_->add_patient(package, untouched && package == last);
+        patients_known_ = true;
+        if (pages_->currentWidget() == home_) look_around();
+      },
+      [this](const QString& message) { tell_first(message); });
 }
 
 void MainWindow::import_series(const QString& source) {
@@ -333,7 +352,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
   }
   keep_place();
   draft_->forget();
-  cancelled_ = true;
+  give_up_work();
   import_->stop();
   trial_->close_trial();
   replay_->close_replay();

@@ -28,6 +28,7 @@ struct LeftDraft;
 class MainMenu;
 class ImportWizard;
 class InstructorStation;
+class ReadyPatient;
 class RecordsPage;
 class ReplayPage;
 class ResultPage;
@@ -116,6 +117,14 @@ class MainWindow : public QMainWindow {
   /// `patient`: gives the package's folder; runs on the preparing thread.
   void prepare(TrialSetup setup, std::function<std::filesystem::path()> patient, bool start_at_once);
   void report_progress(const std::string& stage, double fraction);
+  /// A trial or a replay is being prepared: that is given up, and once it has ended (it has the device) `next` begins.
+  void instead_of_work(std::function<void()> next);
+  void give_up_work();
+  /// To be called first when it ended, nothing of it being left when it was given up. False: it was, and what was wanted
+  /// instead has begun, or `leave` was called where its page is still seen.
+  bool work_ended(const std::function<void()>& leave);
+  /// The next trial's patient is read and made ready while one looks at the first page.
+  void make_ready();
   void show_result();
   void take_self_rating(const SelfRating& rating);
   /// What is open and mastered for whoever is signed in.
@@ -125,7 +134,8 @@ class MainWindow : public QMainWindow {
   /// In the replay, or where that stays locked as its report.
   void show_trial(const QString& log, bool with_replay);
   void leave_replay();
-  void add_imported_patients();
+  /// Those of the user's data folder, and the one that was chosen last: looked for on a thread of its own.
+  void add_imported_patients(const std::filesystem::path& last);
   void try_scenario(const QString& file, const QString& id);
   void choose_last_device(const QString& name);
   QWidget* make_prepare_page();
@@ -152,8 +162,13 @@ class MainWindow : public QMainWindow {
   ResultPage* result_;
   ReplayPage* replay_;
   InstructorStation* station_;
-  QPointer<QThread> worker_, looker_;
-  bool look_again_ = false;
+  QPointer<QThread> worker_, looker_, readier_;
+  bool look_again_ = false, working_ = false, patients_known_ = false;
+  std::function<void()> next_work_;
+  std::string failure_;  ///< kind of what ended the work that was prepared; empty: it failed later, on its page
+  std::unique_ptr<ReadyPatient> ready_;
+  std::filesystem::path ready_wanted_, ready_asked_;
+  int courses_asked_ = 0;
   QWidget* first_;  ///< home or the course: where one goes back to
   std::vector<curricula::Curriculum> opened_courses_;  ///< from elsewhere than the folders of courses
   std::atomic<bool> cancelled_{false};

@@ -67,13 +67,15 @@ void MainWindow::connect_help() {
     program_log::note("trial ended after " + std::to_string(trial_time_.elapsed() / 1000) + " s on its page");
     if (!outcome.fault.empty()) program_log::note("fault: " + outcome.fault);
   });
-  connect(this, &MainWindow::trial_failed, this,
-          [](const QString& message) { program_log::note("trial failed: " + message.toStdString()); });
+  // Its kind alone: the message is for who sits there, and may name a patient.
+  const auto failed = [this](const char* what) {
+    program_log::note(what + (failure_.empty() ? std::string("on its page") : failure_));
+  };
+  connect(this, &MainWindow::trial_failed, this, [failed] { failed("trial failed: "); });
   connect(this, &MainWindow::replay_opened, this, [this] {
     program_log::note("replay opened in " + std::to_string(prepare_time_.elapsed()) + " ms");
   });
-  connect(this, &MainWindow::replay_failed, this,
-          [](const QString& message) { program_log::note("replay failed: " + message.toStdString()); });
+  connect(this, &MainWindow::replay_failed, this, [failed] { failed("replay failed: "); });
 }
 
 void MainWindow::show_help() {

@@ -16,6 +16,7 @@
 #include "gui/pages/look_settings.h"
 #include "gui/pages/main_menu.h"
 #include "gui/pages/main_window.h"
+#include "gui/pages/ready_patient.h"
 #include "gui/pages/replay_page.h"
 #include "gui/pages/self_rating_page.h"
 #include "gui/pages/settings_dialog.h"
@@ -41,6 +42,7 @@ std::vector<std::filesystem::path> local_files(const QMimeData& data) {
 struct Around {
   QImage patient;
   std::vector<RecentFile> recent;
+  std::filesystem::path package;  ///< of the next trial's patient; empty: it is not made yet
 };
 
 }  // namespace
@@ -137,15 +139,32 @@ void MainWindow::look_around() {
       this,
       [patient, manikin, files = kept_recent()]() mutable {
         if (patient.empty()) patient = builtin_patients_folder() / (builtin_patient_name(manikin) + ".patient");
-        return Around{QImage(QString::fromStdString((patient / "thumbnail.png").string())), still_there(files)};
+        std::error_code none;
+        return Around{QImage(QString::fromStdString((patient / "thumbnail.png").string())), still_there(files),
+                      std::filesystem::exists(patient / "patient.yaml", none) ? patient : std::filesystem::path()};
       },
       [this](const Around& around) {
         home_->set_picture(around.patient);
         home_->set_recent(around.recent);
         menu_->set_recent(around.recent);
-        if (look_again_) look_around();
+        ready_wanted_ = around.package;
+        look_again_ ? look_around() : make_ready();
       },
       [this](const QString& message) { home_->set_message(message); });
+}
+
+void MainWindow::make_ready() {
+  const QWidget* page = pages_->currentWidget();
+  if (!patients_known_ || working_ || ready_wanted_.empty() || (page != home_ && page != start_)) return;
+  if (readier_ && !readier_->isFinished()) return;  // once it is done
+  ready_asked_ = ready_wanted_;
+  const auto done = [this] {
+    if (ready_asked_ != ready_wanted_) make_ready();
+  };
+  readier_ = run_in_background<std::shared_ptr<PatientLook>>(
+      this, [this, patient = ready_asked_] { return ready_->look(patient); },
+      [done](const std::shared_ptr<PatientLook>&) { done(); },
+      [done](const QString&) { done(); });  // told when a trial with it is asked for
 }
 
 void MainWindow::remember(const std::filesystem::path& path) {

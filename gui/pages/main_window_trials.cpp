@@ -6,23 +6,25 @@
 #include <QStackedWidget>
 #include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 #include "gui/authoring/authoring_page.h"
 #include "gui/import/import_work.h"
 #include "gui/instructor/station.h"
 #include "gui/pages/background.h"
 #include "gui/pages/main_window.h"
+#include "gui/pages/ready_patient.h"
 #include "gui/pages/replay_page.h"
 #include "gui/pages/result_page.h"
 #include "gui/pages/trial_page.h"
 #include "gui/records_pages/records_page.h"
 #include "gui/session/builtin_patient.h"
+#include "gui/session/failure_kind.h"
 #include "gui/session/patient_fit.h"
 #include "gui/session/program_log.h"
 #include "gui/session/user_paths.h"
 #include "gui/session/user_settings.h"
 #include "gui/session/words_from_below.h"
-#include "gui/views/patient_look.h"
 
 namespace vallecula::gui {
 namespace {
@@ -42,21 +44,32 @@ QString stage_words(const std::string& stage) {
   return stage.rfind(import, 0) == 0 ? stage_text(stage.substr(import.size())) : in_words(stage);
 }
 
+/// Does the work; where that throws, its kind is put into `kind` on the way.
+template <class Work>
+auto noting_kind(std::string& kind, const Work& work) {
+  try {
+    return work();
+  } catch (const std::exception& error) {
+    kind = failure_kind(error);
+    throw;
+  }
+}
+
 }  // namespace
 
 void MainWindow::try_scenario(const QString& file, const QString& id) {
-  Choice choice = start_->hands();
-  choice.curriculum = file.toStdString();
-  try {
-    const curricula::Curriculum course = curricula::load_curriculum(choice.curriculum);
-    choice.scenario = *course.find(id.toStdString());
-  } catch (const curricula::CurriculumError& error) {
-    authoring_->set_message(QString::fromUtf8(error.what()));
-    return;
-  }
-  if (choice.device == "scripted:novice" && choice.scenario.intubation) choice.device = "scripted:expert";  // no tube
-  trying_ = true;
-  prepare_choice(choice);
+  run_in_background<curricula::Curriculum>(
+      this, [file = file.toStdString()] { return curricula::load_curriculum(file); },
+      [this, file, id](const curricula::Curriculum& course) {
+        if (pages_->currentWidget() != authoring_) return;  // left in the meantime
+        Choice choice = start_->hands();
+        choice.curriculum = file.toStdString();
+        choice.scenario = *course.find(id.toStdString());
+        if (choice.device == "scripted:novice" && choice.scenario.intubation) choice.device = "scripted:expert";  // no tube
+        trying_ = true;
+        prepare_choice(choice);
+      },
+      [this](const QString& message) { authoring_->set_message(message); });
 }
 
 void MainWindow::prepare_choice(const Choice& choice, std::uint32_t seed) {
@@ -92,8 +105,9 @@ void MainWindow::prepare_checked(const Choice& choice, std::uint32_t seed) {
       setup,
       [this, manikin, chosen] {
         if (!chosen.empty()) return chosen;
-        return builtin_patient(
-            manikin, [this](const std::string& stage, double fraction) { report_progress(stage, 0.9 * fraction); });
+        const auto progress = [this](const std::string& stage, double done) { report_progress(stage, 0.7 * done); };
+        const auto kept = builtin_patients_folder() / (builtin_patient_name(manikin) + ".patient");
+        return ready_->has(kept, progress) ? kept : builtin_patient(manikin, progress);
       },
       false);
 }
@@ -105,7 +119,9 @@ void MainWindow::prepare(const TrialSetup& setup, bool start_at_once) {
 }
 
 void MainWindow::prepare(TrialSetup setup, std::function<std::filesystem::path()> patient, bool start_at_once) {
-  if (worker_ && !worker_->isFinished()) return;
+  if (working_) return instead_of_work([=] { prepare(setup, patient, start_at_once); });
+  working_ = true;
+  failure_.clear();
   prepare_time_.start();
   prepared_ = setup;
   program_log::hide(setup.patient);
@@ -118,19 +134,25 @@ void MainWindow::prepare(TrialSetup setup, std::function<std::filesystem::path()
   worker_ = run_in_background<Prepared>(
       this,
       [this, setup, patient] {
-        TrialSetup whole = setup;
-        whole.patient = patient();
-        program_log::hide(whole.patient);
-        report_progress("Building the scene", 0.92);
-        Prepared prepared;
-        prepared.session = std::make_shared<TrialSession>(whole);
-        report_progress("Light and colour", 0.96);
-        prepared.look = make_patient_look(prepared.session->package(), {}, Seen::from_the_eye, whole.patient);
-        report_progress("Ready", 1.0);
-        return prepared;
+        return noting_kind(failure_, [&] {
+          TrialSetup whole = setup;
+          whole.patient = patient();
+          program_log::hide(whole.patient);
+          Prepared prepared;
+          prepared.look = ready_->look(whole.patient, [this](const std::string& stage, double done) {
+            report_progress(stage, 0.7 + 0.2 * done);
+          });
+          whole.package = {prepared.look, &prepared.look->package};
+          report_progress("Building the scene", 0.92);
+          prepared.session = std::make_shared<TrialSession>(whole);
+          report_progress("Ready", 1.0);
+          return prepared;
+        });
       },
       [this, start_at_once, device = QString::fromStdString(setup.device)](Prepared ready) {
-        if (cancelled_) return back_to_start();  // at the last moment
+        if (cancelled_) ready = {};  // at the last moment
+        if (!work_ended([this] { back_to_start(); })) return;
+        ready.look->rest();
         scenario_ = ready.session->scenario();
         misfits_ = misfits(ready.session->package(), scenario_);
         pages_->setCurrentWidget(trial_);
@@ -145,18 +167,39 @@ void MainWindow::prepare(TrialSetup setup, std::function<std::filesystem::path()
         if (start_at_once) trial_->start();
       },
       [this](const QString& message) {
-        if (cancelled_)
-          back_to_start();
-        else
-          show_failure(message);
+        if (work_ended([this] { back_to_start(); })) show_failure(message);
       });
 }
 
+void MainWindow::instead_of_work(std::function<void()> next) {
+  give_up_work();
+  next_work_ = std::move(next);
+  prepare_stage_->setText(tr("Stopping what was being prepared"));
+  pages_->setCurrentWidget(prepare_page_);
+}
+
+void MainWindow::give_up_work() {
+  cancelled_ = true;
+  next_work_ = nullptr;
+}
+
+bool MainWindow::work_ended(const std::function<void()>& leave) {
+  working_ = false;
+  if (!cancelled_) return true;
+  if (const auto next = std::exchange(next_work_, nullptr))
+    next();
+  else if (pages_->currentWidget() == prepare_page_)
+    leave();
+  return false;
+}
+
 void MainWindow::replay(const std::filesystem::path& trial, double at_s, const std::filesystem::path& patient) {
-  if (worker_ && !worker_->isFinished()) return;  // its object outlives its work
-  prepare_time_.start();
   QWidget* from = pages_->currentWidget();
-  replay_from_ = from == result_ || from == records_ ? from : nullptr;
+  if (from != prepare_page_) replay_from_ = from == result_ || from == records_ ? from : nullptr;
+  if (working_) return instead_of_work([=] { replay(trial, at_s, patient); });
+  working_ = true;
+  failure_.clear();
+  prepare_time_.start();
   result_->tell("");
   tell_first("");
   cancelled_ = false;
@@ -176,11 +219,14 @@ void MainWindow::replay(const std::filesystem::path& trial, double at_s, const s
   worker_ = run_in_background<std::shared_ptr<ReplayTrial>>(
       this,
       [this, trial, patient, instructor = records_->desk().instructor()] {
-        return open_replay(
-            trial, patient, [this](const std::string& stage, double done) { report_progress(stage, done); },
-            instructor);
+        return noting_kind(failure_, [&] {
+          return open_replay(
+              trial, patient, [this](const std::string& stage, double done) { report_progress(stage, done); },
+              instructor);
+        });
       },
       [this, at_s, failed](std::shared_ptr<ReplayTrial> opened) {
+        if (!work_ended([this] { leave_replay(); })) return;
         pages_->setCurrentWidget(replay_);
         replay_->set_who(records_->desk().who());
         try {
@@ -190,7 +236,9 @@ void MainWindow::replay(const std::filesystem::path& trial, double at_s, const s
         }
         emit replay_opened();
       },
-      [this, failed](const QString& message) { cancelled_ ? leave_replay() : failed(message); });
+      [this, failed](const QString& message) {
+        if (work_ended([this] { leave_replay(); })) failed(message);
+      });
 }
 
 void MainWindow::leave_replay() {

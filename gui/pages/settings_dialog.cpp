@@ -76,12 +76,12 @@ void SettingsDialog::add_look(QFormLayout* form) {
   text_->setToolTip(tr("Size of all text in per cent (Ctrl++ and Ctrl+- on every page)"));
   text_share_ = new QLabel(this);
   trachea_ = choice("trachea", {{tr("Natural"), "natural"}, {tr("Blue, as in the paper"), "blue"}}, before_.trachea);
-  trachea_->setToolTip(tr("Colour of the windpipe in the operator's view; from the next trial on"));
+  trachea_->setToolTip(tr("Colour of the windpipe in the views of the airway"));
   quality_ = choice("quality", {{tr("Automatic: effects give way to fluency"), "auto"},
                                 {tr("High, whatever it costs"), "high"},
                                 {tr("Low, for slow computers"), "low"}},
                     before_.quality);
-  quality_->setToolTip(tr("How the patient is drawn; from the next trial on"));
+  quality_->setToolTip(tr("How the patient is drawn"));
   form->addRow(heading(tr("Look"), this));
   form->addRow(tr("&Ground"), ground_);
   form->addRow(tr("&Text size"), with_share(text_, text_share_));
@@ -158,8 +158,7 @@ void SettingsDialog::done(int result) {
     kept->setValue("sound/volume", 0.01 * volume_->value());
     if (language_->currentData().toString() != chosen_language()) keep_language(language_->currentData().toString());
   }
-  const LookSettings look = result == Accepted ? chosen() : before_;
-  if (look.ground != before_.ground || look.text_scale != theme::look().text_scale || result != Accepted) apply_look(look);
+  apply_look(result == Accepted ? chosen() : before_);
   QDialog::done(result);
   if (result == Accepted) emit kept();
 }

@@ -66,10 +66,15 @@ void TrialPage::show_steered() {
   control_->set_tool(mouse_has_tube ? Tool::tube : shown_in_hand_);
   steered_->setText(tube ? tr("You hold: right hand, TUBE. The blade stays.")
                          : tr("You hold: left hand, BLADE. The tube stays."));
-  steered_->setStyleSheet(
-      QString("background: rgba(16, 20, 25, 200); color: %1; border: 2px solid %1; border-radius: 5px; "
-              "font-weight: bold; margin: 6px;")
-          .arg(theme::device().name()));
+  QColor behind = theme::panel();
+  behind.setAlpha(215);  // it lies over the picture
+  steered_->setStyleSheet(QString("background: rgba(%2, %3, %4, %5); color: %1; border: 2px solid %1; border-radius: 5px; "
+                                  "font-weight: bold; margin: 6px;")
+                              .arg(theme::device().name())
+                              .arg(behind.red())
+                              .arg(behind.green())
+                              .arg(behind.blue())
+                              .arg(behind.alpha()));
   show_help();
 }
 

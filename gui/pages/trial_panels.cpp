@@ -7,10 +7,9 @@
 #include <QSettings>
 #include <QTimer>
 #include <QVBoxLayout>
-#include <map>
-#include <string>
 
 #include "gui/pages/distraction_panel.h"
+#include "gui/session/package_parts.h"
 #include "gui/session/user_settings.h"
 #include "gui/views/force_bars.h"
 #include "gui/views/monitor_panel.h"
@@ -81,7 +80,7 @@ TrialPanels::TrialPanels(QWidget* centre, QWidget* parent) : QMainWindow(parent)
 
 TrialPanels::~TrialPanels() { keep(); }
 
-QDockWidget* TrialPanels::add(Panel panel, const QString& title, QWidget* content) {
+void TrialPanels::add(Panel panel, const QString& title, QWidget* content) {
   auto* dock = new QDockWidget(QString(title).remove('&'), this);
   dock->setObjectName(QString("panel_") + kNames[panel]);
   dock->setAccessibleName(dock->windowTitle());
@@ -103,7 +102,6 @@ QDockWidget* TrialPanels::add(Panel panel, const QString& title, QWidget* conten
   });
   connect(dock, &QDockWidget::topLevelChanged, this, [this] { as_at_first_ = as_at_first_ && arranging_; });
   connect(dock, &QDockWidget::dockLocationChanged, this, [this] { as_at_first_ = as_at_first_ && arranging_; });
-  return dock;
 }
 
 void TrialPanels::arrange() {
@@ -232,10 +230,7 @@ void TrialPanels::open(TrialSession& session, const std::shared_ptr<PatientLook>
   readings_->show_force(allowed_.force_bar);
   distractions_->serve(&session.dual_task(), session.by_person());
   bars_->set_marks({scenario.targets.tongue_force_n, scenario.targets.gum_force_n, scene.haptics.device_limit_n});
-  std::map<std::string, std::array<double, 3>> landmarks_m;
-  for (const auto& [name, point] : look->package.landmarks)
-    landmarks_m[name] = {1e-3 * point[0], 1e-3 * point[1], 1e-3 * point[2]};
-  readings_->set_scenario(scenario, curricula::mouth_from_landmarks(landmarks_m));
+  readings_->set_scenario(scenario, mouth_of(session.package()));
   readings_->show_tube(has_infant_);
   monitor_->clear();
   show_what_is_wanted();

@@ -51,10 +51,8 @@ class TrialPanels : public QMainWindow {
   void restore_first();
   std::vector<KeyRow> keys() const;
   QDockWidget* dock(Panel panel) { return docks_[panel]; }
-  VideoView& video_view() { return *video_view_; }
   SagittalView& sagittal_view() { return *sagittal_view_; }
   DistractionPanel& distractions() { return *distractions_; }
-  MonitorPanel& monitor_panel() { return *monitor_; }
   TrialReadings& readings_panel() { return *readings_; }
 
  protected:
@@ -63,7 +61,7 @@ class TrialPanels : public QMainWindow {
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
-  QDockWidget* add(Panel panel, const QString& title, QWidget* content);
+  void add(Panel panel, const QString& title, QWidget* content);
   void arrange();
   void switch_as_at_first();
   void fit();

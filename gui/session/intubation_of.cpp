@@ -4,9 +4,9 @@
 #include <cstdio>
 #include <stdexcept>
 
-#include "curricula/score/mouth.h"
 #include "gui/session/airway_course.h"
 #include "gui/session/anatomy_motion.h"
+#include "gui/session/package_parts.h"
 
 namespace vallecula::gui {
 
@@ -51,10 +51,7 @@ double gap_between_gums(const pipeline::PatientPackage& package) {
 }
 
 void set_mouth(const pipeline::PatientPackage& package, engine::IntubationDescription& d) {
-  std::map<std::string, pipeline::Point> landmarks_m = package.landmarks;
-  for (auto& [name, point] : landmarks_m)
-    for (double& x : point) x *= kMetres;
-  const auto mouth = curricula::mouth_from_landmarks(landmarks_m);
+  const auto mouth = mouth_of(package);
   if (!mouth)
     throw std::runtime_error("patient '" + package.name + "': its gums and vallecula span no mouth; import it again");
   d.mouth = Vec3(mouth->gum_middle_m[0], mouth->gum_middle_m[1], mouth->gum_middle_m[2]);

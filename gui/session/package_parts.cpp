@@ -26,4 +26,16 @@ engine::TriangleMesh mesh_of(const pipeline::Surface& surface, double scale) {
   return mesh;
 }
 
+std::map<std::string, pipeline::Point> landmarks_in_metres(const pipeline::PatientPackage& package) {
+  std::map<std::string, pipeline::Point> landmarks_m = package.landmarks;
+  for (auto& [name, point] : landmarks_m)
+    if (name != "glottis_normal")
+      for (double& x : point) x *= 1e-3;
+  return landmarks_m;
+}
+
+std::optional<curricula::Mouth> mouth_of(const pipeline::PatientPackage& package) {
+  return curricula::mouth_from_landmarks(landmarks_in_metres(package));
+}
+
 }  // namespace vallecula::gui

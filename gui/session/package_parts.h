@@ -1,6 +1,11 @@
 // What a package must have, or one clear message. Millimetres, LPS.
 #pragma once
 
+#include <map>
+#include <optional>
+#include <string>
+
+#include "curricula/score/mouth.h"
 #include "engine/types.h"
 #include "pipeline/package/patient_package.h"
 
@@ -12,5 +17,10 @@ const pipeline::Surface& surface(const pipeline::PatientPackage& package, const 
 
 /// The surface's points times `scale`.
 engine::TriangleMesh mesh_of(const pipeline::Surface& surface, double scale = 1.0);
+
+/// Every landmark in metres, and "glottis_normal", a direction, as it is.
+std::map<std::string, pipeline::Point> landmarks_in_metres(const pipeline::PatientPackage& package);
+/// Nothing where the landmarks span no mouth.
+std::optional<curricula::Mouth> mouth_of(const pipeline::PatientPackage& package);
 
 }  // namespace vallecula::gui

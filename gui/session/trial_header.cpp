@@ -3,6 +3,7 @@
 #include "engine/haptics/runner.h"
 #include "gui/session/files.h"
 #include "gui/session/log_conversion.h"
+#include "gui/session/package_parts.h"
 
 namespace vallecula::gui {
 
@@ -22,10 +23,7 @@ curricula::LogHeader header_of(const pipeline::PatientPackage& package, const cu
   header.device_limit_n = scene.haptics.device_limit_n;
   header.settings = settings_of(scene);
   if (scene.intubation) header.settings[curricula::kHeadExtension] = pipeline::kHeadExtendedDeg;
-  for (const auto& [name, point] : package.landmarks) {
-    const double scale = name == "glottis_normal" ? 1.0 : 1e-3;
-    header.landmarks_m[name] = {point[0] * scale, point[1] * scale, point[2] * scale};
-  }
+  header.landmarks_m = landmarks_in_metres(package);
   return header;
 }
 

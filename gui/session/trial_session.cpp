@@ -65,7 +65,8 @@ struct TrialSession::Impl {
   TrialOutcome finish(const std::string& how);
 
   TrialSetup setup;
-  pipeline::PatientPackage package;
+  std::shared_ptr<const pipeline::PatientPackage> read;
+  const pipeline::PatientPackage& package;
   curricula::Curriculum curriculum;
   curricula::Scenario scenario;
   DualTask dual_task;
@@ -81,7 +82,9 @@ struct TrialSession::Impl {
 
 TrialSession::Impl::Impl(const TrialSetup& given)
     : setup(given),
-      package(pipeline::read_package(given.patient)),
+      read(given.package ? given.package
+                         : std::make_shared<const pipeline::PatientPackage>(pipeline::read_package(given.patient))),
+      package(*read),
       curriculum(curriculum_with(given.curriculum, given.scenario)),
       scenario(scenario_of(given, *curriculum.find(given.scenario))),
       dual_task(scenario.distractions),

@@ -23,6 +23,7 @@ namespace vallecula::gui {
 
 struct TrialSetup {
   std::filesystem::path patient;     ///< NAME.patient
+  std::shared_ptr<const pipeline::PatientPackage> package;  ///< as it was read from there already; null: it is read
   std::filesystem::path curriculum;  ///< YAML
   std::string scenario;              ///< id in it
   curricula::Mode mode = curricula::Mode::practice;

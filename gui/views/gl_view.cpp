@@ -74,16 +74,17 @@ void GlView::render() {
 
 void GlView::draw() {
   if (!isVisible()) return;
-  if (!(used_ == governor().quality())) {
-    used_ = governor().quality();
-    use(used_);
-    emit quality_changed(governor().reduced());
-  }
+  if (!(used_ == governor().quality())) use_present();
   frame_watch().begins();
   QElapsedTimer timer;
   timer.start();
   render();
   last_draw_ms_ = static_cast<double>(timer.nsecsElapsed()) * 1e-6;
+}
+
+void GlView::use_present() {
+  used_ = governor().quality();
+  use(used_);
 }
 
 void GlView::use(const Quality& quality) {

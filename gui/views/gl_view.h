@@ -38,14 +38,14 @@ class GlView : public QVTKOpenGLNativeWidget {
 
  signals:
   void camera_moved();  ///< by the mouse
-  /// What is left out is another from now on; `words` are QualityGovernor::reduced().
-  void quality_changed(const QString& words);
 
  protected:
   bool event(QEvent* event) override;
   vtkRenderer* renderer() const { return renderer_; }
   /// Draws with this from the next frame on; a view with effects of its own takes those as well.
   virtual void use(const Quality& quality);
+  /// Uses what the governor says now: for what has just come into the view, which begins with everything.
+  void use_present();
   /// VTK's trackball: left turns, middle or Shift moves, right or wheel goes nearer.
   void set_mouse_camera(bool on) { mouse_camera_ = on; }
 

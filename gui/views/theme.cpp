@@ -11,7 +11,7 @@ namespace vallecula::gui::theme {
 namespace {
 
 struct Colours {
-  QColor ground, panel, track, text, faint, within, over, target, device, bad, accent;
+  QColor ground, panel, track, text, faint, within, over, target, device, bad, accent, new_line, gone_line;
 };
 
 /// A colour of the style sheet, on each ground.
@@ -20,10 +20,10 @@ struct Shade {
 };
 
 const Colours kDark{{22, 26, 31},  {31, 36, 43},   {52, 58, 67},   {232, 236, 240}, {150, 158, 168}, {0, 158, 115},
-                    {230, 159, 0}, {240, 228, 66}, {86, 180, 233}, {213, 94, 0},    {58, 130, 200}};
+                    {230, 159, 0}, {240, 228, 66}, {86, 180, 233}, {213, 94, 0},    {58, 130, 200}, {23, 74, 60},   {90, 45, 18}};
 // The same hues, dark enough to be read on white (4.5 to 1 where they colour text: WCAG 2.1, 1.4.3).
 const Colours kLight{{238, 241, 244}, {255, 255, 255}, {209, 215, 222}, {24, 29, 35}, {86, 95, 106}, {0, 121, 90},
-                     {150, 94, 0},    {122, 104, 0},   {0, 104, 158},   {176, 66, 0}, {28, 98, 168}};
+                     {150, 94, 0},    {122, 104, 0},   {0, 104, 158},   {176, 66, 0}, {28, 98, 168}, {205, 236, 224}, {246, 221, 204}};
 
 constexpr std::array<Shade, 22> kShades{{{"panel", "#1f242b", "#ffffff"},
                                          {"off", "#262b32", "#e6e9ed"},
@@ -132,6 +132,8 @@ const QColor& target() { return colours->target; }
 const QColor& device() { return colours->device; }
 const QColor& bad() { return colours->bad; }
 const QColor& accent() { return colours->accent; }
+const QColor& new_line() { return colours->new_line; }
+const QColor& gone_line() { return colours->gone_line; }
 double points(double at_scale_one) { return at_scale_one * applied.text_scale; }
 const Look& look() { return applied; }
 

@@ -29,6 +29,8 @@ const QColor& target();  ///< yellow on dark, its darker neighbour on light
 const QColor& device();  ///< sky blue: whatever is the device's and not the patient's
 const QColor& bad();     ///< vermillion
 const QColor& accent();
+const QColor& new_line();   ///< behind text: what a comparison found added
+const QColor& gone_line();  ///< and removed
 /// A size in points as the look's text scale has it.
 double points(double at_scale_one);
 

@@ -31,7 +31,7 @@ class SightBar : public QWidget {
     painter.setPen(Qt::NoPen);
     painter.setBrush(theme::track());
     painter.drawRoundedRect(track, 4, 4);
-    painter.setBrush(QColor(41, 107, 237));  // the blue the trachea has in the view
+    painter.setBrush(theme::accent());
     if (now_ > 0.0)
       painter.drawRoundedRect(QRectF(track.left(), track.top(), at(now_) - track.left(), track.height()), 3, 3);
     painter.setPen(QPen(theme::text(), 1.5));

@@ -10,13 +10,10 @@
 #include <vtkPolyDataMapper2D.h>
 #include <vtkProperty2D.h>
 
-#include <cmath>
-
 namespace vallecula::gui {
 namespace {
 
-constexpr double kDownDeg = 0.0;  // the blade's tip then stands in the upper third, the glottis below it
-constexpr double kNearMm = 0.3;    // what touches the lens fills the picture, and is not cut away
+constexpr double kNearMm = 0.3;  // what touches the lens fills the picture, and is not cut away
 constexpr double kFarMm = 200.0;
 
 /// The rim of the little screen.
@@ -57,16 +54,15 @@ void VideoView::show_patient(std::shared_ptr<PatientLook> look, const engine::Tr
   stage_ = std::make_unique<MouthStage>(std::move(look), tool, intubation, MouthStage::Eye::in_the_mouth, renderer());
   stage_->set_blue_trachea(blue_trachea_);
   renderer()->AddActor2D(thin_frame());
+  use_present();
 }
 
 void VideoView::update_from(const engine::Snapshot& snapshot) {
   if (!stage_ || snapshot.step < 0) return;
   stage_->update(snapshot);
   const engine::Pose& blade = snapshot.proxy_pose;
-  const double down = kDownDeg * M_PI / 180.0;
   const engine::Vec3 at = 1000.0 * blade.position + blade.rotation * stage_->tool().camera_mm(),
-                     ahead = blade.rotation * engine::Vec3(-std::cos(down), 0.0, -std::sin(down)),
-                     up = blade.rotation * engine::Vec3::UnitZ();
+                     ahead = -(blade.rotation * engine::Vec3::UnitX()), up = blade.rotation * engine::Vec3::UnitZ();
   const engine::Vec3 to = at + 20.0 * ahead;
   auto* camera = renderer()->GetActiveCamera();
   camera->SetPosition(at.x(), at.y(), at.z());

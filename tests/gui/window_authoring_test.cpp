@@ -18,12 +18,14 @@
 
 #include "curricula/authoring/course_edit.h"
 #include "gui/authoring/authoring_page.h"
+#include "gui/authoring/compare_view.h"
 #include "gui/authoring/course_form.h"
 #include "gui/authoring/course_text.h"
 #include "gui/authoring/course_tree.h"
 #include "gui/authoring/field_row.h"
 #include "gui/authoring/number_box.h"
 #include "gui/authoring/problem_list.h"
+#include "gui/pages/look_settings.h"
 #include "gui/pages/main_window.h"
 #include "gui/session/curricula_files.h"
 #include "gui/session/files.h"
@@ -349,6 +351,21 @@ TEST_F(WindowAuthoring, AScenarioIsTriedUnsavedAndTheWindowComesBack) {
   EXPECT_TRUE(document().modified()) << "still unsaved";
   for (const char* key : {"scenario", "device", "patient"})
     EXPECT_FALSE(user_settings()->contains(key)) << key << ": the next start chooses what was chosen before";
+}
+
+TEST_F(WindowAuthoring, DifferencesAreReadOnEveryGround) {
+  CompareView view(nullptr);
+  view.show();
+  view.show_difference("another", "one\ntwo\n", "one\nthree\n");
+  const auto html = [&view] { return view.findChild<QTextBrowser*>()->toHtml(); };
+  for (const char* ground : {"light", "dark"}) {
+    apply_look({ground});
+    QApplication::processEvents();
+    for (const QColor& behind : {theme::new_line(), theme::gone_line()}) {
+      EXPECT_TRUE(html().contains(behind.name())) << ground << "\n" << html().toStdString();
+      EXPECT_GT(std::abs(behind.lightness() - theme::text().lightness()), 120) << ground;
+    }
+  }
 }
 
 TEST_F(WindowAuthoring, AScenarioGoesIntoTheNextModuleWithKeys) {

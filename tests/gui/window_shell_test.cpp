@@ -20,6 +20,7 @@
 #include "gui/pages/trial_page.h"
 #include "gui/session/user_paths.h"
 #include "gui/session/user_settings.h"
+#include "gui/views/gl_view.h"
 #include "gui/views/theme.h"
 #include "tests/gui/block_patient.h"
 #include "tests/gui/program.h"
@@ -258,9 +259,12 @@ TEST_F(WindowShell, SettingsAreSeenAtOnceAndTakenBackByCancel) {
   keep_picture(*dialog, "settings.png");
   auto* trachea = dialog->findChild<QComboBox*>("trachea");
   trachea->setCurrentIndex(trachea->findData("blue"));
+  auto* quality = dialog->findChild<QComboBox*>("quality");
+  quality->setCurrentIndex(quality->findData("low"));
   dialog->findChild<QSlider*>("volume")->setValue(80);
   dialog->accept();
   EXPECT_EQ(user_settings()->value("look/trachea").toString(), "blue");
+  EXPECT_EQ(GlView::governor().mode(), QualityGovernor::Mode::low) << "used, not only kept";
   EXPECT_EQ(user_settings()->value("sound/volume").toDouble(), 0.8);
   EXPECT_TRUE(user_settings()->value("sound/monitor").toBool());
 }

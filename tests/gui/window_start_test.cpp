@@ -16,6 +16,7 @@
 #include "gui/authoring/authoring_page.h"
 #include "gui/authoring/kept_draft.h"
 #include "gui/pages/about_dialog.h"
+#include "gui/instructor/station.h"
 #include "gui/pages/first_run.h"
 #include "gui/pages/help_dialog.h"
 #include "gui/pages/main_menu.h"
@@ -245,6 +246,35 @@ TEST_F(WindowStart, TheLogOfASessionNamesNobody) {
   for (const std::string& never : {trainee, std::string("Quist"), patient_name, std::string("Ottokar"), box_.folder().string(),
                                    std::string("/home/"), std::string("/tmp/")})
     EXPECT_EQ(sent.find(never), std::string::npos) << never << "\n" << sent;
+}
+
+TEST_F(WindowStart, WhatWasBeingPreparedForTheOneBeforeGivesWay) {
+  const fs::path patient = test::write_block_patient(box_.folder());
+  open();
+  window_->open_files({patient});
+  ASSERT_TRUE(wait_for([&] { return window_->start_page().choice().patient == patient; }));
+  int ready = 0;
+  QObject::connect(window_.get(), &MainWindow::prepared, [&] { ++ready; });
+  auto* practise = window_->home_page().findChild<QPushButton*>("practise");
+  practise->click();
+  ASSERT_EQ(window_->page_name(), "prepare");
+  emit window_->station().next_trainee_begins();
+  EXPECT_EQ(window_->page_name(), "home");
+  practise->click();  // by the next one, while the former's still ends
+  EXPECT_EQ(window_->page_name(), "prepare");
+  ASSERT_TRUE(wait_for([&] { return ready > 0; }));
+  EXPECT_EQ(window_->page_name(), "trial");
+  EXPECT_EQ(ready, 1) << "the former's is not opened";
+  emit window_->trial_page().left();
+  ASSERT_EQ(window_->page_name(), "home");
+  practise->click();
+  emit window_->station().next_trainee_begins();
+  emit window_->menu().records_wanted();
+  QElapsedTimer timer;
+  timer.start();
+  wait_for([&] { return timer.elapsed() > 1500; });
+  EXPECT_EQ(window_->page_name(), "records") << "what ended then takes nobody away from where he is";
+  EXPECT_EQ(ready, 1);
 }
 
 TEST_F(WindowStart, AboutNamesEveryPartWithVersionAndLicence) {

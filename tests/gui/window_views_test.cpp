@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <thread>
+#include <type_traits>
 
 #include "gui/views/force_bars.h"
 #include "gui/views/operator_view.h"
@@ -11,6 +12,7 @@
 #include "gui/views/sagittal_view.h"
 #include "gui/views/theme.h"
 #include "gui/views/trial_readings.h"
+#include "gui/views/video_view.h"
 #include "tests/gui/window_patient.h"
 #include "tests/gui/window_screen.h"
 
@@ -80,6 +82,31 @@ TEST(SoftSurface, IsClosedFollowsItsNodesAndKeepsThemInPlace) {
   EXPECT_NEAR(poly->GetPoint(0)[0], before[0][0] + 3.0, 1e-3);
 }
 
+TEST(PatientLook, LiesAtRestAgainForTheNextTrial) {
+  const auto package = coarse_patient();
+  const auto look = make_patient_look(package);
+  const auto place = [](vtkPolyData* surface) {
+    std::vector<std::array<double, 3>> points(static_cast<std::size_t>(surface->GetNumberOfPoints()));
+    for (std::size_t i = 0; i < points.size(); ++i) surface->GetPoint(static_cast<vtkIdType>(i), points[i].data());
+    return points;
+  };
+  const auto furthest = [](const auto& a, const auto& b) {
+    double most = 0.0;
+    for (std::size_t i = 0; i < a.size(); ++i)
+      for (std::size_t c = 0; c < 3; ++c) most = std::max(most, std::abs(a[i][c] - b[i][c]));
+    return most;
+  };
+  const auto face = place(look->face), soft = place(look->soft->surface());
+  engine::Snapshot moved = lifted_snapshot(package, 0.7, 4.0);
+  moved.body_displacement.assign(4, engine::Vec3(0.001, 0.002, -0.004));
+  look->update(moved);
+  ASSERT_GT(furthest(soft, place(look->soft->surface())), 1.0);
+  ASSERT_GT(furthest(face, place(look->face)), 0.5);
+  look->rest();
+  EXPECT_LT(furthest(soft, place(look->soft->surface())), 1e-3);
+  EXPECT_LT(furthest(face, place(look->face)), 1e-3);
+}
+
 TEST(PatientLook, NamesWhatIsMissing) {
   auto package = coarse_patient();
   package.landmarks.erase("operator_eye");
@@ -111,6 +138,41 @@ TEST_F(Views, OperatorSeesThePatientsRightOnTheRightAndTheFrontAtTheTop) {
   EXPECT_LT(anterior.y, posterior.y - 10);
   EXPECT_GT(view.screen_right().dot(-engine::Vec3::UnitX()), 0.99);
   EXPECT_GT(view.screen_up().dot(-engine::Vec3::UnitY()), 0.5);
+}
+
+TEST_F(Views, APatientThatFollowsIsDrawnWithNoMoreThanTheOneBefore) {
+  struct Restored {
+    ~Restored() { GlView::governor().set_mode(QualityGovernor::Mode::high); }
+  } restored;
+  const auto judged = [](auto& view) {
+    const auto drawn = [&view] {
+      view.update_from(lifted_snapshot(patient(), 0.7, 3.0));
+      view.draw();
+      return view.grabFramebuffer();
+    };
+    show(view, 400, 320);
+    GlView::governor().set_mode(QualityGovernor::Mode::high);
+    const QImage whole = drawn();
+    GlView::governor().hold(6);
+    drawn();
+    QApplication::processEvents();  // its own resolution is another: the framebuffer is made anew
+    const QImage first = drawn();
+    ASSERT_TRUE(first.size() != whole.size() || difference(whole, first).pixels > 20) << "less is another picture";
+    const auto next = make_patient_look(patient());
+    const auto cells = next->soft->surface()->GetNumberOfPolys();
+    view.show_patient(next, plain_blade());
+    const QImage second = drawn();
+    ASSERT_EQ(second.size(), first.size());
+    EXPECT_EQ(difference(first, second).pixels, 0);
+    if (std::is_same_v<std::decay_t<decltype(view)>, OperatorView>) {
+      EXPECT_LT(next->soft->surface()->GetNumberOfPolys(), cells);
+    }
+  };
+  OperatorView view;
+  view.set_zoom(OperatorView::Zoom::mouth);
+  judged(view);
+  VideoView video;
+  judged(video);
 }
 
 TEST_F(Views, TheBlueAirwayComesIntoSightWhenTheTongueGoes) {
