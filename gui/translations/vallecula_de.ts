@@ -346,6 +346,14 @@
         <source>when the last trial ended</source>
         <translation>wann der letzte Durchgang endete</translation>
     </message>
+    <message>
+        <source>Set aside</source>
+        <translation>Außer Wertung</translation>
+    </message>
+    <message>
+        <source>changed by an instructor, or begun at the vallecula: in no other figure</source>
+        <translation>von einer Lehrperson verändert oder in der Vallecula begonnen: in keiner anderen Größe enthalten</translation>
+    </message>
 </context>
 <context>
     <name>CourseTree</name>
@@ -3563,6 +3571,10 @@
         <source>%1 times, %2 s in all, first at %3 s</source>
         <translation>%1-mal, insgesamt %2 s, zuerst bei %3 s</translation>
     </message>
+    <message>
+        <source>Shown an expert, or told a line by the instructor</source>
+        <translation>Expertenablauf gezeigt oder Hinweis der Lehrperson</translation>
+    </message>
 </context>
 <context>
     <name>GivenLabels</name>
@@ -6039,10 +6051,6 @@ Nichts kann kaputtgehen, und jeder Versuch ist ein neuer. Bevor es beginnt, sagt
         <translation>Üben</translation>
     </message>
     <message>
-        <source>Begins this trial now (Enter)</source>
-        <translation>Beginnt jetzt diesen Durchgang (Enter)</translation>
-    </message>
-    <message>
         <source>Course</source>
         <translation>Kurs</translation>
     </message>
@@ -6137,6 +6145,10 @@ Gerät: %3</translation>
     <message>
         <source>Opens the course, where what is missing can be chosen (Enter)</source>
         <translation>Öffnet den Kurs, wo sich wählen lässt, was fehlt (Enter)</translation>
+    </message>
+    <message>
+        <source>Opens this trial (Enter); it begins with Start, once your hands are in place</source>
+        <translation>Öffnet diesen Durchgang (Eingabetaste); er beginnt mit Start, sobald Ihre Hände bereit sind</translation>
     </message>
 </context>
 <context>
@@ -6334,6 +6346,10 @@ Gerät: %3</translation>
     <message>
         <source>&amp;Continue</source>
         <translation>&amp;Fortsetzen</translation>
+    </message>
+    <message>
+        <source>This infant is relaxed: its cords do not close</source>
+        <translation>Dieses Kind ist relaxiert: seine Stimmlippen schließen sich nicht</translation>
     </message>
 </context>
 <context>
@@ -6827,6 +6843,10 @@ Gerät: %3</translation>
         <source>Reading the trial</source>
         <translation>Der Durchgang wird gelesen</translation>
     </message>
+    <message>
+        <source>Stopping what was being prepared</source>
+        <translation>Das Vorbereitete wird angehalten</translation>
+    </message>
 </context>
 <context>
     <name>vallecula::gui::ModuleTree</name>
@@ -7301,6 +7321,14 @@ Gerät: %3</translation>
         <source>No pass mark is validated.</source>
         <translation>Keine Bestehensgrenze ist validiert.</translation>
     </message>
+    <message>
+        <source> · %1 set aside</source>
+        <translation> · %1 beiseitegelegt</translation>
+    </message>
+    <message>
+        <source>  Set aside: %1, counted in nothing.</source>
+        <translation>  Beiseitegelegt: %1, nirgends mitgezählt.</translation>
+    </message>
 </context>
 <context>
     <name>vallecula::gui::QualityList</name>
@@ -7755,6 +7783,10 @@ Gerät: %3</translation>
         <source>The force plot could not be read.</source>
         <translation>Das Kraftdiagramm konnte nicht gelesen werden.</translation>
     </message>
+    <message>
+        <source>SET ASIDE</source>
+        <translation>BEISEITEGELEGT</translation>
+    </message>
 </context>
 <context>
     <name>vallecula::gui::RunChecklist</name>
@@ -7897,10 +7929,6 @@ Gerät: %3</translation>
         <translation>Blau, wie in der Veröffentlichung</translation>
     </message>
     <message>
-        <source>Colour of the windpipe in the operator&apos;s view; from the next trial on</source>
-        <translation>Farbe der Luftröhre in der Sicht der Intubierenden; ab dem nächsten Durchgang</translation>
-    </message>
-    <message>
         <source>Automatic: effects give way to fluency</source>
         <translation>Automatisch: Effekte weichen dem flüssigen Bild</translation>
     </message>
@@ -7911,10 +7939,6 @@ Gerät: %3</translation>
     <message>
         <source>Low, for slow computers</source>
         <translation>Niedrig, für langsame Rechner</translation>
-    </message>
-    <message>
-        <source>How the patient is drawn; from the next trial on</source>
-        <translation>Wie der Patient gezeichnet wird; ab dem nächsten Durchgang</translation>
     </message>
     <message>
         <source>Look</source>
@@ -7971,6 +7995,14 @@ Gerät: %3</translation>
     <message>
         <source>&amp;Language (from the next start)</source>
         <translation>S&amp;prache (ab dem nächsten Start)</translation>
+    </message>
+    <message>
+        <source>Colour of the windpipe in the views of the airway</source>
+        <translation>Farbe der Luftröhre in den Ansichten der Atemwege</translation>
+    </message>
+    <message>
+        <source>How the patient is drawn</source>
+        <translation>Wie der Patient gezeichnet wird</translation>
     </message>
 </context>
 <context>
@@ -8944,6 +8976,10 @@ Gerät: %3</translation>
         <source>catheter not in the mouth</source>
         <translation>Katheter, nicht im Mund</translation>
     </message>
+    <message>
+        <source>%1, %2 N</source>
+        <translation>%1, %2 N</translation>
+    </message>
 </context>
 <context>
     <name>vallecula::gui::TrialsPanel</name>
@@ -8988,10 +9024,6 @@ Gerät: %3</translation>
         <translation>Be&amp;werten ...</translation>
     </message>
     <message>
-        <source>Squares were interrupted, crosses not passed, discs passed.</source>
-        <translation>Quadrate wurden unterbrochen, Kreuze nicht bestanden, Scheiben bestanden.</translation>
-    </message>
-    <message>
         <source>rate it first</source>
         <translation>zuerst bewerten</translation>
     </message>
@@ -9026,6 +9058,10 @@ Gerät: %3</translation>
     <message>
         <source>Rate it firs&amp;t ...</source>
         <translation>Zuerst &amp;bewerten ...</translation>
+    </message>
+    <message>
+        <source>Squares were interrupted or set aside, crosses not passed, discs passed.</source>
+        <translation>Quadrate: abgebrochen oder beiseitegelegt, Kreuze: nicht bestanden, Punkte: bestanden.</translation>
     </message>
 </context>
 <context>
