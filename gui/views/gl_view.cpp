@@ -75,8 +75,7 @@ void GlView::render() {
 void GlView::draw() {
   if (!isVisible()) return;
   if (!(used_ == governor().quality())) {
-    used_ = governor().quality();
-    use(used_);
+    use_present_quality();
     emit quality_changed(governor().reduced());
   }
   frame_watch().begins();
@@ -86,18 +85,22 @@ void GlView::draw() {
   last_draw_ms_ = static_cast<double>(timer.nsecsElapsed()) * 1e-6;
 }
 
+void GlView::use_present_quality() {
+  used_ = governor().quality();
+  use(used_);
+}
+
 void GlView::use(const Quality& quality) {
   setCustomDevicePixelRatio(quality.resolution < 1.0 ? quality.resolution * devicePixelRatioF() : 0.0);
 }
 
 QImage GlView::picture() {
-  const Quality in_motion = used_;
   use({});
   renderer_->UseFXAAOn();  // smooth edges: worth a pass for a still, not for every frame
   if (isVisible()) render();
   const QImage image = grabFramebuffer();
   renderer_->UseFXAAOff();
-  use(in_motion);
+  use_present_quality();
   return image;
 }
 

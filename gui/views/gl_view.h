@@ -46,6 +46,8 @@ class GlView : public QVTKOpenGLNativeWidget {
   vtkRenderer* renderer() const { return renderer_; }
   /// Draws with this from the next frame on; a view with effects of its own takes those as well.
   virtual void use(const Quality& quality);
+  /// To be called once another patient is shown, which begins with everything: use() of what all views have now.
+  void use_present_quality();
   /// VTK's trackball: left turns, middle or Shift moves, right or wheel goes nearer.
   void set_mouse_camera(bool on) { mouse_camera_ = on; }
 

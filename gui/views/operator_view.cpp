@@ -50,6 +50,7 @@ void OperatorView::show_patient(std::shared_ptr<PatientLook> look, const engine:
   set_half(half_);
   stage_->set_blue_trachea(blue_trachea_);
   set_free_camera(false);
+  use_present_quality();
 }
 
 void OperatorView::show_ghost_path(const engine::TriangleMesh& tool, const device::Trajectory& way) {

@@ -57,6 +57,7 @@ void VideoView::show_patient(std::shared_ptr<PatientLook> look, const engine::Tr
   stage_ = std::make_unique<MouthStage>(std::move(look), tool, intubation, MouthStage::Eye::in_the_mouth, renderer());
   stage_->set_blue_trachea(blue_trachea_);
   renderer()->AddActor2D(thin_frame());
+  use_present_quality();
 }
 
 void VideoView::update_from(const engine::Snapshot& snapshot) {
