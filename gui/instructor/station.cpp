@@ -92,7 +92,9 @@ void InstructorStation::check_before(QStringList devices, const std::function<vo
 
 void InstructorStation::check_device(const QString& name, const std::function<void()>& then) {
   if (trial_.session()) return;  // it has the device
-  const DeviceCheck::Maker make = maker_ ? maker_ : [name] {
+  const DeviceCheck::Maker make = [name, own = maker_, gone = trial_.gone()] {
+    if (gone.valid()) gone.wait();  // the trial before may still have it
+    if (own) return own();
     const std::string whole = name.toStdString();
     const std::size_t colon = whole.find(':');
     return device::make_device(whole.substr(0, colon), colon == std::string::npos ? "" : whole.substr(colon + 1));
