@@ -70,11 +70,12 @@ void InstructorStation::show_second(const curricula::Who& who, const curricula::
 }
 
 void InstructorStation::change_trainee() {
+  window_.activateWindow();  // where it is asked
+  if (may_change_ && !may_change_()) return;
   const long long before = trainee_.person().id;
   const QString gone = trainee_.who() ? tr("%1 is signed out.").arg(words_of(trainee_.person())) + " " : QString();
   trainee_.sign_out();
   emit next_trainee_begins();
-  window_.activateWindow();
   auto* dialog = new SignInDialog(
       trainee_, SignInDialog::Whom::anybody, tr("Next trainee"),
       gone + tr("Scenario, patient and device stay; the mode is practice again. Nobody signs in for somebody else."),
