@@ -74,7 +74,7 @@ InstructorControls::InstructorControls(QWidget* parent) : QWidget(parent) {
   connect(line_->lineEdit(), &QLineEdit::returnPressed, this, &InstructorControls::say);
   connect(line_->lineEdit(), &QLineEdit::textChanged, this,
           [this](const QString& text) { say_->setEnabled(line_->isEnabled() && !text.trimmed().isEmpty()); });
-  allow(false, false, false, false);
+  allow(false, false, false, false, false);
 }
 
 /// The servo's thread reads what is held a thousand times a second; a click is held long enough to do something.
@@ -102,13 +102,15 @@ QPushButton* InstructorControls::vital_button(const QString& text, const QString
   return button;
 }
 
-void InstructorControls::allow(bool running, bool vital_signs, bool spasm, bool assessment) {
-  const int now = (running ? 1 : 0) | (vital_signs ? 2 : 0) | (assessment ? 4 : 0) | (spasm ? 8 : 0);
+void InstructorControls::allow(bool running, bool vital_signs, bool spasm, bool assessment, bool instructor) {
+  const bool kept_out = assessment && !instructor;
+  const int now = (running ? 1 : 0) | (vital_signs ? 2 : 0) | (assessment ? 4 : 0) | (spasm ? 8 : 0) |
+                  (kept_out ? 16 : 0);
   if (std::exchange(allowed_, now) == now) return;
   freeze_->setEnabled(running && !assessment);
   for (const auto& [button, action] : vital_) {
     const bool relaxed = action == engine::kInstructorSpasm && vital_signs && !spasm;
-    button->setEnabled(running && vital_signs && !relaxed);
+    button->setEnabled(running && vital_signs && !relaxed && !kept_out);
     if (action == engine::kInstructorSpasm)
       button->setToolTip(relaxed ? tr("This infant is relaxed: its cords do not close")
                                  : tr("Pressed, the cords close; pressed again, they are let go"));
@@ -116,7 +118,10 @@ void InstructorControls::allow(bool running, bool vital_signs, bool spasm, bool 
   line_->setEnabled(running && !assessment);
   say_->setEnabled(running && !assessment && !line_->currentText().trimmed().isEmpty());
   rules_->setText(
-      assessment
+      kept_out
+          ? tr("Assessment: its forces, figures and events are for an instructor who is signed in here, and so are its "
+               "vital signs. It is not held up, and the team says nothing, for a line would be a help.")
+      : assessment
           ? tr("Assessment: it is not held up, and the team says nothing, for a line would be a help. A trial whose "
                "vital signs you change counts neither way.")
       : vital_signs ? tr("Vital signs you change are recorded; the trial then counts neither way.")

@@ -17,8 +17,8 @@ class InstructorControls : public QWidget {
  public:
   explicit InstructorControls(QWidget* parent = nullptr);
   /// What the present trial allows. `vital_signs`: it has an infant's; `spasm`: whose cords can close, for they are not
-  /// relaxed; `assessment`: the rules of an assessment.
-  void allow(bool running, bool vital_signs, bool spasm, bool assessment);
+  /// relaxed; `assessment`: the rules of an assessment; `instructor`: in one, that an instructor is signed in here.
+  void allow(bool running, bool vital_signs, bool spasm, bool assessment, bool instructor);
   void show_frozen(bool frozen);
   void tell(const QString& message);  ///< why something was not done; empty: nothing
   void release_all();

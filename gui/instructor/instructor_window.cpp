@@ -59,6 +59,7 @@ InstructorWindow::InstructorWindow(TrialPage& trial, RecordsDesk& trainee) : tri
   connect(&trial_, &TrialPage::opened, this, &InstructorWindow::take_session);
   connect(&trial_, &TrialPage::started, this, &InstructorWindow::show_state);
   connect(&trial_, &TrialPage::frame, this, &InstructorWindow::frame);
+  connect(&trial_, &TrialPage::waited, this, &InstructorWindow::wait);
   connect(&trial_, &TrialPage::closed, this, &InstructorWindow::let_go);
   connect(&trial_, &TrialPage::finished, this, &InstructorWindow::recorded);
   connect(&trainee_, &RecordsDesk::changed, this, &InstructorWindow::show_state);
@@ -126,7 +127,8 @@ QWidget* InstructorWindow::make_right() {
   auto* column = new QVBoxLayout(right);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(8);
-  column->addWidget(panel_with(bars_, right));
+  forces_ = panel_with(bars_, right);
+  column->addWidget(forces_);
   column->addWidget(panel_with(controls_, right));
   column->addWidget(tabs_, 1);
   return right;
@@ -151,6 +153,7 @@ void InstructorWindow::showEvent(QShowEvent* event) {
 
 void InstructorWindow::closeEvent(QCloseEvent* event) {
   controls_->release_all();
+  if (session_) session_->freeze(Holder::instructor, false);  // nobody could let it go any more
   desk_.sign_out();  // who opens it next may be somebody else
   event->accept();
 }
@@ -161,6 +164,7 @@ void InstructorWindow::take_session() {
   if (!session_) return;
   const auto& scenario = session_->scenario();
   const auto& scene = session_->scene();
+  assessed_ = scenario.attempt.mode == curricula::Mode::assessment;
   const auto mouth = mouth_of(session_->package());
   live_.begin(scenario, mouth);
   view_->show_patient(trial_.look(), scene.tool.surface, scene.intubation ? &*scene.intubation : nullptr);
@@ -186,7 +190,8 @@ void InstructorWindow::let_go() {
 
 void InstructorWindow::frame(const engine::Snapshot& snapshot) {
   if (!session_ || !isVisible()) return;
-  if (snapshot.time_s < last_time_s_) {  // begun anew
+  if (snapshot.time_s < last_time_s_) {  // begun anew, with nothing held
+    controls_->release_all();
     live_.begin(session_->scenario(), mouth_of(session_->package()));
     bars_->clear();
     readings_->clear();
@@ -203,15 +208,29 @@ void InstructorWindow::frame(const engine::Snapshot& snapshot) {
   bars_->show_forces(blade_forces(snapshot.loads, snapshot.proxy_pose));
   readings_->show_snapshot(snapshot, session_->paused_s());
   monitor_->show_snapshot(snapshot);
-  add_events(live_.watch(snapshot, in_words(session_->pause()), session_->paused_s(), &session_->dual_task()));
+  follow(snapshot);
+}
+
+/// The trainee looks at the expert: the tissue, which the views share, is the expert's then, and the picture stays.
+void InstructorWindow::wait() {
+  if (session_ && isVisible()) follow(session_->latest());
+}
+
+void InstructorWindow::follow(const engine::Snapshot& snapshot) {
+  add_events(
+      live_.watch(snapshot, in_words(session_->pause()), session_->paused_s(), &session_->dual_task()));
   show_state();
 }
 
+/// What an assessment keeps from the trainee, anybody could read off this window where none but instructors sit.
+bool InstructorWindow::shows_figures() const { return !assessed_ || desk_.instructor(); }
+
 void InstructorWindow::show_state() {
   const bool running = session_ && trial_.running();
-  const bool assessed = session_ && session_->scenario().attempt.mode == curricula::Mode::assessment;
+  const bool assessed = session_ && assessed_;
   const bool infant = session_ && session_->scene().intubation.has_value();
-  const bool frozen = running && session_->frozen();
+  const bool frozen = running && session_->frozen_by(Holder::instructor);
+  const bool expert = running && session_->frozen_by(Holder::expert);
   if (session_)
     title_->setText(plain_of(session_->scenario().title));
   else if (title_->text().isEmpty())
@@ -219,6 +238,7 @@ void InstructorWindow::show_state() {
   state_->setText(!session_  ? (record_ != 0 ? tr("Over; waiting for the next trial") : tr("Waiting for a trial"))
                   : !running ? tr("Prepared, not started")
                   : frozen   ? tr("FROZEN at %1").arg(clock_words(live_.now_s()))
+                  : expert   ? tr("Stands at %1: an expert is shown").arg(clock_words(live_.now_s()))
                   : session_->pause().empty() ? tr("Running, %1").arg(clock_words(live_.now_s()))
                                               : tr("Paused at %1").arg(clock_words(live_.now_s())));
   const QString trainee = trainee_.who() ? words_of(trainee_.person()) : tr("nobody is signed in");
@@ -227,7 +247,12 @@ void InstructorWindow::show_state() {
       tr("At the blade: %1. Here: %2.%3").arg(trainee, instructor, assessed ? tr(" Assessment.") : QString()));
   monitor_->setVisible(infant);
   next_->setEnabled(!running && !trial_.assessing());
-  controls_->allow(running, infant, infant && !session_->scene().intubation->glottis.relaxed, assessed);
+  const bool told = shows_figures();
+  forces_->setVisible(told);
+  events_->setVisible(told);
+  if (!told) tabs_->setCurrentWidget(checklist_);
+  tabs_->setTabEnabled(tabs_->indexOf(readings_), told);
+  controls_->allow(running, infant, infant && !session_->scene().intubation->glottis.relaxed, assessed, told);
   controls_->show_frozen(frozen);
 }
 
@@ -240,7 +265,7 @@ void InstructorWindow::add_events(const std::vector<LiveEvent>& events) {
 void InstructorWindow::freeze(bool on) {
   if (!session_) return;
   try {
-    session_->freeze(on);
+    session_->freeze(Holder::instructor, on);
     add_events({{live_.now_s(), on ? tr("You froze the trial") : tr("You let it go on")}});
     show_state();
   } catch (const std::exception& error) {
@@ -271,7 +296,7 @@ void InstructorWindow::say(const QString& line) {
 
 void InstructorWindow::recorded(const TrialOutcome& outcome) {
   record_ = outcome.record_id;
-  checklist_->recorded(outcome.score.checklist,
+  checklist_->recorded(shows_figures() ? outcome.score.checklist : std::vector<curricula::ChecklistItem>(),
                        !desk_.instructor() ? tr("Recorded. An instructor who is signed in here can keep the ticks.")
                        : outcome.record_id == 0 ? tr("This trial has no record: the ticks cannot be kept.")
                                                 : QString());

@@ -50,6 +50,9 @@ class InstructorWindow : public QWidget {
   void take_session();
   void let_go();
   void frame(const engine::Snapshot& snapshot);
+  void wait();
+  void follow(const engine::Snapshot& snapshot);
+  bool shows_figures() const;
   void show_state();
   void add_events(const std::vector<LiveEvent>& events);
   void freeze(bool on);
@@ -73,6 +76,8 @@ class InstructorWindow : public QWidget {
   QTabWidget* tabs_;
   QLabel *title_, *who_, *state_;
   QPushButton* next_;
+  QWidget* forces_;
+  bool assessed_ = false;  ///< the trial that was opened last: it tells nobody but an instructor, over or not
   QElapsedTimer since_drawn_;
   double last_time_s_ = 0.0;
   int drawn_ = 0;

@@ -70,11 +70,12 @@ void InstructorStation::show_second(const curricula::Who& who, const curricula::
 }
 
 void InstructorStation::change_trainee() {
+  window_.activateWindow();  // where it is asked
+  if (may_change_ && !may_change_()) return;
   const long long before = trainee_.person().id;
   const QString gone = trainee_.who() ? tr("%1 is signed out.").arg(words_of(trainee_.person())) + " " : QString();
   trainee_.sign_out();
   emit next_trainee_begins();
-  window_.activateWindow();
   auto* dialog = new SignInDialog(
       trainee_, SignInDialog::Whom::anybody, tr("Next trainee"),
       gone + tr("Scenario, patient and device stay; the mode is practice again. Nobody signs in for somebody else."),
@@ -92,7 +93,9 @@ void InstructorStation::check_before(QStringList devices, const std::function<vo
 
 void InstructorStation::check_device(const QString& name, const std::function<void()>& then) {
   if (trial_.session()) return;  // it has the device
-  const DeviceCheck::Maker make = maker_ ? maker_ : [name] {
+  const DeviceCheck::Maker make = [name, own = maker_, gone = trial_.gone()] {
+    if (gone.valid()) gone.wait();  // the trial before may still have it
+    if (own) return own();
     const std::string whole = name.toStdString();
     const std::size_t colon = whole.find(':');
     return device::make_device(whole.substr(0, colon), colon == std::string::npos ? "" : whole.substr(colon + 1));

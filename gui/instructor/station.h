@@ -3,6 +3,7 @@
 
 #include <QAction>
 #include <QObject>
+#include <functional>
 #include <memory>
 
 #include "gui/instructor/device_check.h"
@@ -33,6 +34,8 @@ class InstructorStation : public QObject {
   /// Checks of these devices what was not checked in this session, one after the other; then goes on with `then`,
   /// whatever came of it.
   void check_before(QStringList devices, const std::function<void()>& then);
+  /// Asked before the present trainee is signed out; false: something of theirs is to be finished first.
+  void set_may_change(std::function<bool()> may_change) { may_change_ = std::move(may_change); }
   /// Instead of the devices there are.
   void set_device_maker(DeviceCheck::Maker maker) { maker_ = std::move(maker); }
 
@@ -54,6 +57,7 @@ class InstructorStation : public QObject {
   std::unique_ptr<InstructorWindow> second_;
   DeviceChecks checks_;
   DeviceCheck::Maker maker_;
+  std::function<bool()> may_change_;
 };
 
 }  // namespace vallecula::gui

@@ -154,8 +154,10 @@ void MainWindow::connect_station() {
   menu_->view().addSeparator();
   menu_->view().addActions({station_->open_action(), station_->next_trainee_action()});
   who_->offer(station_->next_trainee_action());
+  station_->set_may_change([this] { return may_put_aside(); });
   connect(station_, &InstructorStation::next_trainee_begins, this, [this] {
     give_up_work();  // what is being prepared was for the one before
+    trying_ = false;
     if (trial_->session()) trial_->close_trial();
     if (pages_->currentWidget() == replay_) leave_replay();
     back_to_start();
@@ -336,17 +338,17 @@ QString MainWindow::page_name() const {
                                  : "result";
 }
 
+bool MainWindow::may_put_aside() {
+  return authoring_->may_leave() && (pages_->currentWidget() != rating_ || rating_->may_close());
+}
+
 void MainWindow::closeEvent(QCloseEvent* event) {
-  if (!authoring_->may_leave()) {
+  if (!may_put_aside()) {
     event->ignore();
     return;
   }
   if (trial_->assessing()) {  // it counts as ended by the End button does, and is rated before the window goes
     trial_->end("ended by trainee");
-    event->ignore();
-    return;
-  }
-  if (pages_->currentWidget() == rating_ && !rating_->may_close()) {
     event->ignore();
     return;
   }

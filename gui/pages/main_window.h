@@ -106,6 +106,7 @@ class MainWindow : public QMainWindow {
   void remember(const std::filesystem::path& path);
   void open_course(const std::filesystem::path& file);
   void open_found(const Dropped& found);
+  bool may_put_aside();   ///< asks what still waits for an answer: an unsaved course, an assessment's own rating
   bool may_open() const;  ///< nothing is under way that would be lost
   void tell(const QString& message);        ///< on the page that is seen, or before it
   void tell_first(const QString& message);  ///< on the page one goes back to; empty: nothing is wrong any more

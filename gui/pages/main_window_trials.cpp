@@ -5,6 +5,7 @@
 #include <QRandomGenerator>
 #include <QStackedWidget>
 #include <algorithm>
+#include <chrono>
 #include <stdexcept>
 #include <utility>
 
@@ -133,8 +134,10 @@ void MainWindow::prepare(TrialSetup setup, std::function<std::filesystem::path()
   pages_->setCurrentWidget(prepare_page_);
   worker_ = run_in_background<Prepared>(
       this,
-      [this, setup, patient] {
+      [this, setup, patient, gone = trial_->gone()] {
         return noting_kind(failure_, [&] {
+          while (gone.valid() && gone.wait_for(std::chrono::milliseconds(100)) != std::future_status::ready)
+            report_progress("Keeping the trial before", 0.0);  // it has the device
           TrialSetup whole = setup;
           whole.patient = patient();
           program_log::hide(whole.patient);

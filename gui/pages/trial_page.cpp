@@ -3,6 +3,7 @@
 #include <QLabel>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "device/drivers/mouse_device.h"
 #include "gui/pages/background.h"
@@ -22,7 +23,8 @@
 
 namespace vallecula::gui {
 TrialPage::~TrialPage() {
-  if (scoring_) scoring_->wait();  // its results are whole then
+  for (const auto& thread : {scoring_, leaving_})
+    if (thread) thread->wait();  // results and logs are whole then
 }
 
 bool TrialPage::assessed() const {
@@ -88,9 +90,28 @@ void TrialPage::let_go() {
   expert_wanted_ = expert_coming_ = false;
   expert_sign_->hide();
   expert_.reset();
+  std::shared_ptr<TrialSession> left = std::move(session_);
   session_.reset();
+  if (was_open) left->halt();
   show_buttons();
-  if (was_open) emit closed();
+  if (!was_open) return;
+  emit closed();
+  put_away(std::move(left));
+}
+
+/// The last of a session may wait for records, disk and its device's driver: not here.
+void TrialPage::put_away(std::shared_ptr<TrialSession> session) {
+  const auto away = std::make_shared<std::promise<void>>();
+  const std::shared_future<void> before = std::exchange(gone_, away->get_future().share());
+  leaving_ = run_in_background<bool>(
+      this,
+      [session = std::move(session), away, before]() mutable {
+        session.reset();
+        if (before.valid()) before.wait();
+        away->set_value();
+        return true;
+      },
+      [](bool) {}, [](const QString&) {});
 }
 
 void TrialPage::reset() { begin_anew(false); }
@@ -141,7 +162,10 @@ void TrialPage::end(const QString& how) {
   show_banner(tr("Scoring the trial ..."), "");
   show_buttons();
   scoring_ = run_in_background<TrialOutcome>(
-      this, [session = session_, how] { return session->finish(how.toStdString()); },
+      this, [session = session_, how]() mutable {
+        const auto mine = std::move(session);  // not kept until the thread is tidied away
+        return mine->finish(how.toStdString());
+      },
       [this](TrialOutcome outcome) {
         ending_ = false;
         let_go();

@@ -7,6 +7,7 @@
 #include <QTimer>
 #include <QWidget>
 #include <functional>
+#include <future>
 #include <memory>
 #include <vector>
 
@@ -48,8 +49,11 @@ class TrialPage : public QWidget {
   void show_expert();
   void end_expert();
   bool expert_shown() const { return expert_wanted_; }
-  /// Lets the session go without a result (its log stays as interrupted when it was running).
+  /// Lets the session go without a result (its log stays as interrupted when it was running). Returns at once: disk,
+  /// records and device are left on another thread, which the page's destructor waits for.
   void close_trial();
+  /// Ready once the session that was let go last has left its device; not valid: there was none. Any thread may wait.
+  std::shared_future<void> gone() const { return gone_; }
   /// What is known of the device's check, beside the help; empty: nothing.
   void set_device_note(const QString& note);
   bool running() const { return running_; }
@@ -80,6 +84,8 @@ class TrialPage : public QWidget {
   void opened();
   void started();
   void frame(const vallecula::engine::Snapshot& snapshot);
+  /// A picture of the expert was drawn instead: the trial waits.
+  void waited();
   void closed();
   void finished(const vallecula::gui::TrialOutcome& outcome);
   void failed(const QString& message);
@@ -95,6 +101,7 @@ class TrialPage : public QWidget {
  private:
   bool assessed() const;
   void let_go();
+  void put_away(std::shared_ptr<TrialSession> session);
   void draw_frame();
   void show_buttons();
   void show_help();
@@ -146,11 +153,12 @@ class TrialPage : public QWidget {
   QPushButton *start_, *end_, *reset_, *leave_, *zoom_;
   QTimer timer_;
   QElapsedTimer since_frame_, since_start_, since_shown_;
-  QPointer<QThread> scoring_;
+  QPointer<QThread> scoring_, leaving_;
+  std::shared_future<void> gone_;
   QMetaObject::Connection frame_hook_;
   std::shared_ptr<ExpertLoop> expert_;  ///< of this trial's patient, once it was asked for
   QElapsedTimer since_expert_;
-  bool expert_wanted_ = false, expert_coming_ = false, held_before_expert_ = false;
+  bool expert_wanted_ = false, expert_coming_ = false;
   Tool shown_in_hand_ = Tool::blade;
   bool running_ = false, ending_ = false;
   int frames_ = 0;

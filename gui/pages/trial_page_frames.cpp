@@ -95,13 +95,17 @@ void TrialPage::draw_frame() {
       panels_->draw_at_rest();
       return;
     }
-    if (expert_wanted_) return draw_expert();
-    control_->advance(seconds);
-    const engine::Snapshot& snapshot = session_->latest();
-    show_running(snapshot);
-    ++frames_;
-    emit frame(snapshot);
-    if (session_->finished()) end("finished");
+    if (expert_wanted_) {
+      draw_expert();
+      emit waited();
+    } else {
+      control_->advance(seconds);
+      const engine::Snapshot& snapshot = session_->latest();
+      show_running(snapshot);
+      ++frames_;
+      emit frame(snapshot);
+    }
+    if (session_ && session_->finished()) end("finished");
   } catch (const std::exception& error) {
     const QString message = QString::fromUtf8(error.what());
     close_trial();

@@ -35,8 +35,7 @@ void TrialPage::offer_helps() {
 void TrialPage::show_expert() {
   if (!session_ || !running_ || ending_ || expert_wanted_) return;
   try {
-    held_before_expert_ = session_->frozen();  // by an instructor, who lets it go as well
-    session_->freeze(true);
+    session_->freeze(Holder::expert, true);
   } catch (const std::exception& error) {
     return show_banner(in_words(error.what()), "");
   }
@@ -56,7 +55,11 @@ void TrialPage::show_expert() {
   if (expert_ || expert_coming_) return;
   expert_coming_ = true;
   run_in_background<std::shared_ptr<ExpertLoop>>(
-      this, [session = session_] { return std::make_shared<ExpertLoop>(*session); },
+      this,
+      [session = session_]() mutable {
+        const auto mine = std::move(session);  // not kept until the thread is tidied away
+        return std::make_shared<ExpertLoop>(*mine);
+      },
       [this, of = session_.get()](std::shared_ptr<ExpertLoop> loop) {
         if (session_.get() == of) take_expert(std::move(loop));
       },
@@ -97,7 +100,7 @@ void TrialPage::end_expert() {
   session_->actions().hold(engine::kActionAided, false);
   helps_->expert()->setText(tr("Expert (G)"));
   if (expert_ && !expert_->finished()) expert_.reset();  // its computing would take time from the trial
-  if (!held_before_expert_) session_->freeze(false);     // the hand takes hold as after any pause
+  session_->freeze(Holder::expert, false);  // unless an instructor holds it, the hand takes hold as after any pause
   steer();
   show_steered();
   operator_view_->update_from(session_->latest());

@@ -18,7 +18,7 @@ namespace {
 
 constexpr auto kRecorderPeriod = std::chrono::milliseconds(5);  ///< the ring holds 8 s
 constexpr double kPeriodS = 0.001;                              ///< of the servo
-constexpr double kLongestPauseS = 600.0;                        ///< a device that is away for longer ends the trial
+constexpr double kLongestPauseS = 600.0;                        ///< a device that is away for longer ends the trial; a person may hold it up for as long as they like
 constexpr std::int64_t kChunkTicks = 10;  ///< not in real time: ticks between two looks at the stop flag
 
 }  // namespace
@@ -119,21 +119,24 @@ void TrialAttempt::record(const engine::TickRecord& tick) {
 
 /// What the tick means for the trial's clock, and whether it is the last.
 void TrialAttempt::follow(const curricula::LogTick& logged, const engine::TickRecord& tick) {
-  bool script_over = false;
+  bool script_over = false, held = false;
   std::string pause_fault;
   {
     const std::lock_guard<std::recursive_mutex> lock(gate_);
     if (!stop_asked_) {
       pause_fault = frame_.hands.pause_fault();
+      held = frame_.hands.held();
       script_over = frame_.hands.finished(tick.time_s);
     }
   }
   if (!curricula::paused(logged)) {
     pause_began_ = tick.tick;
+    away_ = 0;
   } else {
     // A record of a pause does not say which fault it was.
     if (pause_began_ == tick.tick - 1) pause_faults_.push_back(pause_fault);
     ++paused_;
+    if (!held) ++away_;
   }
   const double trial_s = tick.time_s - kPeriodS * static_cast<double>(paused_);
   for (const curricula::LogEvent& event : frame_.dual_task.advance(tick.tick, trial_s)) writer_->append(event);
@@ -141,7 +144,7 @@ void TrialAttempt::follow(const curricula::LogTick& logged, const engine::TickRe
     ended_by_ = "finished";
   } else if (trial_s >= frame_.scenario.max_attempt_s) {
     ended_by_ = "the scenario's time was over";
-  } else if (kPeriodS * static_cast<double>(tick.tick - pause_began_) > kLongestPauseS) {
+  } else if (kPeriodS * static_cast<double>(away_) > kLongestPauseS) {
     ended_by_ = "the device did not come back";
   }
 }

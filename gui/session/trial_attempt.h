@@ -102,6 +102,7 @@ class TrialAttempt {
   TrialRecord row_;
   std::int64_t recorded_ = 0;
   std::int64_t pause_began_ = -1;  ///< tick of the last one that was not paused
+  std::int64_t away_ = 0;          ///< ticks of the present pause in which nobody held it: a device is away
   std::vector<std::string> pause_faults_;  ///< as in the log's footer
   std::string ended_by_;
   std::exception_ptr failure_;  ///< under failure_mutex_

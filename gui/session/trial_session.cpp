@@ -172,7 +172,8 @@ TrialOutcome TrialSession::Impl::finish(const std::string& how) {
 }
 
 TrialSession::TrialSession(const TrialSetup& setup) : impl_(std::make_unique<Impl>(setup)) {}
-TrialSession::~TrialSession() {
+TrialSession::~TrialSession() { halt(); }
+void TrialSession::halt() {
   if (impl_->attempt) impl_->attempt->halt();
   impl_->hands->let_go();
 }
@@ -197,11 +198,12 @@ bool TrialSession::starting() const {
 std::string TrialSession::problem() const { return impl_->attempt->problem(); }
 std::string TrialSession::pause() const { return impl_->hands->pause(); }
 void TrialSession::confirm() { impl_->hands->confirm(); }
-void TrialSession::freeze(bool on) {
+void TrialSession::freeze(Holder holder, bool on) {
   if (on) impl_->must_be_practice("is not held up");
-  impl_->hands->freeze(on);
+  impl_->hands->freeze(holder, on);
 }
 bool TrialSession::frozen() const { return impl_->hands->frozen(); }
+bool TrialSession::frozen_by(Holder holder) const { return impl_->hands->frozen_by(holder); }
 double TrialSession::paused_s() const { return kPeriodS * static_cast<double>(impl_->attempt->paused_ticks()); }
 std::string TrialSession::fault() const { return fault_words(impl_->attempt->loop_fault()); }
 bool TrialSession::finished() const { return impl_->attempt->ended(); }

@@ -17,6 +17,7 @@
 #include "gui/session/dual_task.h"
 #include "gui/session/hand_actions.h"
 #include "gui/session/held_tools.h"
+#include "gui/session/holder.h"
 #include "pipeline/package/patient_package.h"
 
 namespace vallecula::gui {
@@ -84,11 +85,15 @@ class TrialSession {
   bool starting() const;
   /// Why the attempt could not begin or its log could not be written, for a person; empty: nothing so far. Any thread.
   std::string problem() const;
-  /// The trainee or the instructor holds the trial: its clock stands, no force is shown, the tools stay. Let go, it goes on
-  /// as after any pause, once the hand confirms. Logged as a pause with the fault "frozen". Throws std::runtime_error in
-  /// an assessment. Window's thread.
-  void freeze(bool on);
-  bool frozen() const;  ///< any thread
+  /// Somebody holds the trial: its clock stands, no force is shown, the tools stay. Once all have let go it goes on as
+  /// after any pause, when the hand confirms. A reset lets nobody go. Logged as a pause with the fault "frozen". Throws
+  /// std::runtime_error in an assessment. Window's thread.
+  void freeze(Holder holder, bool on);
+  bool frozen() const;                  ///< by anybody; any thread
+  bool frozen_by(Holder holder) const;  ///< any thread
+  /// No tick comes any more, and the hands are nobody's: waits for neither disk nor records. What is left to do is the
+  /// destructor's.
+  void halt();
   /// Why the trial is paused and what to do, for a person; empty: it is not. While it is, the tool stays where it was, no
   /// force is shown, and the trial's clock stands. Any thread, while no reset() runs.
   std::string pause() const;

@@ -68,6 +68,7 @@ engine::HapticPort& TwoHands::begin() {
     guard_->begin_anew();
   else
     guard_ = guard_device(*device_, guarding_, package_, starting_pose(package_, scenario_));
+  guard_->freeze(frozen());
   if (!intubation_) {
     port_ = std::make_unique<HandsPort>(*guard_, second_.actions, actions_);
     return *port_;
@@ -84,6 +85,7 @@ engine::HapticPort& TwoHands::begin() {
     second_guard_->begin_anew();
   else
     second_guard_ = guard_device(*second_.device, second_guarding_, package_, start);
+  second_guard_->freeze(frozen());
   port_ = std::make_unique<HandsPort>(*guard_, *second_guard_, second_.actions, actions_);
   return *port_;
 }
@@ -121,9 +123,22 @@ void TwoHands::confirm() {
   if (second_guard_) second_guard_->confirm();
 }
 
-void TwoHands::freeze(bool on) {
-  guard_->freeze(on);
-  if (second_guard_) second_guard_->freeze(on);
+void TwoHands::freeze(Holder holder, bool on) {
+  const auto bit = static_cast<std::uint32_t>(holder);
+  on ? held_by_ |= bit : held_by_ &= ~bit;
+  guard_->freeze(frozen());
+  if (second_guard_) second_guard_->freeze(frozen());
+}
+
+bool TwoHands::held() const {
+  if (frozen()) return true;
+  bool waits = false;
+  for (const device::GuardedDevice* guard : {guard_.get(), second_guard_.get()}) {
+    if (guard == nullptr || !pauses(*guard)) continue;
+    if (guard->fault() != device::DeviceFault::frozen) return false;
+    waits = true;
+  }
+  return waits;
 }
 
 std::string TwoHands::pause_fault() const {

@@ -1,6 +1,7 @@
 // The hands of a trial: their devices made and guarded, joined to the engine's port.
 #pragma once
 
+#include <atomic>
 #include <functional>
 #include <map>
 #include <memory>
@@ -10,6 +11,7 @@
 #include "engine/scene.h"
 #include "gui/session/device_choice.h"
 #include "gui/session/hands_port.h"
+#include "gui/session/holder.h"
 
 namespace vallecula::gui {
 
@@ -54,9 +56,12 @@ class TwoHands {
   /// Why it is paused and what to do; empty: it is not.
   std::string pause() const;
   void confirm();
-  /// Pauses every hand until it is let go and confirmed.
-  void freeze(bool on);
-  bool frozen() const { return guard_ && guard_->frozen(); }
+  /// Pauses every hand until all have let go and the hand confirms; another attempt stays held. Not while begin() runs.
+  void freeze(Holder holder, bool on);
+  bool frozen() const { return held_by_ != 0; }
+  bool frozen_by(Holder holder) const { return (held_by_ & static_cast<std::uint32_t>(holder)) != 0; }
+  /// It is a person who keeps it paused, or has and the hand has not confirmed yet: no device is away.
+  bool held() const;
   /// Name of the fault of the device that pauses it, as LogFooter::pause_faults; empty: it is not known.
   std::string pause_fault() const;
   /// Nothing more will come of the scripts.
@@ -77,6 +82,7 @@ class TwoHands {
   std::unique_ptr<device::GuardedDevice> guard_, second_guard_;
   std::unique_ptr<HandsPort> port_;
   HandActions actions_;
+  std::atomic<std::uint32_t> held_by_{0};  ///< bits of Holder
 };
 
 }  // namespace vallecula::gui

@@ -92,13 +92,12 @@ void GlView::use(const Quality& quality) {
 }
 
 QImage GlView::picture() {
-  const Quality in_motion = used_;
   use({});
   renderer_->UseFXAAOn();  // smooth edges: worth a pass for a still, not for every frame
   if (isVisible()) render();
   const QImage image = grabFramebuffer();
   renderer_->UseFXAAOff();
-  use(in_motion);
+  use_present_quality();
   return image;
 }
 

@@ -253,7 +253,7 @@ TEST_F(TrialPauseRealTime, HeldByAPersonItStandsAndGoesOnWithoutAJump) {
   };
   ASSERT_TRUE(wait_for([&] { return session.latest().ticks > 700; }));
   EXPECT_FALSE(session.frozen());
-  session.freeze(true);
+  session.freeze(Holder::instructor, true);
   EXPECT_TRUE(session.frozen());
   ASSERT_TRUE(wait_for([&] { return session.pause().find("held") != std::string::npos; })) << session.pause();
   const std::int64_t at = session.latest().ticks;
@@ -261,7 +261,7 @@ TEST_F(TrialPauseRealTime, HeldByAPersonItStandsAndGoesOnWithoutAJump) {
   EXPECT_EQ(session.latest().displayed_force_n, engine::Vec3(engine::Vec3::Zero()));
   session.confirm();  // nobody goes on while it is held
   EXPECT_NE(session.pause(), "");
-  session.freeze(false);
+  session.freeze(Holder::instructor, false);
   ASSERT_TRUE(wait_for([&] { return session.pause().find("let go") != std::string::npos || session.pause().empty(); }));
   session.confirm();
   ASSERT_TRUE(wait_for([&] { return session.pause().empty(); }));
@@ -292,11 +292,70 @@ TEST_F(TrialPauseRealTime, HeldByAPersonItStandsAndGoesOnWithoutAJump) {
   EXPECT_GT(length(log.ticks.back().displayed_force_n), 0.05) << "the press is felt again";
 }
 
+TEST_F(TrialPauseRealTime, EachWhoHoldsItLetsGoForThemselvesAndAResetForNobody) {
+  TrialSetup live = setup(hand("", {{0, 0.006}, {0.3, 0.006}, {0.6, 0.002}, {60, 0.002}}), "held");
+  live.realtime = true;
+  TrialSession session(live);
+  session.start();
+  const auto wait_for = [&](const std::function<bool()>& done) {
+    for (int i = 0; i < 8000 && !done(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    return done();
+  };
+  const auto stands = [&] { return session.pause().find("held") != std::string::npos; };
+  ASSERT_TRUE(wait_for([&] { return session.latest().ticks > 100; }));
+  session.freeze(Holder::expert, true);
+  session.freeze(Holder::instructor, true);
+  session.freeze(Holder::expert, false);
+  EXPECT_TRUE(session.frozen());
+  EXPECT_FALSE(session.frozen_by(Holder::expert));
+  ASSERT_TRUE(wait_for(stands)) << session.pause();
+  session.freeze(Holder::expert, true);
+  session.freeze(Holder::instructor, false);
+  EXPECT_TRUE(session.frozen()) << "nor does the instructor let go for the expert";
+  session.freeze(Holder::instructor, true);
+  session.freeze(Holder::expert, false);
+  session.reset();
+  EXPECT_TRUE(session.frozen_by(Holder::instructor));
+  ASSERT_TRUE(wait_for([&] { return session.latest().ticks > 200 && stands(); })) << session.pause();
+  session.freeze(Holder::instructor, false);
+  ASSERT_TRUE(wait_for([&] { return !stands(); }));
+  session.confirm();
+  ASSERT_TRUE(wait_for([&] { return session.pause().empty(); })) << session.pause();
+  const std::int64_t again = session.latest().ticks;
+  ASSERT_TRUE(wait_for([&] { return session.latest().ticks > again + 200; }));
+  const curricula::TrialLog log = curricula::read_trial_log(session.finish("ended").log);
+  EXPECT_EQ(log.footer.pause_faults, (std::vector<std::string>{"frozen"}));
+  EXPECT_FALSE(log.ticks.front().device_valid) << "held from its first tick on";
+  EXPECT_TRUE(log.ticks.back().device_valid);
+  for (std::size_t i = 1; i < log.ticks.size(); ++i) {
+    const LogTick &t = log.ticks[i], &before = log.ticks[i - 1];
+    if (before.step_used >= 0) {
+      ASSERT_LT(apart(t.proxy_pose.position_m, before.proxy_pose.position_m),
+                2e-4 * static_cast<double>(std::max<std::int64_t>(1, t.step_used - before.step_used))) << t.time_s;
+    }
+  }
+}
+
+TEST_F(TrialPause, ADeviceThatIsAwayForTenMinutesEndsTheTrialAndAPersonWhoHoldsItDoesNot) {
+  if (std::getenv("VALLECULA_SLOW") == nullptr) GTEST_SKIP() << "twenty minutes of ticks; VALLECULA_SLOW=1 runs it";
+  const std::vector<std::pair<double, double>> still{{0, 0.030}, {900, 0.030}};
+  EXPECT_EQ(curricula::read_trial_log(run(setup(hand("# fault unplugged 0.1 800\n", still), "away")).log).footer.ended,
+            "the device did not come back");
+  TrialSession session(setup(hand("", still), "long"));
+  session.freeze(Holder::instructor, true);
+  session.start();
+  for (int i = 0; i < 30000 && !session.finished() && session.paused_s() < 610.0; ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  EXPECT_GE(session.paused_s(), 610.0);
+  EXPECT_FALSE(session.finished());
+  EXPECT_EQ(curricula::read_trial_log(session.finish("ended").log).footer.ended, "ended");
+}
+
 TEST_F(TrialPause, AnAssessmentIsNeitherHeldNorBegunHalfWay) {
   TrialSetup tested = setup(hand("", {{0, 0.006}, {1, 0.006}}), "tested");
   tested.mode = curricula::Mode::assessment;
   TrialSession session(tested);
-  EXPECT_THROW(session.freeze(true), std::runtime_error);
+  EXPECT_THROW(session.freeze(Holder::instructor, true), std::runtime_error);
   EXPECT_FALSE(session.frozen());
   EXPECT_THROW(session.reset_at_vallecula(), std::runtime_error);
 }

@@ -2,10 +2,12 @@
 // VALLECULA_SLOW, on a machine that does nothing else.
 #include <QApplication>
 #include <QLabel>
+#include <QSettings>
 #include <QSqlDatabase>
 #include <QSqlError>
 #include <QSqlQuery>
 #include <QTest>
+#include <chrono>
 #include <cstdio>
 #include <thread>
 
@@ -20,8 +22,10 @@
 #include "gui/records_pages/records_page.h"
 #include "gui/session/builtin_patient.h"
 #include "gui/session/user_paths.h"
+#include "gui/session/user_settings.h"
 #include "pipeline/manikin/manikin.h"
 #include "tests/gui/block_patient.h"
+#include "tests/gui/busy_course.h"
 #include "tests/gui/program.h"
 #include "tests/gui/stall_watch.h"
 #include "tests/gui/window_home.h"
@@ -100,6 +104,49 @@ TEST_F(WindowStall, ALockedDatabaseStopsNothing) {
     EXPECT_TRUE(asked);
   }
   QSqlDatabase::removeDatabase("another program");
+}
+
+TEST_F(WindowStall, BackWaitsForNoDatabaseAndTheNextTrialForTheOneBefore) {
+  user_settings()->setValue("mouse/introduced", true);
+  open();
+  TrialSetup setup;
+  setup.patient = test::write_block_patient(box_.folder());
+  setup.curriculum = test::write_busy_course(box_.folder());
+  setup.scenario = "helped";
+  setup.device = "mouse";
+  setup.out = box_ / "one";
+  int ready = 0;
+  QObject::connect(window_.get(), &MainWindow::prepared, [&] { ++ready; });
+  window_->prepare(setup, false);
+  ASSERT_TRUE(wait_for([&] { return ready == 1; }));
+  TrialPage& page = window_->trial_page();
+  {
+    QSqlDatabase other = QSqlDatabase::addDatabase("QSQLITE", "another program");
+    other.setDatabaseName(QString::fromStdString(records_database().string()));
+    ASSERT_TRUE(other.open());
+    QSqlQuery query(other);
+    ASSERT_TRUE(query.exec("begin exclusive")) << query.lastError().text().toStdString();
+    page.start();
+    settle(200);
+    ASSERT_TRUE(page.session()->starting()) << "it waits for the records";
+    QElapsedTimer clock;
+    clock.start();
+    emit page.left();
+    EXPECT_LT(clock.elapsed(), 5000) << "the records are patient for ten seconds";
+    EXPECT_NE(window_->page_name(), "trial");
+    setup.out = box_ / "two";
+    window_->prepare(setup, false);
+    settle(300);
+    EXPECT_EQ(window_->page_name(), "prepare");
+    EXPECT_EQ(ready, 1);
+    EXPECT_NE(page.gone().wait_for(std::chrono::seconds(0)), std::future_status::ready);
+    ASSERT_TRUE(query.exec("rollback"));
+    query.clear();
+    other.close();
+  }
+  QSqlDatabase::removeDatabase("another program");
+  ASSERT_TRUE(wait_for([&] { return ready == 2; }));
+  EXPECT_EQ(page.gone().wait_for(std::chrono::seconds(0)), std::future_status::ready) << "its device was free";
 }
 
 TEST_F(WindowStall, FiguresOfEveryFlow) {

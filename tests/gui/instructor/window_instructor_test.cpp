@@ -4,20 +4,26 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QMessageBox>
 #include <QPushButton>
+#include <QTabWidget>
 #include <QTest>
+#include <QTimer>
 #include <QToolButton>
 #include <algorithm>
 
 #include "curricula/records/ratings.h"
+#include "gui/authoring/authoring_page.h"
 #include "gui/instructor/instructor_controls.h"
 #include "gui/instructor/instructor_window.h"
 #include "gui/instructor/run_checklist.h"
 #include "gui/instructor/sign_in_dialog.h"
 #include "gui/instructor/station.h"
 #include "gui/pages/trial_page.h"
+#include "gui/views/force_bars.h"
 #include "gui/views/operator_view.h"
 #include "gui/views/theme.h"
+#include "gui/views/trial_readings.h"
 #include "tests/gui/arc_patient.h"
 #include "tests/gui/block_patient.h"
 #include "tests/gui/busy_course.h"
@@ -173,6 +179,15 @@ TEST_F(WindowInstructor, WatchesAnIntubationAndActsOnIt) {
   EXPECT_TRUE(held(engine::kInstructorSpasm)) << "stays until it is pressed again";
   QTest::keyClick(button("Laryngospasm"), Qt::Key_Space);
   EXPECT_FALSE(held(engine::kInstructorSpasm));
+  QTest::keyClick(button("Laryngospasm"), Qt::Key_Space);
+  EXPECT_TRUE(held(engine::kInstructorSpasm));
+  page.reset();
+  ASSERT_TRUE(wait_for([&] { return told("Begun anew"); }, 10000));
+  EXPECT_FALSE(button("Laryngospasm")->isChecked()) << "the new attempt's cords are nobody's";
+  EXPECT_FALSE(held(engine::kInstructorSpasm));
+  QTest::keyClick(button("Laryngospasm"), Qt::Key_Space);
+  EXPECT_TRUE(held(engine::kInstructorSpasm)) << "and one press closes them again";
+  QTest::keyClick(button("Laryngospasm"), Qt::Key_Space);
 
   // The team's line, typed.
   auto* line = second().findChild<InstructorControls*>()->findChild<QLineEdit*>();
@@ -208,6 +223,119 @@ TEST_F(WindowInstructor, WatchesAnIntubationAndActsOnIt) {
   keep_pictures("running");
   second().close();
   window_->close();
+}
+
+TEST_F(WindowInstructor, WhatIsFrozenHereOnlyThisWindowLetsGo) {
+  open_with_course();
+  open_second();
+  ASSERT_TRUE(wait_for([&] { return second_is_open(); }, 10000));
+  prepare(setup("helped"));
+  TrialPage& page = window_->trial_page();
+  page.start();
+  ASSERT_TRUE(wait_for([&] { return second().drawn() >= 2; }, 20000));
+  const auto state_begins = [&](const char* words) {
+    return wait_for([&] { return state().startsWith(words); }, 10000);
+  };
+  page.show_expert();
+  ASSERT_TRUE(page.expert_shown());
+  ASSERT_TRUE(state_begins("Stands at")) << state().toStdString();
+  QTest::mouseClick(button("Freeze"), Qt::LeftButton);
+  EXPECT_TRUE(state_begins("FROZEN")) << state().toStdString();
+  QTest::mouseClick(button("Continue"), Qt::LeftButton);
+  EXPECT_TRUE(page.session()->frozen()) << "the trainee still looks at the expert";
+  EXPECT_TRUE(state_begins("Stands at")) << state().toStdString();
+  QTest::mouseClick(button("Freeze"), Qt::LeftButton);
+  page.end_expert();
+  EXPECT_TRUE(page.session()->frozen()) << "the end of the expert is not the instructor's";
+  EXPECT_TRUE(state_begins("FROZEN")) << state().toStdString();
+  page.reset();
+  EXPECT_TRUE(page.session()->frozen()) << "nor is a reset";
+  ASSERT_TRUE(wait_for([&] { return told("Begun anew"); }, 10000));
+  EXPECT_TRUE(state_begins("FROZEN")) << state().toStdString();
+  EXPECT_NE(button("Continue"), nullptr);
+  second().close();
+  EXPECT_FALSE(page.session()->frozen()) << "nobody is left who could let it go";
+}
+
+TEST_F(WindowInstructor, InAnAssessmentOnlyASignedInInstructorSeesFiguresAndDrivesTheInfant) {
+  open_with_course();
+  open_second();
+  ASSERT_TRUE(wait_for([&] { return second_is_open(); }, 10000)) << "nobody has registered an instructor: anybody may";
+  TrialSetup tube = setup("tube", curricula::Mode::assessment);
+  tube.curriculum = test::write_tube_curriculum(box_.folder());
+  tube.patient = test::write_arc_patient(box_.folder());
+  prepare(tube);
+  TrialPage& page = window_->trial_page();
+  page.start();
+  ASSERT_TRUE(wait_for([&] { return second().drawn() >= 2; }, 20000));
+  auto* tabs = second().findChild<QTabWidget*>();
+  const auto open_to_see = [&] {
+    const bool forces = second().findChild<ForceBars*>()->isVisible();
+    EXPECT_EQ(second().findChild<QListWidget*>("events")->isVisible(), forces);
+    EXPECT_EQ(tabs->isTabEnabled(tabs->indexOf(second().findChild<TrialReadings*>())), forces);
+    EXPECT_EQ(button("Heart \xe2\x96\xbc")->isEnabled(), forces);
+    EXPECT_EQ(button("SpO2 \xe2\x96\xb2")->isEnabled(), forces);
+    return forces;
+  };
+  EXPECT_FALSE(open_to_see());
+  EXPECT_FALSE(second().findChild<TrialReadings*>()->isVisible());
+  keep_pictures("assessment");
+  register_people();
+  Records records(records_location());
+  People people(records);
+  for (const auto& person : people.list())
+    if (person.name == "Boss") second().desk().sign_in(people.sign_in(person.id, "4321"), person);
+  EXPECT_TRUE(open_to_see());
+  second().desk().sign_out();
+  EXPECT_FALSE(open_to_see());
+  bool finished = false;
+  QObject::connect(window_.get(), &MainWindow::trial_finished, [&] { finished = true; });
+  page.end("ended by trainee");
+  ASSERT_TRUE(wait_for([&] { return finished; }));
+  EXPECT_FALSE(second().findChild<ForceBars*>()->isVisible()) << "over, it has not been rated by the trainee yet";
+  EXPECT_FALSE(second().findChild<QListWidget*>("events")->isVisible());
+}
+
+TEST_F(WindowInstructor, TheNextTraineeWaitsForTheOwnRatingAndForAnUnsavedCourse) {
+  register_people();
+  open_with_course();
+  sign_in_directly("Emu", "1234");
+  const auto next = [&] {
+    QApplication::setActiveWindow(window_.get());
+    QTest::keyClick(window_.get(), Qt::Key_T, Qt::ControlModifier);
+  };
+  window_->write_course();
+  AuthoringPage& writing = window_->authoring_page();
+  writing.new_course();
+  writing.document().set_text(writing.document().text() + "# more\n", "typed");
+  ASSERT_TRUE(writing.document().modified());
+  bool asked = false;
+  QTimer::singleShot(300, [&asked] {
+    auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+    asked = box != nullptr;
+    if (asked) box->button(QMessageBox::Cancel)->click();
+  });
+  next();
+  EXPECT_TRUE(wait_for([&] { return asked; }, 5000));
+  EXPECT_EQ(desk().person().name, "Emu");
+  EXPECT_EQ(window_->page_name(), "authoring");
+  writing.document().undo().undo();
+  ASSERT_FALSE(writing.document().modified());
+  emit writing.left();
+
+  prepare(setup("helped", curricula::Mode::assessment));
+  window_->trial_page().start();
+  bool finished = false;
+  QObject::connect(window_.get(), &MainWindow::trial_finished, [&] { finished = true; });
+  int frames = 0;
+  window_->trial_page().set_frame_hook([&](const engine::Snapshot&) { ++frames; });
+  ASSERT_TRUE(wait_for([&] { return frames > 3; }));
+  window_->trial_page().end("ended by trainee");
+  ASSERT_TRUE(wait_for([&] { return finished; }));
+  ASSERT_EQ(window_->page_name(), "rating");
+  next();
+  EXPECT_EQ(desk().person().name, "Emu") << "first the rating that only Emu can give";
+  EXPECT_EQ(window_->page_name(), "rating");
 }
 
 TEST_F(WindowInstructor, TicksMadeDuringTheRunAreKeptByOneClickAsTheInstructorsRating) {

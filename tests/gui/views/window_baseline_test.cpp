@@ -197,6 +197,38 @@ TEST_F(WindowBaseline, ASlowMachineSeesTheSameSceneAndItsStillsAreWhole) {
   expect_as_before(view.picture(), "lifted");
 }
 
+TEST_F(WindowBaseline, TheNextPatientGoesWithoutWhatTheOneBeforeWentWithout) {
+  struct Everything {  // whatever this test leaves by
+    ~Everything() {
+      GlView::governor().hold(0);
+      GlView::governor().set_mode(QualityGovernor::Mode::automatic);
+    }
+  } afterwards;
+  const auto drawn = [this](auto& view, const std::shared_ptr<PatientLook>& patient) {
+    view.resize(kWidth, kHeight);
+    view.show_patient(patient, plain_blade(), &intubation_);
+    view.show();
+    QApplication::processEvents();
+    view.update_from(lifted());
+    view.draw();
+    QApplication::processEvents();
+    return view.grabFramebuffer();
+  };
+  const auto triangles = [](const PatientLook& of) { return of.soft->surface()->GetNumberOfPolys(); };
+  OperatorView view;
+  VideoView video;
+  const auto first = look(), second = look();
+  const auto all = triangles(*first);
+  const QImage whole = drawn(view, first);
+  GlView::governor().hold(3);  // every effect is gone, at the full resolution
+  const QImage one = drawn(view, first), by_video = drawn(video, first);
+  EXPECT_LT(triangles(*first), all);
+  EXPECT_GT(picture_difference(whole, one).mean_grey, 0.05) << "something was left out";
+  EXPECT_LT(picture_difference(one, drawn(view, second)).mean_grey, 0.01);
+  EXPECT_LT(picture_difference(by_video, drawn(video, second)).mean_grey, 0.01);
+  EXPECT_EQ(triangles(*second), triangles(*first));
+}
+
 TEST_F(WindowBaseline, WhatIsChangedOnPurposeIsFound) {
   if (updating()) GTEST_SKIP() << "the baselines are being written";
   EXPECT_TRUE(would_fail(by_operator(glottis(), OperatorView::Zoom::mouth), "tube-between-cords")) << "the tube missing";

@@ -1,0 +1,14 @@
+// Who may hold a trial up.
+#pragma once
+
+#include <cstdint>
+
+namespace vallecula::gui {
+
+/// A trial stands while any of them holds it; each lets go for itself alone.
+enum class Holder : std::uint32_t {
+  expert = 1u << 0,     ///< the trainee looks at the expert's loop meanwhile
+  instructor = 1u << 1  ///< at the second window
+};
+
+}  // namespace vallecula::gui
