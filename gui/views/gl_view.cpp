@@ -97,7 +97,7 @@ QImage GlView::picture() {
   if (isVisible()) render();
   const QImage image = grabFramebuffer();
   renderer_->UseFXAAOff();
-  use_present_quality();
+  use_present();
   return image;
 }
 
