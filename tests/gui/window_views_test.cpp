@@ -147,6 +147,7 @@ TEST_F(Views, APatientThatFollowsIsDrawnWithNoMoreThanTheOneBefore) {
   const auto judged = [](auto& view) {
     const auto drawn = [&view] {
       view.update_from(lifted_snapshot(patient(), 0.7, 3.0));
+      if constexpr (std::is_same_v<std::decay_t<decltype(view)>, OperatorView>) view.settle();
       view.draw();
       return view.grabFramebuffer();
     };
