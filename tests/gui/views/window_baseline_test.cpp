@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <functional>
 #include <iostream>
+#include <type_traits>
 
 #include "gui/views/operator_view.h"
 #include "gui/views/sagittal_view.h"
@@ -210,23 +211,26 @@ TEST_F(WindowBaseline, TheNextPatientGoesWithoutWhatTheOneBeforeWentWithout) {
     view.show();
     QApplication::processEvents();
     view.update_from(lifted());
+    if constexpr (std::is_same_v<std::decay_t<decltype(view)>, OperatorView>) view.settle();  // near at once
     view.draw();
     QApplication::processEvents();
     return view.grabFramebuffer();
   };
   const auto triangles = [](const PatientLook& of) { return of.soft->surface()->GetNumberOfPolys(); };
   OperatorView view;
+  view.set_zoom(OperatorView::Zoom::mouth);
   VideoView video;
   const auto first = look(), second = look();
   const auto all = triangles(*first);
   const QImage whole = drawn(view, first);
   GlView::governor().hold(3);  // every effect is gone, at the full resolution
-  const QImage one = drawn(view, first), by_video = drawn(video, first);
+  const QImage one = drawn(view, first);
   EXPECT_LT(triangles(*first), all);
   EXPECT_GT(picture_difference(whole, one).mean_grey, 0.05) << "something was left out";
   EXPECT_LT(picture_difference(one, drawn(view, second)).mean_grey, 0.01);
-  EXPECT_LT(picture_difference(by_video, drawn(video, second)).mean_grey, 0.01);
   EXPECT_EQ(triangles(*second), triangles(*first));
+  const QImage by_video = drawn(video, first);
+  EXPECT_LT(picture_difference(by_video, drawn(video, second)).mean_grey, 0.01);
 }
 
 TEST_F(WindowBaseline, WhatIsChangedOnPurposeIsFound) {
