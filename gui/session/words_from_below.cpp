@@ -446,6 +446,7 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP(
         "FromBelow", "This trial was an assessment: it is not replayed, so that nobody practises on what is assessed."),
     // A built-in patient's making (gui/session/builtin_patient, pipeline/manikin)
+    QT_TRANSLATE_NOOP("FromBelow", "Keeping the trial before"),
     QT_TRANSLATE_NOOP("FromBelow", "manikin: shaping the anatomy"),
     QT_TRANSLATE_NOOP("FromBelow", "manikin: scanning"),
     QT_TRANSLATE_NOOP("FromBelow", "manikin: scanner blur and noise"),

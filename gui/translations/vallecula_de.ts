@@ -3575,6 +3575,10 @@
         <source>Shown an expert, or told a line by the instructor</source>
         <translation>Expertenablauf gezeigt oder Hinweis der Lehrperson</translation>
     </message>
+    <message>
+        <source>Keeping the trial before</source>
+        <translation>Der Durchgang davor wird noch gesichert</translation>
+    </message>
 </context>
 <context>
     <name>GivenLabels</name>
@@ -6351,6 +6355,10 @@ Gerät: %3</translation>
         <source>This infant is relaxed: its cords do not close</source>
         <translation>Dieses Kind ist relaxiert: seine Stimmlippen schließen sich nicht</translation>
     </message>
+    <message>
+        <source>Assessment: its forces, figures and events are for an instructor who is signed in here, and so are its vital signs. It is not held up, and the team says nothing, for a line would be a help.</source>
+        <translation>Prüfung: Kräfte, Werte und Ereignisse sieht hier nur eine angemeldete Lehrperson, und nur sie ändert die Vitalwerte. Sie wird nicht angehalten, und das Team sagt nichts, denn ein Hinweis wäre eine Hilfe.</translation>
+    </message>
 </context>
 <context>
     <name>vallecula::gui::InstructorStation</name>
@@ -6512,6 +6520,10 @@ Gerät: %3</translation>
     <message>
         <source>This trial has no record: the ticks cannot be kept.</source>
         <translation>Dieser Durchgang hat keinen Eintrag: Die Haken lassen sich nicht behalten.</translation>
+    </message>
+    <message>
+        <source>Stands at %1: an expert is shown</source>
+        <translation>Steht bei %1: der Expertenablauf wird gezeigt</translation>
     </message>
 </context>
 <context>
