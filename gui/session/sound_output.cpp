@@ -145,4 +145,4 @@ void SoundOutput::set_volume(double volume) {
 
 }  // namespace vallecula::gui
 
-#include "sound_output.moc"
+#include <sound_output.moc>  // of the Speaker above

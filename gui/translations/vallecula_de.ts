@@ -8915,12 +8915,6 @@ Gerät: %3</translation>
         <translation>wird gemessen</translation>
     </message>
     <message>
-        <source>%1, %2 late of %3 (%4 %)
-%5 of %3 steps dropped (%6 %)</source>
-        <translation>%1, %2 von %3 verspätet (%4 %)
-%5 von %3 Schritten ausgelassen (%6 %)</translation>
-    </message>
-    <message>
         <source>%1 frames/s</source>
         <translation>%1 Bilder/s</translation>
     </message>
@@ -8991,6 +8985,18 @@ Gerät: %3</translation>
     <message>
         <source>%1, %2 N</source>
         <translation>%1, %2 N</translation>
+    </message>
+    <message>
+        <source>Simulation</source>
+        <translation>Simulation</translation>
+    </message>
+    <message>
+        <source>%1, %2 late of %3</source>
+        <translation>%1, %2 von %3 verspätet</translation>
+    </message>
+    <message>
+        <source>%1 of %2 steps dropped</source>
+        <translation>%1 von %2 Schritten ausgelassen</translation>
     </message>
 </context>
 <context>

@@ -118,12 +118,16 @@ TrialReadings::TrialReadings(QWidget* parent) : QWidget(parent) {
       tr("Late: share of the forces written more than 1 ms after they were due. Dropped: share of the ticks whose "
          "simulation step was not finished in time. The result page says what real-time priority was granted."));
   grid->addWidget(loop_, 5, 1);
-  caption(tr("Picture"), 6, 0);
+  caption(tr("Simulation"), 6, 0);
+  steps_ = new QLabel(this);
+  steps_->setToolTip(loop_->toolTip());
+  grid->addWidget(steps_, 6, 1);
+  caption(tr("Picture"), 7, 0);
   drawing_ = new QLabel(this);
   drawing_->setToolTip(
       tr("Frames drawn a second, and what was left out of the picture so that hand and picture keep their time."));
-  grid->addWidget(drawing_, 6, 1);
-  for (QLabel* figure : {state_, loop_, drawing_, tube_})  // a narrow panel cuts them, and is not widened by them
+  grid->addWidget(drawing_, 7, 1);
+  for (QLabel* figure : {state_, loop_, steps_, drawing_, tube_})  // a narrow panel cuts them, and is not widened by them
     figure->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   grid->setColumnStretch(1, 1);
   grid->setColumnMinimumWidth(0, 100);
@@ -155,6 +159,7 @@ void TrialReadings::clear() {
   state_->setText(tr("ready"));
   tube_->setText(tr("not in the mouth"));
   loop_->setText(tr("not running"));
+  steps_->clear();
   show_drawing(0.0, {});
 }
 
@@ -185,16 +190,10 @@ void TrialReadings::show_snapshot(const engine::Snapshot& snapshot, double pause
   state_->setText(words_for(snapshot.state, invalid).name);
   state_->setStyleSheet(
       snapshot.state == engine::HapticState::tracking ? QString() : QString("color: %1").arg(theme::device().name()));
-  const double percent_of_ticks = 100.0 / static_cast<double>(std::max<std::int64_t>(1, snapshot.ticks));
   const QString rate =
       snapshot.loop_rate_hz > 0.0 ? tr("%1 Hz").arg(snapshot.loop_rate_hz, 0, 'f', 0) : tr("measuring");
-  loop_->setText(tr("%1, %2 late of %3 (%4 %)\n%5 of %3 steps dropped (%6 %)")
-                     .arg(rate)
-                     .arg(snapshot.deadline_misses)
-                     .arg(snapshot.ticks)
-                     .arg(percent_of_ticks * static_cast<double>(snapshot.deadline_misses), 0, 'f', 1)
-                     .arg(snapshot.overruns)
-                     .arg(percent_of_ticks * static_cast<double>(snapshot.overruns), 0, 'f', 1));
+  loop_->setText(tr("%1, %2 late of %3").arg(rate).arg(snapshot.deadline_misses).arg(snapshot.ticks));
+  steps_->setText(tr("%1 of %2 steps dropped").arg(snapshot.overruns).arg(snapshot.ticks));
 }
 
 void TrialReadings::show_drawing(double frames_per_second, const QString& reduced) {

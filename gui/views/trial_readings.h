@@ -44,7 +44,7 @@ class TrialReadings : public QWidget {
  private:
   std::optional<curricula::Mouth> mouth_;
   double attempt_start_s_ = -1.0, attempt_s_ = 0.0;
-  QLabel *clock_, *limit_, *seen_, *state_, *loop_, *drawing_, *tube_, *tube_caption_;
+  QLabel *clock_, *limit_, *seen_, *state_, *loop_, *steps_, *drawing_, *tube_, *tube_caption_;
   class SightBar* sight_;
   double sight_percent_ = 25.0, best_percent_ = 0.0, attempt_limit_s_ = 30.0;
   bool force_shown_ = true;

@@ -164,12 +164,12 @@ const std::vector<FolderRule>& dependency_rule() {
        "vallecula_(engine|device|pipeline|gui)|Qt5(Widgets|Gui)|vtk|VTK|gdcm|opencv|hidapi|libusb|libtet"},
       {"gui",
        {"engine", "device", "pipeline", "curricula", "gui"},
-       "(unsupported/)?Eigen/.*|QVTK\\w+\\.h|vtk\\w+\\.h|yaml-cpp/.*|sodium\\.h|CLI/.*|spdlog/.*|fmt/.*",
+       "(unsupported/)?Eigen/.*|QVTK\\w+\\.h|vtk\\w+\\.h|opencv2/videoio\\.hpp|yaml-cpp/.*|sodium\\.h|CLI/.*|spdlog/.*|fmt/.*|\\w+\\.moc",
        {"*"},
        true,
        kThreads + "vallecula::(engine|device|pipeline|curricula)|vallecula_gui|Qt5::\\w+|VTK::\\w+|CLI11::CLI11|spdlog:"
                   ":spdlog|"
-                  "yaml-cpp|PkgConfig::SODIUM",
+                  "(.*/lib)?opencv_(core|videoio)(\\.so|\\.a)?|yaml-cpp|PkgConfig::SODIUM",
        ""},
   };
   return kRule;

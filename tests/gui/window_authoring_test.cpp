@@ -141,7 +141,8 @@ TEST_F(WindowAuthoring, AnEmptyCourseIsFilledInWithKeysAndOfferedOnTheStartPage)
   EXPECT_FALSE(document().modified());
   press("back");
   EXPECT_EQ(window_->page_name(), "start");
-  EXPECT_GE(window_->start_page().findChild<QComboBox*>("curriculum")->findText("Our course"), 0);
+  EXPECT_TRUE(wait_for(  // courses are read on a thread of their own
+      [&] { return window_->start_page().findChild<QComboBox*>("curriculum")->findText("Our course") >= 0; }, 20000));
   const test::Outcome listed = test::Sandbox().run({"curriculum", "list"}, {"VALLECULA_HOME=" + home_.string()});
   EXPECT_NE(listed.out.find("my-course: Our course"), std::string::npos) << listed.out << listed.err;
 }
