@@ -5,6 +5,7 @@
 #include <QKeyEvent>
 #include <QMenu>
 #include <QSettings>
+#include <QScrollArea>
 #include <QTimer>
 #include <QVBoxLayout>
 
@@ -64,7 +65,14 @@ TrialPanels::TrialPanels(QWidget* centre, QWidget* parent) : QMainWindow(parent)
   add(cut, tr("Mid-&sagittal cut"), sagittal_view_);
   add(video, tr("&Video laryngoscope"), video_view_);
   add(force, tr("&Force"), framed(bars_, 8));
-  add(readings, tr("&Readings"), framed(readings_, 0));
+  auto* scroll = new QScrollArea(this);  // with all panels open in a small window the last figures are scrolled to
+  scroll->setWidget(framed(readings_, 0));
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setFocusPolicy(Qt::NoFocus);  // keys are the blade's
+  scroll->setMinimumHeight(90);
+  add(readings, tr("&Readings"), scroll);
   add(team, tr("&Team"), distractions_);
   menu_->addSeparator();
   menu_->addAction(tr("Panels &as at first"), this, &TrialPanels::restore_first);

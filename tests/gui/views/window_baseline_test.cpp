@@ -34,6 +34,11 @@ fs::path baseline(const std::string& name) {
 
 class WindowBaseline : public Screen {
  protected:
+  // With everything, however slow this machine is.
+  void SetUp() override {
+    Screen::SetUp();
+    GlView::governor().set_mode(QualityGovernor::Mode::high);
+  }
   static const pipeline::PatientPackage& patient() {
     static const pipeline::PatientPackage package = coarse_patient();
     return package;
