@@ -102,6 +102,11 @@ TEST_F(WindowDeviceRealTime, EnterClosesTheIntroductionBeforeItStartsATrial) {
   EXPECT_FALSE(window.trial_page().running()) << "the first Enter only closes it";
   QApplication::sendEvent(&window.trial_page(), &enter);
   EXPECT_TRUE(window.trial_page().running());
+  // Its log goes to the disk first: a trial that is ended before its first tick has nothing to be finished.
+  bool ticked = false;
+  QObject::connect(&window.trial_page(), &TrialPage::frame, &window,
+                   [&](const engine::Snapshot& shown) { ticked = ticked || shown.ticks > 0; });
+  ASSERT_TRUE(wait_for([&] { return ticked; }));
   int finished = 0;
   QObject::connect(&window, &MainWindow::trial_finished, [&](const TrialOutcome&) { ++finished; });
   window.trial_page().end("ended by trainee");
