@@ -21,7 +21,7 @@ namespace vallecula::gui {
 namespace {
 
 // 22 frames a second are enough for the eye and leave the haptic threads their cores; the cut changes slower.
-constexpr int kFrameMs = 45;
+constexpr int kFrameMs = 33;
 
 }  // namespace
 

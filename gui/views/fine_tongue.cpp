@@ -1,5 +1,6 @@
 #include "gui/views/fine_tongue.h"
 
+#include <vtkIdList.h>
 #include <vtkNew.h>
 #include <vtkStaticCellLocator.h>
 #include <vtkWindowedSincPolyDataFilter.h>
@@ -10,6 +11,7 @@
 #include <map>
 
 #include "gui/session/poly_data.h"
+#include "gui/views/drawn_triangles.h"
 #include "pipeline/mesh/isosurface.h"
 #include "pipeline/package/label_map.h"
 #include "pipeline/segment/reslice.h"
@@ -22,6 +24,7 @@ using pipeline::Point;
 
 constexpr double kCellMm = 3.0, kOutsideMm = 1.5;  // of the grid that tetrahedra are looked up by
 constexpr double kFinestMm = 0.45;                 // of the surface's triangles, about
+constexpr int kTongueTriangles = 10000;
 constexpr int kFairings = 15;
 constexpr double kPassBand = 0.1;  // the steps of voxels go, the shape stays
 
@@ -158,10 +161,19 @@ std::optional<pipeline::Surface> segmented_tongue(const pipeline::PatientPackage
   fair->SetPassBand(kPassBand);
   fair->NormalizeCoordinatesOn();
   fair->Update();
-  for (std::size_t i = 0; i < surface.points.size(); ++i)
-    fair->GetOutput()->GetPoint(static_cast<vtkIdType>(i), surface.points[i].data());
   if (!fits(package.tongue, fair->GetOutput())) return std::nullopt;
-  return surface;
+  const auto drawn = with_fewer_triangles(fair->GetOutput(), kTongueTriangles);
+  pipeline::Surface tongue;
+  tongue.points.resize(static_cast<std::size_t>(drawn->GetNumberOfPoints()));
+  for (std::size_t i = 0; i < tongue.points.size(); ++i)
+    drawn->GetPoint(static_cast<vtkIdType>(i), tongue.points[i].data());
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType i = 0; i < drawn->GetNumberOfCells(); ++i) {
+    drawn->GetCellPoints(i, corners);
+    tongue.triangles.push_back({static_cast<int>(corners->GetId(0)), static_cast<int>(corners->GetId(1)),
+                                static_cast<int>(corners->GetId(2))});
+  }
+  return tongue;
 }
 
 }  // namespace vallecula::gui

@@ -1,17 +1,25 @@
 #include "gui/views/gl_view.h"
 
+#include <QVTKInteractor.h>
+#include <QVTKInteractorAdapter.h>
+#include <QVTKOpenGLNativeWidget.h>
+#include <vtkCallbackCommand.h>
 #include <vtkInteractorStyleTrackballCamera.h>
-#include <vtkRenderWindowInteractor.h>
+#include <vtkUnsignedCharArray.h>
 
 #include <QEvent>
+#include <QPainter>
 #include <QSurfaceFormat>
+#include <algorithm>
+#include <cmath>
 #include <stdexcept>
+
+#include "gui/views/drawing_threads.h"
 
 namespace vallecula::gui {
 namespace {
 
-/// One frame of the window: from the first view that is drawn until it is on the screen, which a software driver's own
-/// thread needs time for after VTK is done.
+/// One frame of the window: from the first view that is drawn until it is handed to the screen.
 class FrameWatch {
  public:
   void begins() {
@@ -34,6 +42,14 @@ FrameWatch& frame_watch() {
   return watch;
 }
 
+template <class Callback>
+void observe(vtkObject* object, unsigned long event, void* client, Callback callback) {
+  const auto command = vtkSmartPointer<vtkCallbackCommand>::New();
+  command->SetClientData(client);
+  command->SetCallback(callback);
+  object->AddObserver(event, command);
+}
+
 }  // namespace
 
 QualityGovernor& GlView::governor() {
@@ -42,33 +58,94 @@ QualityGovernor& GlView::governor() {
 }
 
 void prepare_opengl() {
-  // llvmpipe starts a drawing thread per core, which takes the 1 kHz loop's turn away (PLATFORM: 14 % late against 0.06
-  // %).
-  if (!qEnvironmentVariableIsSet("LP_NUM_THREADS")) qputenv("LP_NUM_THREADS", "1");
+  limit_drawing_threads();
   auto format = QVTKOpenGLNativeWidget::defaultFormat();
   format.setSamples(0);
   QSurfaceFormat::setDefaultFormat(format);
 }
 
 GlView::GlView(QWidget* parent)
-    : QVTKOpenGLNativeWidget(parent),
+    : QWidget(parent),
       window_(vtkSmartPointer<vtkGenericOpenGLRenderWindow>::New()),
-      renderer_(vtkSmartPointer<vtkRenderer>::New()) {
+      renderer_(vtkSmartPointer<vtkRenderer>::New()),
+      interactor_(vtkSmartPointer<QVTKInteractor>::New()),
+      adapter_(std::make_unique<QVTKInteractorAdapter>()) {
   window_->SetMultiSamples(0);
-  setRenderWindow(window_);
+  window_->SetFrameBlitModeToNoBlit();
+  window_->SetReadyForRendering(false);
   window_->AddRenderer(renderer_);
-  interactor()->SetInteractorStyle(vtkSmartPointer<vtkInteractorStyleTrackballCamera>::New());
+  observe(window_, vtkCommand::WindowMakeCurrentEvent, this,
+          [](vtkObject*, unsigned long, void* view, void*) { static_cast<GlView*>(view)->make_current(); });
+  observe(window_, vtkCommand::WindowIsCurrentEvent, this, [](vtkObject*, unsigned long, void* view, void* answer) {
+    const auto* context = static_cast<GlView*>(view)->context_.get();
+    *static_cast<bool*>(answer) = context != nullptr && QOpenGLContext::currentContext() == context;
+  });
+  observe(window_, vtkCommand::WindowFrameEvent, this, [](vtkObject*, unsigned long, void* view, void*) {
+    auto* self = static_cast<GlView*>(view);
+    self->drawn_ = true;
+    self->fetched_ = false;
+    self->update();
+  });
+  interactor_->SetRenderWindow(window_);
+  interactor_->SetInteractorStyle(vtkSmartPointer<vtkInteractorStyleTrackballCamera>::New());
+  interactor_->Initialize();
   setFocusPolicy(Qt::NoFocus);
-  setEnableHiDPI(true);
-  connect(this, &QOpenGLWidget::frameSwapped, this, [] { frame_watch().ends(); });
+  setAttribute(Qt::WA_OpaquePaintEvent);  // every pixel is the picture's
+}
+
+GlView::~GlView() {
+  if (!isValid()) return;
+  make_current();
+  window_->Finalize();
+  context_->doneCurrent();
+  window_->SetReadyForRendering(false);
+}
+
+void GlView::begin_opengl() {
+  if (context_) return;
+  context_ = std::make_unique<QOpenGLContext>();
+  context_->create();
+  surface_ = std::make_unique<QOffscreenSurface>();
+  surface_->setFormat(context_->format());
+  surface_->create();
+  if (!isValid() || !context_->makeCurrent(surface_.get())) return;
+  window_->SetOwnContext(0);
+  window_->SetMapped(1);
+  window_->SetIsDirect(1);
+  window_->SetSupportsOpenGL(1);
+  window_->SetForceMaximumHardwareLineWidth(1);
+  window_->OpenGLInit();
+  window_->SetReadyForRendering(true);
+  put_drawing_threads_behind();
+}
+
+void GlView::make_current() {
+  if (isValid() && QOpenGLContext::currentContext() != context_.get()) context_->makeCurrent(surface_.get());
+}
+
+/// VTK draws as many pixels as the view has on the screen, or the share of them that the quality asks for.
+void GlView::fit() {
+  const double scale = resolution_ * devicePixelRatioF();
+  const int wide = std::max(1, static_cast<int>(std::lround(scale * width())));
+  const int high = std::max(1, static_cast<int>(std::lround(scale * height())));
+  window_->SetScreenSize(wide, high);
+  window_->SetDPI(static_cast<int>(std::lround(72.0 * scale)));
+  interactor_->SetSize(wide, high);
+  adapter_->SetDevicePixelRatio(static_cast<float>(scale));
+  const int* size = window_->GetSize();
+  if (size[0] == wide && size[1] == high) return;
+  window_->SetSize(wide, high);
+  drawn_ = false;
 }
 
 void GlView::render() {
+  begin_opengl();
   if (!isValid())
     throw std::runtime_error(
         "OpenGL did not start, so nothing can be drawn: this needs an X display with OpenGL 3.2 (install "
         "libgl1-mesa-dri; "
         "without a screen run `vallecula demo`, which starts its own)");
+  fit();
   window_->Render();
 }
 
@@ -82,27 +159,79 @@ void GlView::draw() {
   last_draw_ms_ = static_cast<double>(timer.nsecsElapsed()) * 1e-6;
 }
 
+/// From the driver, which may still be drawing: as late as possible, so that several views are drawn together.
+void GlView::fetch() {
+  if (fetched_) return;
+  QElapsedTimer timer;
+  timer.start();
+  const int* size = window_->GetSize();
+  if (pixels_.size() != QSize(size[0], size[1])) pixels_ = QImage(size[0], size[1], QImage::Format_RGBX8888);
+  const auto bytes = vtkSmartPointer<vtkUnsignedCharArray>::New();
+  bytes->SetNumberOfComponents(4);
+  bytes->SetArray(pixels_.bits(), 4LL * size[0] * size[1], 1);
+  window_->GetRGBACharPixelData(0, 0, size[0] - 1, size[1] - 1, 0, bytes);
+  fetched_ = true;
+  last_draw_ms_ += static_cast<double>(timer.nsecsElapsed()) * 1e-6;
+}
+
 void GlView::use_present() {
   used_ = governor().quality();
   use(used_);
 }
 
-void GlView::use(const Quality& quality) {
-  setCustomDevicePixelRatio(quality.resolution < 1.0 ? quality.resolution * devicePixelRatioF() : 0.0);
-}
+void GlView::use(const Quality& quality) { resolution_ = std::min(1.0, quality.resolution); }
 
 QImage GlView::picture() {
   use({});
   renderer_->UseFXAAOn();  // smooth edges: worth a pass for a still, not for every frame
-  if (isVisible()) render();
-  const QImage image = grabFramebuffer();
+  render();
+  const QImage image = last_picture();
   renderer_->UseFXAAOff();
   use_present();
   return image;
 }
 
+QImage GlView::last_picture() {
+  if (!drawn_) render();
+  fetch();
+  QImage upright = pixels_.mirrored();  // OpenGL begins at the bottom
+  const QSize size = (QSizeF(this->size()) * devicePixelRatioF()).toSize();
+  if (upright.size() != size) upright = upright.scaled(size, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
+  return upright.convertToFormat(QImage::Format_RGB32);
+}
+
 void GlView::add_marks(const std::vector<vtkSmartPointer<vtkProp>>& marks) {
   for (const auto& mark : marks) renderer_->AddViewProp(mark);
+}
+
+void GlView::showEvent(QShowEvent* event) {
+  begin_opengl();
+  QWidget::showEvent(event);
+}
+
+void GlView::resizeEvent(QResizeEvent* event) {
+  fit();
+  QWidget::resizeEvent(event);
+}
+
+void GlView::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  if (!isValid()) {  // draw() says so
+    painter.fillRect(rect(), palette().window());
+    return;
+  }
+  if (!drawn_) render();
+  fetch();
+  painter.setRenderHint(QPainter::SmoothPixmapTransform);
+  painter.drawImage(rect(), pixels_.mirrored());
+  // Qt hands the window's picture to the screen when all views have painted: what is asked for here comes after that.
+  QMetaObject::invokeMethod(
+      this,
+      [this] {
+        frame_watch().ends();
+        emit painted();
+      },
+      Qt::QueuedConnection);
 }
 
 bool GlView::event(QEvent* event) {
@@ -112,18 +241,15 @@ bool GlView::event(QEvent* event) {
     case QEvent::MouseButtonDblClick:
     case QEvent::MouseMove:
     case QEvent::Wheel:
-      if (mouse_camera_) {
-        const bool taken = QVTKOpenGLNativeWidget::event(event);
-        emit camera_moved();
-        return taken;
-      }
-      return QOpenGLWidget::event(event);
-    case QEvent::KeyPress:
-    case QEvent::KeyRelease:
-      return QOpenGLWidget::event(event);  // up to the page
+      if (!mouse_camera_) break;
+      adapter_->ProcessEvent(event, interactor_);
+      event->accept();
+      emit camera_moved();
+      return true;
     default:
-      return QVTKOpenGLNativeWidget::event(event);
+      break;
   }
+  return QWidget::event(event);
 }
 
 }  // namespace vallecula::gui

@@ -1,7 +1,8 @@
-// A VTK view inside a Qt window. VTK's own mouse handling is off unless asked for: the mouse belongs to the blade.
+// A VTK view inside a Qt window: VTK draws into a buffer of its own, and Qt paints that as a picture. So the window stays
+// one of Qt's own drawing, which without a graphics card costs a tenth of having OpenGL compose it. VTK's own mouse
+// handling is off unless asked for: the mouse belongs to the blade.
 #pragma once
 
-#include <QVTKOpenGLNativeWidget.h>
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkProp.h>
 #include <vtkRenderer.h>
@@ -9,39 +10,58 @@
 
 #include <QElapsedTimer>
 #include <QImage>
+#include <QOffscreenSurface>
+#include <QOpenGLContext>
+#include <QWidget>
+#include <memory>
 #include <vector>
 
 #include "gui/views/quality.h"
 
+class QVTKInteractor;
+class QVTKInteractorAdapter;
+
 namespace vallecula::gui {
 
-/// To be called before the QApplication is made: the OpenGL format VTK needs, and as few drawing threads as leave the
-/// haptic threads their cores.
+/// To be called before the QApplication is made: the OpenGL format VTK needs, and how many threads a software driver
+/// draws with.
 void prepare_opengl();
 
-class GlView : public QVTKOpenGLNativeWidget {
+class GlView : public QWidget {
   Q_OBJECT
  public:
   explicit GlView(QWidget* parent = nullptr);
+  ~GlView() override;
 
-  /// Draws now if the view can be seen. Throws std::runtime_error when OpenGL did not come up: Qt itself would go on
-  /// with an empty picture and say nothing.
+  /// Draws now if the view can be seen; it is on the screen when Qt has painted next. Throws std::runtime_error when
+  /// OpenGL did not come up.
   void draw();
   /// What is on the view, drawn anew with everything, whatever is left out in motion.
   QImage picture();
+  /// What was drawn last, as large as it is on the screen.
+  QImage last_picture();
+  /// Whether OpenGL is there; asked before the view was ever shown, it is not yet.
+  bool isValid() const { return context_ && context_->isValid(); }
   double last_draw_ms() const { return last_draw_ms_; }
   /// Draws these beside what is shown, until another patient is.
   void add_marks(const std::vector<vtkSmartPointer<vtkProp>>& marks);
+  vtkGenericOpenGLRenderWindow* renderWindow() const { return window_; }
 
-   /// Of all views of the window: they share its time.
+  /// Of all views of the window: they share its time.
   static QualityGovernor& governor();
 
  signals:
   void camera_moved();  ///< by the mouse
+  void painted();       ///< what was drawn last is handed to the screen
 
  protected:
   bool event(QEvent* event) override;
+  void showEvent(QShowEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+  void paintEvent(QPaintEvent* event) override;
   vtkRenderer* renderer() const { return renderer_; }
+  /// What of the scene goes must be released in the view's own context, not in that of the view drawn last.
+  void make_current();
   /// Draws with this from the next frame on; a view with effects of its own takes those as well.
   virtual void use(const Quality& quality);
   /// Uses what the governor says now: for what has just come into the view, which begins with everything.
@@ -50,10 +70,22 @@ class GlView : public QVTKOpenGLNativeWidget {
   void set_mouse_camera(bool on) { mouse_camera_ = on; }
 
  private:
+  void begin_opengl();
+  void fit();
   void render();
+  void fetch();
+
+  // In this order: VTK lets go of what it has in the context before that goes.
+  std::unique_ptr<QOffscreenSurface> surface_;
+  std::unique_ptr<QOpenGLContext> context_;
   vtkSmartPointer<vtkGenericOpenGLRenderWindow> window_;
   vtkSmartPointer<vtkRenderer> renderer_;
+  vtkSmartPointer<QVTKInteractor> interactor_;
+  std::unique_ptr<QVTKInteractorAdapter> adapter_;
+  QImage pixels_;  ///< as VTK drew them
+  bool drawn_ = false, fetched_ = false;
   bool mouse_camera_ = false;
+  double resolution_ = 1.0;  ///< pixels drawn per pixel of the screen, a side
   double last_draw_ms_ = 0.0;
   Quality used_;
 };

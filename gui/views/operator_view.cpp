@@ -36,7 +36,7 @@ OperatorView::OperatorView(QWidget* parent) : GlView(parent) {
 
 void OperatorView::show_patient(std::shared_ptr<PatientLook> look, const engine::TriangleMesh& tool,
                                 const engine::IntubationDescription* intubation) {
-  if (isValid()) makeCurrent();  // what goes is released in its own context, not in that of the view drawn last
+  make_current();
   renderer()->RemoveAllViewProps();
   look_ = std::move(look);
   ghost_ = std::make_unique<GhostLook>(tool);

@@ -20,7 +20,7 @@ namespace {
 
 using engine::Vec3;
 
-constexpr int kAround = 28;
+constexpr int kAround = 20;
 constexpr double kRing = 0.0015;  // m between the rings of triangles
 constexpr int kBevelRings = 8;
 constexpr double kPrintPerM = 14e3;   // pixels

@@ -50,7 +50,7 @@ VideoView::VideoView(QWidget* parent) : GlView(parent) {
 
 void VideoView::show_patient(std::shared_ptr<PatientLook> look, const engine::TriangleMesh& tool,
                              const engine::IntubationDescription* intubation) {
-  if (isValid()) makeCurrent();  // what goes is released in its own context, not in that of the view drawn last
+  make_current();
   renderer()->RemoveAllViewProps();
   stage_ = std::make_unique<MouthStage>(std::move(look), tool, intubation, MouthStage::Eye::in_the_mouth, renderer());
   stage_->set_blue_trachea(blue_trachea_);

@@ -83,7 +83,7 @@ struct Window {
     video->show_patient(look, scene.tool.surface, intubation);
     widget.show();
     for (auto* view : {static_cast<GlView*>(eye), static_cast<GlView*>(cut), static_cast<GlView*>(video)})
-      QObject::connect(view, &QOpenGLWidget::frameSwapped, &widget, [this] { ++swaps; });
+      QObject::connect(view, &GlView::painted, &widget, [this] { ++swaps; });
     QApplication::processEvents();
   }
   void draw_eye(const engine::Snapshot& s) { eye->update_from(s), eye->draw(); }

@@ -149,7 +149,7 @@ TEST_F(Views, APatientThatFollowsIsDrawnWithNoMoreThanTheOneBefore) {
       view.update_from(lifted_snapshot(patient(), 0.7, 3.0));
       if constexpr (std::is_same_v<std::decay_t<decltype(view)>, OperatorView>) view.settle();
       view.draw();
-      return view.grabFramebuffer();
+      return view.last_picture();
     };
     show(view, 400, 320);
     GlView::governor().set_mode(QualityGovernor::Mode::high);

@@ -187,7 +187,7 @@ TEST_F(WindowBaseline, ASlowMachineSeesTheSameSceneAndItsStillsAreWhole) {
   view.settle();
   view.draw();
   QApplication::processEvents();
-  const QImage coarse = view.grabFramebuffer();
+  const QImage coarse = view.last_picture();
   ASSERT_EQ(coarse.size(), QSize(kWidth, kHeight)) << "as large as ever on the screen";
   const QImage whole(QString::fromStdString(baseline("lifted").string()));
   ASSERT_FALSE(whole.isNull());
@@ -219,7 +219,7 @@ TEST_F(WindowBaseline, TheNextPatientGoesWithoutWhatTheOneBeforeWentWithout) {
     if constexpr (std::is_same_v<std::decay_t<decltype(view)>, OperatorView>) view.settle();  // near at once
     view.draw();
     QApplication::processEvents();
-    return view.grabFramebuffer();
+    return view.last_picture();
   };
   const auto triangles = [](const PatientLook& of) { return of.soft->surface()->GetNumberOfPolys(); };
   OperatorView view;
@@ -228,7 +228,7 @@ TEST_F(WindowBaseline, TheNextPatientGoesWithoutWhatTheOneBeforeWentWithout) {
   const auto first = look(), second = look();
   const auto all = triangles(*first);
   const QImage whole = drawn(view, first);
-  GlView::governor().hold(3);  // every effect is gone, at the full resolution
+  GlView::governor().hold(5);  // every effect is gone
   const QImage one = drawn(view, first);
   EXPECT_LT(triangles(*first), all);
   EXPECT_GT(picture_difference(whole, one).mean_grey, 0.05) << "something was left out";

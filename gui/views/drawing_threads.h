@@ -1,0 +1,12 @@
+// The threads of an OpenGL driver without a graphics card (Mesa's llvmpipe), which would take the haptic loop's turn.
+#pragma once
+
+namespace vallecula::gui {
+
+/// Before OpenGL starts: as many as there are cores, at most four; LP_NUM_THREADS, where it is set, is kept.
+void limit_drawing_threads();
+
+/// Once OpenGL has started: they give way to every other thread that has work.
+void put_drawing_threads_behind();
+
+}  // namespace vallecula::gui
