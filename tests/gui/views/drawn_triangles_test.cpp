@@ -75,7 +75,7 @@ TEST(DrawnTriangles, ASurfaceWithoutTooManyStaysAsItIs) {
 
 TEST(DrawnTriangles, TheFaceIsDrawnWithinATenthOfAMillimetre) {
   const auto package = window_test::coarse_patient();
-  const auto look = make_patient_look(package);
+  const auto look = make_patient_look(package, {}, Seen::all_round);
   const auto& face = package.surfaces.at("face");
   vtkNew<vtkImplicitPolyDataDistance> drawn;
   drawn->SetInput(look->face);
