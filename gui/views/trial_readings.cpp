@@ -81,6 +81,7 @@ TrialReadings::TrialReadings(QWidget* parent) : QWidget(parent) {
   auto* grid = new QGridLayout(this);
   grid->setContentsMargins(12, 8, 12, 8);
   grid->setVerticalSpacing(4);
+  grid->setHorizontalSpacing(16);
   const auto caption = [&](const QString& text, int row, int column) {
     auto* label = new QLabel(text, this);
     label->setObjectName("faint");
@@ -124,8 +125,6 @@ TrialReadings::TrialReadings(QWidget* parent) : QWidget(parent) {
   grid->addWidget(steps_, 6, 1);
   caption(tr("Picture"), 7, 0);
   drawing_ = new QLabel(this);
-  drawing_->setToolTip(
-      tr("Frames drawn a second, and what was left out of the picture so that hand and picture keep their time."));
   grid->addWidget(drawing_, 7, 1);
   for (QLabel* figure : {state_, loop_, steps_, drawing_, tube_})  // a narrow panel cuts them, and is not widened by them
     figure->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
@@ -198,7 +197,10 @@ void TrialReadings::show_snapshot(const engine::Snapshot& snapshot, double pause
 
 void TrialReadings::show_drawing(double frames_per_second, const QString& reduced) {
   const QString rate = frames_per_second > 0.0 ? tr("%1 frames/s").arg(frames_per_second, 0, 'f', 0) : tr("standing");
-  drawing_->setText(reduced.isEmpty() ? rate : tr("%1; %2").arg(rate, reduced));
+  drawing_->setText(reduced.isEmpty() ? rate : tr("%1, less detail").arg(rate));
+  const QString what =
+      tr("Frames drawn a second, and what was left out of the picture so that hand and picture keep their time.");
+  drawing_->setToolTip(reduced.isEmpty() ? what : what + "\n" + reduced);
 }
 
 }  // namespace vallecula::gui
