@@ -1,6 +1,7 @@
 #include "engine/scene.h"
 
 #include <cmath>
+#include <cstring>
 #include <stdexcept>
 #include <string>
 
@@ -48,7 +49,60 @@ void check(const SceneDescription& d) {
     throw std::invalid_argument("rigid anatomy: a structure is needed for each triangle");
 }
 
-RigidField rigid_field(const SceneDescription& d) {
+/// To the bit: what is made of the same is the same, and of nothing less.
+template <class T>
+bool same(const std::vector<T>& a, const std::vector<T>& b) {
+  return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
+}
+
+bool same(const TriangleMesh& a, const TriangleMesh& b) {
+  return same(a.points, b.points) && same(a.triangles, b.triangles);
+}
+
+/// Nothing else of a soft body enters its sphere tree.
+SoftBodyDescription shape_of(const SoftBodyDescription& soft) {
+  SoftBodyDescription shape;
+  shape.nodes = soft.nodes;
+  shape.tets = soft.tets;
+  shape.node_anchor = soft.node_anchor;
+  return shape;
+}
+
+bool same_tree(const SceneDescription& a, const SceneDescription& b) {
+  return same(a.soft.nodes, b.soft.nodes) && same(a.soft.tets, b.soft.tets) &&
+         same(a.soft.node_anchor, b.soft.node_anchor) && a.coverage == b.coverage && a.sphere_ratio == b.sphere_ratio &&
+         a.sphere_levels == b.sphere_levels;
+}
+
+std::shared_ptr<const SphereTree> sphere_tree(const SceneDescription& d, const SoftSurface& surface, const Scene* before,
+                                              const std::function<void()>& between) {
+  if (before != nullptr && same_tree(before->description, d)) return before->shared_tree;
+  if (between) between();
+  FillSettings settings;
+  settings.coverage = d.coverage;
+  settings.sphere_ratio = d.sphere_ratio;
+  settings.levels = d.sphere_levels;
+  return std::make_shared<const SphereTree>(fill_spheres(shape_of(d.soft), surface, settings));
+}
+
+std::shared_ptr<const ToolField> tool_field(const ToolDescription& tool, const Scene* before,
+                                            const std::function<void()>& between) {
+  if (before != nullptr) {
+    const ToolDescription& other = before->description.tool;
+    if (same(other.surface, tool.surface) && other.tissue_low == tool.tissue_low && other.tissue_high == tool.tissue_high)
+      return before->shared_tool;
+  }
+  if (between) between();
+  return std::make_shared<const ToolField>(tool.surface, tool.tissue_low, tool.tissue_high);
+}
+
+/// Of the field's samples and of the box they lie in.
+bool same_rigid(const SceneDescription& a, const SceneDescription& b) {
+  return same(a.rigid.surface, b.rigid.surface) && same(a.rigid.triangle_structure, b.rigid.triangle_structure) &&
+         same(a.rigid.triangle_part, b.rigid.triangle_part) && same(a.soft.nodes, b.soft.nodes);
+}
+
+RigidField rigid_field(const SceneDescription& d, const Scene* before, const std::function<void()>& between) {
   if (d.rigid.surface.triangles.empty()) return {};
   // Only where the blade can meet it: around the tissue and from the mouth's opening (the landmarks lie within).
   Vec3 low = d.soft.nodes.front(), high = low;
@@ -67,7 +121,9 @@ RigidField rigid_field(const SceneDescription& d) {
       high = high.cwiseMax(d.rigid.surface.points[v] + 0.5 * margin);
     }
   }
-  return RigidField(d.rigid, d.soft.bodies, low, high, kRigidSpacing, kRigidBand);
+  const RigidField* sampled = before != nullptr && same_rigid(before->description, d) ? &before->rigid : nullptr;
+  if (between && sampled == nullptr) between();
+  return RigidField(d.rigid, d.soft.bodies, low, high, kRigidSpacing, kRigidBand, sampled);
 }
 
 const SceneDescription& checked(const SceneDescription& d) {
@@ -87,21 +143,17 @@ ProxySettings proxy_settings(const SceneDescription& d) {
 
 }  // namespace
 
-Scene::Scene(const SceneDescription& d)
+Scene::Scene(const SceneDescription& d, const Scene* before, const std::function<void()>& between)
     : description(checked(d)),
       model(d.soft, d.step_s, d.hold_volume),
       surface(extract_surface(d.soft.tets)),
-      tree(fill_spheres(d.soft, surface, [&d] {
-        FillSettings s;
-        s.coverage = d.coverage;
-        s.sphere_ratio = d.sphere_ratio;
-        s.levels = d.sphere_levels;
-        return s;
-      }())),
+      shared_tree(sphere_tree(d, surface, before, between)),
+      tree(*shared_tree),
       triangles(d.collision == Collision::triangles ? TriangleCollision(d.soft.nodes, surface, d.tool.surface)
                                                     : TriangleCollision()),
-      tool(d.tool.surface, d.tool.tissue_low, d.tool.tissue_high),
-      rigid(rigid_field(d)),
+      shared_tool(tool_field(d.tool, before, between)),
+      tool(*shared_tool),
+      rigid(rigid_field(d, before, between)),
       lips(d.lips, d.soft.bodies, d.step_s),
       sight(d.sight, d.soft.bodies),
       tube_areas(thinned_areas(tree, surface, d.soft.nodes, kTubePointSpacing)),
@@ -112,7 +164,12 @@ Scene::Scene(const SceneDescription& d)
 }
 
 std::shared_ptr<const Scene> build_scene(const SceneDescription& description) {
-  return std::make_shared<const Scene>(description);
+  return build_scene(description, nullptr, {});
+}
+
+std::shared_ptr<const Scene> build_scene(const SceneDescription& description, const Scene* before,
+                                         const std::function<void()>& between) {
+  return std::make_shared<const Scene>(description, before, between);
 }
 
 }  // namespace vallecula::engine

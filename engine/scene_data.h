@@ -1,6 +1,8 @@
 // The scene as the engine steps it: everything precomputed from the description and never changed again.
 #pragma once
 
+#include <functional>
+
 #include "engine/aist/thinned_areas.h"
 #include "engine/contact/lips.h"
 #include "engine/contact/rigid_field.h"
@@ -16,14 +18,20 @@ namespace vallecula::engine {
 
 class Scene {
  public:
-  explicit Scene(const SceneDescription& description);
+  /// As build_scene() below.
+  explicit Scene(const SceneDescription& description, const Scene* before = nullptr,
+                 const std::function<void()>& between = {});
+  Scene(const Scene&) = delete;
+  Scene& operator=(const Scene&) = delete;
 
   SceneDescription description;
   TissueModel model;
   SoftSurface surface;
-  SphereTree tree;
+  std::shared_ptr<const SphereTree> shared_tree;  ///< with other scenes of the same tissue at rest
+  const SphereTree& tree;
   TriangleCollision triangles;   ///< only where the description asks for it
-  ToolField tool;
+  std::shared_ptr<const ToolField> shared_tool;   ///< with other scenes of the same tool
+  const ToolField& tool;
   RigidField rigid;              ///< empty (nothing inside) without rigid anatomy
   Lips lips;
   LineOfSight sight;
@@ -33,5 +41,11 @@ class Scene {
   float contact_stiffness = 0.0f;  ///< N/m^3
   Vec3 centre = Vec3::Zero();      ///< of the tissue at rest: device poses are clamped to a ball around it
 };
+
+/// As build_scene(description), to the bit, but what `before` (may be null) made of the very same input is shared with it
+/// instead of made again: sphere tree and distance fields, nearly all of the time. `between` (may be empty) is called
+/// before each of these that is made, and may throw, to leave.
+std::shared_ptr<const Scene> build_scene(const SceneDescription& description, const Scene* before,
+                                         const std::function<void()>& between);
 
 }  // namespace vallecula::engine

@@ -20,7 +20,7 @@ Mat3 cross_matrix(const Vec3& w) {
 }  // namespace
 
 RigidField::RigidField(const RigidAnatomy& anatomy, const std::vector<SprungBody>& bodies, const Vec3& low,
-                       const Vec3& high, double spacing, double band)
+                       const Vec3& high, double spacing, double band, const RigidField* sampled)
     : parts_(anatomy.parts) {
   if (parts_.size() > kMostRigidParts)
     throw std::invalid_argument("rigid anatomy: " + std::to_string(parts_.size()) + " moving parts; at most " +
@@ -48,7 +48,9 @@ RigidField::RigidField(const RigidAnatomy& anatomy, const std::vector<SprungBody
     for (int v : triangles[t])
       reach = std::max(reach, (anatomy.surface.points[v] - body_[static_cast<std::size_t>(part)].pivot).norm());
   }
-  grid_ = SignedDistanceGrid(anatomy.surface, low, high, spacing, band, classes);
+  grid_ = sampled != nullptr
+              ? sampled->grid_
+              : std::make_shared<const SignedDistanceGrid>(anatomy.surface, low, high, spacing, band, classes);
 }
 
 void RigidField::place(const std::vector<Vec3>& displacement, const std::vector<Vec3>& velocity,

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <memory>
 
 #include "engine/contact/signed_distance_grid.h"
 #include "engine/scene.h"
@@ -30,9 +31,10 @@ class RigidField {
  public:
   RigidField() = default;
   /// Samples the anatomy in the box [low, high] with `spacing`, exact within `band` of it (m). Throws
-  /// std::invalid_argument when a part or a triangle names what does not exist.
+  /// std::invalid_argument when a part or a triangle names what does not exist. `sampled` (may be null): a field whose
+  /// triangles, structures, parts of triangles and box are the very same; its samples are shared.
   RigidField(const RigidAnatomy& anatomy, const std::vector<SprungBody>& bodies, const Vec3& low, const Vec3& high,
-             double spacing, double band);
+             double spacing, double band, const RigidField* sampled = nullptr);
 
   /// The parts' poses for the bodies' displacements and velocities (translation, or angle in x).
   void place(const std::vector<Vec3>& displacement, const std::vector<Vec3>& velocity, PartPoses& poses) const noexcept;
@@ -49,12 +51,12 @@ class RigidField {
   /// known of which way is out. Returns how far x is from all of it at least.
   template <class Visit, class Away>
   double look(const Vec3& x, const PartPoses& poses, double reach, Visit visit, Away away) const {
-    double nearest = grid_.band();
+    double nearest = grid_->band();
     for (int part = -1; part < part_count(); ++part) {
       const Vec3 rest = part < 0 ? x : poses[static_cast<std::size_t>(part)].rest_of(x);
-      const SignedDistanceGrid::Sample s = grid_.sample(rest);
+      const SignedDistanceGrid::Sample s = grid_->sample(rest);
       nearest = std::min(nearest, s.distance);
-      const std::uint8_t of = s.distance < reach ? grid_.class_at(rest) : SignedDistanceGrid::kNoClass;
+      const std::uint8_t of = s.distance < reach ? grid_->class_at(rest) : SignedDistanceGrid::kNoClass;
       if (of == SignedDistanceGrid::kNoClass || of / kPartFactor - 1 != part) {
         away(part, s.distance);
         continue;
@@ -74,7 +76,7 @@ class RigidField {
  private:
   static constexpr std::uint8_t kPartFactor = 16;  // a class is a structure and, above it, the part
 
-  SignedDistanceGrid grid_;
+  std::shared_ptr<const SignedDistanceGrid> grid_ = std::make_shared<const SignedDistanceGrid>();
   std::vector<RigidPart> parts_;
   std::vector<SprungBody> body_;  ///< per part
   std::vector<double> reach_;     ///< per part that turns: its farthest point from the pivot, m

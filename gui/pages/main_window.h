@@ -8,6 +8,7 @@
 #include <atomic>
 #include <functional>
 #include <memory>
+#include <optional>
 
 #include "gui/pages/start_page.h"
 #include "gui/session/dropped_files.h"
@@ -67,6 +68,7 @@ class MainWindow : public QMainWindow {
   void save_log(const std::filesystem::path& to);
   KeptDraft& draft() { return *draft_; }
   HomePage& home_page() { return *home_; }
+  ReadyPatient& ready_patient() { return *ready_; }
   MainMenu& menu() { return *menu_; }
   StartPage& start_page() { return *start_; }
   ImportWizard& import_wizard() { return *import_; }
@@ -124,8 +126,10 @@ class MainWindow : public QMainWindow {
   /// To be called first when it ended, nothing of it being left when it was given up. False: it was, and what was wanted
   /// instead has begun, or `leave` was called where its page is still seen.
   bool work_ended(const std::function<void()>& leave);
-  /// The next trial's patient is read and made ready while one looks at the first page.
+  /// The next trial's patient is read and made ready, its scene with it, while one looks at the first page.
   void make_ready();
+  /// Where something else is made ready than this is, that is left: nobody waits for it.
+  void leave_unwanted(const Choice& wanted);
   void show_result();
   void take_self_rating(const SelfRating& rating);
   /// What is open and mastered for whoever is signed in.
@@ -168,7 +172,10 @@ class MainWindow : public QMainWindow {
   std::function<void()> next_work_;
   std::string failure_;  ///< kind of what ended the work that was prepared; empty: it failed later, on its page
   std::unique_ptr<ReadyPatient> ready_;
-  std::filesystem::path ready_wanted_, ready_asked_;
+  std::filesystem::path ready_package_;  ///< to be made ready; empty: there is none yet
+  std::optional<Choice> ready_wanted_;   ///< for it; none: no scenario is chosen
+  std::string ready_asked_;              ///< what is made ready, or was last
+  std::atomic<bool> ready_left_{false};
   int courses_asked_ = 0;
   QWidget* first_;  ///< home or the course: where one goes back to
   std::vector<curricula::Curriculum> opened_courses_;  ///< from elsewhere than the folders of courses

@@ -7,6 +7,7 @@
 #include <QStackedWidget>
 #include <QUrl>
 #include <algorithm>
+#include <stdexcept>
 
 #include "gui/authoring/authoring_page.h"
 #include "gui/import/import_wizard.h"
@@ -23,8 +24,10 @@
 #include "gui/pages/trial_page.h"
 #include "gui/records_pages/records_page.h"
 #include "gui/session/builtin_patient.h"
+#include "gui/session/low_priority.h"
 #include "gui/session/program_log.h"
 #include "gui/session/recent_files.h"
+#include "gui/session/scene_from_package.h"
 
 namespace vallecula::gui {
 namespace {
@@ -36,6 +39,18 @@ std::vector<std::filesystem::path> local_files(const QMimeData& data) {
   for (const QUrl& url : data.urls())
     if (url.isLocalFile()) paths.emplace_back(url.toLocalFile().toStdString());
   return paths;
+}
+
+constexpr int kReadyNice = 10;  ///< of what is made ready before it is asked for
+
+/// All that a scene is made of, as it is chosen; whatever is drawn for the attempt comes later.
+std::string made_of(const Choice& choice) {
+  return choice.patient.string() + '\n' + choice.taken.blade + '\n' + choice.taken.tube + '\n' + choice.scenario.yaml;
+}
+
+curricula::Scenario scenario_as_chosen(const Choice& choice) {
+  const bool chosen = !choice.taken.blade.empty() || !choice.taken.tube.empty();
+  return chosen ? curricula::attempt_of(choice.scenario, choice.mode, 0, choice.taken) : choice.scenario;
 }
 
 /// What the first page shows of the disk.
@@ -131,10 +146,10 @@ void MainWindow::look_around() {
     return;
   }
   look_again_ = false;
-  const NextTrial next = start_->next_trial();
+  std::optional<Choice> next;
+  if (!start_->next_trial().scenario.isEmpty()) next = start_->choice();
   std::filesystem::path patient = start_->hands().patient;
-  curricula::ManikinSpec manikin;
-  if (patient.empty() && !next.scenario.isEmpty()) manikin = start_->choice().scenario.manikin;
+  const curricula::ManikinSpec manikin = next ? next->scenario.manikin : curricula::ManikinSpec();
   looker_ = run_in_background<Around>(
       this,
       [patient, manikin, files = kept_recent()]() mutable {
@@ -143,11 +158,12 @@ void MainWindow::look_around() {
         return Around{QImage(QString::fromStdString((patient / "thumbnail.png").string())), still_there(files),
                       std::filesystem::exists(patient / "patient.yaml", none) ? patient : std::filesystem::path()};
       },
-      [this](const Around& around) {
+      [this, next](const Around& around) {
         home_->set_picture(around.patient);
         home_->set_recent(around.recent);
         menu_->set_recent(around.recent);
-        ready_wanted_ = around.package;
+        ready_package_ = around.package;
+        ready_wanted_ = next;
         look_again_ ? look_around() : make_ready();
       },
       [this](const QString& message) { home_->set_message(message); });
@@ -155,16 +171,33 @@ void MainWindow::look_around() {
 
 void MainWindow::make_ready() {
   const QWidget* page = pages_->currentWidget();
-  if (!patients_known_ || working_ || ready_wanted_.empty() || (page != home_ && page != start_)) return;
-  if (readier_ && !readier_->isFinished()) return;  // once it is done
-  ready_asked_ = ready_wanted_;
-  const auto done = [this] {
-    if (ready_asked_ != ready_wanted_) make_ready();
+  if (!patients_known_ || working_ || ready_package_.empty() || (page != home_ && page != start_)) return;
+  if (readier_ && !readier_->isFinished()) {  // once it is done
+    if (ready_wanted_) leave_unwanted(*ready_wanted_);
+    return;
+  }
+  const std::string asked = ready_asked_ = ready_wanted_ ? made_of(*ready_wanted_) : std::string();
+  ready_left_ = false;
+  const auto done = [this, asked, package = ready_package_] {
+    if (package != ready_package_ || (ready_wanted_ && made_of(*ready_wanted_) != asked)) make_ready();
   };
   readier_ = run_in_background<std::shared_ptr<PatientLook>>(
-      this, [this, patient = ready_asked_] { return ready_->look(patient); },
+      this,
+      [this, package = ready_package_, next = ready_wanted_] {
+        take_low_priority(kReadyNice);
+        const auto go_on = [this](const std::string&, double) {
+          if (ready_left_) throw std::runtime_error("something else was chosen");
+        };
+        auto look = ready_->look(package, go_on);
+        if (next) ready_->scene(scene_from_package(look->package, scenario_as_chosen(*next)), go_on);
+        return look;
+      },
       [done](const std::shared_ptr<PatientLook>&) { done(); },
       [done](const QString&) { done(); });  // told when a trial with it is asked for
+}
+
+void MainWindow::leave_unwanted(const Choice& wanted) {
+  if (made_of(wanted) != ready_asked_) ready_left_ = true;
 }
 
 void MainWindow::remember(const std::filesystem::path& path) {

@@ -78,6 +78,7 @@ void MainWindow::prepare_choice(const Choice& choice, std::uint32_t seed) {
 }
 
 void MainWindow::prepare_checked(const Choice& choice, std::uint32_t seed) {
+  leave_unwanted(choice);
   TrialSetup setup;
   setup.curriculum = choice.curriculum;
   setup.scenario = choice.scenario.id;
@@ -147,6 +148,11 @@ void MainWindow::prepare(TrialSetup setup, std::function<std::filesystem::path()
           });
           whole.package = {prepared.look, &prepared.look->package};
           report_progress("Building the scene", 0.92);
+          whole.build_scene = [this](const engine::SceneDescription& description) {
+            return ready_->scene(description, [this](const std::string& stage, double done) {
+              report_progress(stage, 0.92 + 0.07 * done);
+            });
+          };
           prepared.session = std::make_shared<TrialSession>(whole);
           report_progress("Ready", 1.0);
           return prepared;

@@ -4,6 +4,8 @@
 #include <set>
 #include <stdexcept>
 
+#include "engine/scene_data.h"
+
 namespace vallecula::gui {
 namespace {
 
@@ -41,10 +43,7 @@ std::shared_ptr<PatientLook> ReadyPatient::look(const fs::path& folder,
   const auto lock = waited_for(progress);
   const std::string state = state_of(folder);
   if (look_ && kept_ == state) return look_;
-  const auto report = [&](const std::string& stage, double fraction) {
-    if (stopped_) throw std::runtime_error("the window was closed");
-    if (progress) progress(stage, fraction);
-  };
+  const auto report = [&](const std::string& stage, double fraction) { go_on(progress, stage, fraction); };
   look_.reset();
   report("Reading the patient", 0.0);
   pipeline::PatientPackage package = pipeline::read_package(folder);
@@ -54,6 +53,27 @@ std::shared_ptr<PatientLook> ReadyPatient::look(const fs::path& folder,
       Seen::from_the_eye, folder);
   kept_ = state;
   return look_;
+}
+
+std::shared_ptr<const engine::Scene> ReadyPatient::scene(
+    const engine::SceneDescription& description, const std::function<void(const std::string&, double)>& progress) {
+  const auto lock = waited_for(progress);
+  constexpr double kParts = 3.0;
+  double made = 0.0;
+  scene_ = engine::build_scene(description, scene_.get(),
+                               [&] { go_on(progress, "Building the scene", made++ / kParts); });
+  return scene_;
+}
+
+std::shared_ptr<const engine::Scene> ReadyPatient::kept_scene() {
+  const auto lock = waited_for({});
+  return scene_;
+}
+
+void ReadyPatient::go_on(const std::function<void(const std::string&, double)>& progress, const std::string& stage,
+                         double fraction) const {
+  if (stopped_) throw std::runtime_error("the window was closed");
+  if (progress) progress(stage, fraction);
 }
 
 }  // namespace vallecula::gui

@@ -1,5 +1,5 @@
-// The patient of the next trial, read and made ready for drawing: before somebody asks for it, and kept for the trial
-// after that one.
+// The patient of the next trial, read, made ready for drawing and its scene built: before somebody asks for it, and kept
+// for the trial after that one.
 #pragma once
 
 #include <atomic>
@@ -9,6 +9,7 @@
 #include <mutex>
 #include <string>
 
+#include "engine/scene.h"
 #include "gui/views/patient_look.h"
 
 namespace vallecula::gui {
@@ -23,14 +24,25 @@ class ReadyPatient {
                                     const std::function<void(const std::string&, double)>& progress = {});
   /// This folder is the one that is kept, as it lies on the disk now. Waits as look() does.
   bool has(const std::filesystem::path& folder, const std::function<void(const std::string&, double)>& progress = {});
+  /// The scene of this description, the same to the bit as built alone; it is the one that is kept from here on, and what
+  /// the one kept before made of the very same input is shared with it instead of made again. Any thread, as look();
+  /// `progress` is called before each long part that is made. Throws what engine::build_scene() throws, and
+  /// std::runtime_error after stop().
+  std::shared_ptr<const engine::Scene> scene(const engine::SceneDescription& description,
+                                             const std::function<void(const std::string&, double)>& progress = {});
+  std::shared_ptr<const engine::Scene> kept_scene();  ///< null: none yet; waits as look() does
   /// Nothing is begun from here on, and what is under way ends at its next stage.
   void stop() { stopped_ = true; }
 
  private:
   std::unique_lock<std::timed_mutex> waited_for(const std::function<void(const std::string&, double)>& progress);
+  /// Tells of the progress, unless there is to be none any more.
+  void go_on(const std::function<void(const std::string&, double)>& progress, const std::string& stage,
+             double fraction) const;
   std::timed_mutex mutex_;
   std::string kept_;  ///< what lay in the folder when it was read
   std::shared_ptr<PatientLook> look_;
+  std::shared_ptr<const engine::Scene> scene_;
   std::atomic<bool> stopped_{false};
 };
 

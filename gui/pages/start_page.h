@@ -13,6 +13,7 @@
 class QComboBox;
 class QDialog;
 class QLabel;
+class QLayout;
 class QPushButton;
 
 namespace vallecula::gui {
@@ -75,6 +76,15 @@ class StartPage : public QWidget {
   void changed();  ///< next_trial() may be another
 
  private:
+  static constexpr const char *kWatchExpert = "scripted:expert", *kWatchNovice = "scripted:novice";
+
+  QLayout* make_head();
+  void make_choices();
+  QLayout* make_patient_row();
+  QLayout* make_left();
+  QLayout* make_form(QLayout* patient_row, QWidget* devices);
+  QWidget* make_right(QLayout* form);
+  void connect_choices();
   /// Fills the tree anew.
   void show_modules();
   void show_chosen();

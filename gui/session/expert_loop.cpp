@@ -1,9 +1,5 @@
 #include "gui/session/expert_loop.h"
 
-#include <sys/resource.h>
-#include <sys/syscall.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <atomic>
 #include <cmath>
@@ -13,6 +9,7 @@
 #include "engine/haptics/runner.h"
 #include "gui/session/film_frames.h"
 #include "gui/session/hands_port.h"
+#include "gui/session/low_priority.h"
 #include "gui/session/scripted_hands.h"
 #include "gui/session/scripted_pairs.h"
 #include "gui/session/trial_session.h"
@@ -73,8 +70,7 @@ struct ExpertLoop::Impl {
     film = plan_film(ticks, kTickS, bytes_of(runner->latest()), kLoopBytes);
     frames.emplace(film.frames);
     worker = std::thread([this] {
-      // Of this thread alone: Linux gives each its own.
-      setpriority(PRIO_PROCESS, static_cast<id_t>(syscall(SYS_gettid)), kLeastPriority);
+      take_low_priority(kLeastPriority);
       try {
         compute();
       } catch (const std::exception& error) {

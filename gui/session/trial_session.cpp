@@ -98,7 +98,7 @@ TrialSession::Impl::Impl(const TrialSetup& given)
   const HandsSetup held{setup.device, setup.second, setup.own_device, setup.own_second_device};
   hands = std::make_unique<TwoHands>(held, package, scenario, description);
   for (const Tidied& told : tidy_records()) notices.push_back(told.whole());
-  scene = engine::build_scene(description);
+  scene = setup.build_scene ? setup.build_scene(description) : engine::build_scene(description);
   make_attempt(false);
 }
 

@@ -40,6 +40,8 @@ struct TrialSetup {
   std::function<std::unique_ptr<device::HapticDevice>()> own_device, own_second_device;
   bool realtime = true;             ///< false: as fast as it goes, servo and simulation in lockstep on one thread
   long long trainee_id = 0;         ///< whose trial it is, by the records; 0, or a hand of a script or record: nobody's
+  /// Builds the scene, where the caller has what one is built of faster; empty: engine::build_scene.
+  std::function<std::shared_ptr<const engine::Scene>(const engine::SceneDescription&)> build_scene;
   std::filesystem::path final_out;  ///< where the caller will move `out` to once all is whole; empty: it stays
 };
 

@@ -9,6 +9,7 @@
 #include <QTest>
 #include <chrono>
 #include <cstdio>
+#include <ctime>
 #include <thread>
 
 #include "curricula/records/people.h"
@@ -66,6 +67,11 @@ TEST_F(WindowStall, TheWatchSeesAStallAndNoneWhereThereIsNone) {
   std::this_thread::sleep_for(std::chrono::milliseconds(250));
   settle(50);
   EXPECT_GE(watch.take_longest_ms(), 240.0);
+  watch.take_most_work_ms();
+  const auto worked = [] { return std::clock(); };
+  for (const auto begin = worked(); worked() - begin < CLOCKS_PER_SEC / 5;) continue;
+  settle(50);
+  EXPECT_GE(watch.take_most_work_ms(), 90.0) << "at least half of what all threads worked together";
 }
 
 TEST_F(WindowStall, ALockedDatabaseStopsNothing) {
@@ -152,7 +158,10 @@ TEST_F(WindowStall, BackWaitsForNoDatabaseAndTheNextTrialForTheOneBefore) {
 TEST_F(WindowStall, FiguresOfEveryFlow) {
   if (std::getenv("VALLECULA_SLOW") == nullptr) GTEST_SKIP() << "figures for a quiet machine: VALLECULA_SLOW=1";
   StallWatch watch;
-  const auto told = [&watch](const char* flow) { std::printf("%8.0f ms longest without an answer: %s\n", watch.take_longest_ms(), flow); };
+  const auto told = [&watch](const char* flow) {
+    const double longest = watch.take_longest_ms(), work = watch.take_most_work_ms();
+    std::printf("%8.0f ms longest without an answer, %4.0f ms of them worked: %s\n", longest, work, flow);
+  };
   bool ready = false, finished = false, replayed = false;
   struct Round {
     const char* what;
@@ -220,19 +229,24 @@ TEST_F(WindowStall, FiguresOfEveryFlow) {
     settle(100);
   }
   watch.take_longest_ms();
+  watch.take_most_work_ms();
   window_->write_course(curricula_folder() / "neonatal-intubation.yaml");
   settle();
   told("authoring of a large course");
   emit window_->authoring_page().left();
+  apply_look({"light", 1.0});
+  settle();
+  told("another ground");
   apply_look({"light", 1.2});
   settle();
-  told("another look");
+  told("larger text");
   apply_look({});
   settle();
   pipeline::ManikinOptions options;
   options.weight_kg = 0.8;
   pipeline::write_manikin(options, box_ / "ct");
   watch.take_longest_ms();
+  watch.take_most_work_ms();
   window_->import_series(QString::fromStdString((box_ / "ct").string()));
   ASSERT_TRUE(wait_for([&] { return !window_->import_wizard().work().busy(); }));
   settle();

@@ -5,6 +5,9 @@
 
 #include <thread>
 
+#include "curricula/scenario.h"
+#include "engine/scene_data.h"
+#include "gui/session/scene_from_package.h"
 #include "tests/gui/block_patient.h"
 #include "tests/gui/program.h"
 
@@ -54,6 +57,39 @@ TEST_F(ReadyPatientTest, IsWaitedForAndLeft) {
   ready_.stop();
   test::write_text(folder_ / "more.txt", "another state");
   EXPECT_THROW(ready_.look(folder_), std::runtime_error);
+}
+
+TEST_F(ReadyPatientTest, ItsSceneIsMadeOnceAndAnewOfWhatIsAnother) {
+  const curricula::Scenario written =
+      curricula::load_curriculum(test::write_curriculum(box_.folder())).scenarios.front();
+  const pipeline::PatientPackage patient = pipeline::read_package(folder_);
+  int made = 0;
+  const auto scene_of = [&](const pipeline::PatientPackage& package, const curricula::Scenario& scenario) {
+    made = 0;
+    return ready_.scene(scene_from_package(package, scenario), [&made](const std::string&, double) { ++made; });
+  };
+  EXPECT_EQ(ready_.kept_scene(), nullptr);
+  const auto first = scene_of(patient, written);
+  EXPECT_EQ(made, 3);
+  EXPECT_EQ(ready_.kept_scene(), first);
+  auto softer = written;  // as a variation draws it
+  softer.tongue_young_pa = 5000.0;
+  const auto second = scene_of(patient, softer);
+  EXPECT_EQ(made, 0) << "the same patient and blade";
+  EXPECT_EQ(second->description.soft.materials[0].young_pa, 5000.0);
+  EXPECT_EQ(&second->tree, &first->tree);
+  auto other_blade = softer;
+  other_blade.blade = written.blade == "miller-0" ? "miller-1" : "miller-0";
+  EXPECT_NE(&scene_of(patient, other_blade)->tool, &first->tool);
+  EXPECT_EQ(made, 1);
+  auto other_patient = patient;
+  other_patient.tongue.points.back()[2] += 0.01;
+  EXPECT_NE(&scene_of(other_patient, other_blade)->tree, &first->tree);
+  EXPECT_EQ(made, 2);
+  scene_of(patient, written);
+  EXPECT_EQ(made, 3) << "one scene is kept, the last";
+  ready_.stop();
+  EXPECT_THROW(scene_of(other_patient, written), std::runtime_error);
 }
 
 }  // namespace
