@@ -111,7 +111,8 @@ std::vector<CurveSummary> Progress::cohort(const SignedIn& instructor, const Coh
   std::map<long long, std::string> names;
   connection.read([&] {
     require_instructor(connection, instructor);
-    QString where = "trainee_id IS NOT NULL";
+    // Educators try their own courses; they are nobody's cohort.
+    QString where = "trainee_id IN (SELECT id FROM people WHERE role = 'trainee')";
     QVariantList values;
     const auto also = [&](const char* condition, const std::string& value) {
       if (value.empty()) return;

@@ -26,6 +26,8 @@ MouseDevice::MouseDevice(const MouseSettings& settings) : settings_(settings), h
   require_positive(settings.smoothing_s, "smoothing_s");
   require_positive(settings.lift_speed_m_s, "lift_speed_m_s");
   require_positive(settings.lift_range_m, "lift_range_m");
+  require_positive(settings.lift_levels_rad_m, "lift_levels_rad_m");
+  require_positive(settings.lift_force_n, "lift_force_n");
   require_positive(settings.workspace_m, "workspace_m");
 }
 
@@ -41,6 +43,7 @@ void MouseDevice::place(const std::array<double, 3>& position_m, const std::arra
   target_.position_m = centre_ = position_m;
   target_.rotation_wxyz = normalised(rotation_wxyz);
   target_.lift_direction = 0.0;
+  target_.lift_share = 1.0;
   ++target_.placement;
   handed_.publish(target_);
 }
@@ -85,6 +88,12 @@ void MouseDevice::set_lift(double direction) noexcept {
   handed_.publish(target_);
 }
 
+void MouseDevice::feel(double force_n) noexcept {
+  if (!std::isfinite(force_n)) return;
+  target_.lift_share = std::clamp(1.0 - force_n / settings_.lift_force_n, 0.0, 1.0);
+  handed_.publish(target_);
+}
+
 void MouseDevice::set_buttons(std::uint32_t buttons) noexcept {
   target_.buttons = buttons;
   handed_.publish(target_);
@@ -108,7 +117,9 @@ DeviceReading MouseDevice::read(double time_s) noexcept {
                turn = settings_.max_turn_rad_s * step_s;
   limited_.rotation_wxyz =
       angle > turn ? slerp(limited_.rotation_wxyz, target.rotation_wxyz, turn / angle) : target.rotation_wxyz;
-  lift_ = std::clamp(lift_ + target.lift_direction * settings_.lift_speed_m_s * step_s, 0.0, settings_.lift_range_m);
+  const double lift_speed =
+      target.lift_direction * settings_.lift_speed_m_s * (target.lift_direction > 0.0 ? target.lift_share : 1.0);
+  lift_ = std::clamp(lift_ + lift_speed * step_s, 0.0, settings_.lift_range_m);
 
   const double share = 1.0 - std::exp(-step_s / settings_.smoothing_s);
   smooth_.position_m = add(smooth_.position_m, scale(subtract(limited_.position_m, smooth_.position_m), share));
@@ -120,7 +131,8 @@ DeviceReading MouseDevice::read(double time_s) noexcept {
 
   DeviceReading reading;
   reading.position_m = add(out_.position_m, rotate(out_.rotation_wxyz, {0, 0, smooth_lift_}));
-  reading.rotation_wxyz = out_.rotation_wxyz;
+  reading.rotation_wxyz =
+      normalised(multiply(out_.rotation_wxyz, about_axis({0, 1, 0}, smooth_lift_ * settings_.lift_levels_rad_m)));
   reading.buttons = target.buttons;
   return reading;
 }

@@ -14,6 +14,10 @@ struct MouseSettings {
   double smoothing_s = 0.02;      ///< time constant of each of two low-passes: mouse steps at 60 Hz leave no trace
   double lift_speed_m_s = 0.012;  ///< while the lift key is held
   double lift_range_m = 0.025;    ///< ANATOMY: the glottis is in full view by 15 mm
+  /// ANATOMY: the blade comes level as it rises, by 10 degrees in 14 mm as in the scripted expert's lift. Raised as it
+  /// lies its outer end presses on the gum long before the glottis is seen.
+  double lift_levels_rad_m = 12.0;
+  double lift_force_n = 6.0;  ///< the key lifts no further against this (assumed: three quarters of the usual limit)
   double workspace_m = 0.20;      ///< the target stays this near to where the tool was placed
 };
 
@@ -38,9 +42,11 @@ class MouseDevice final : public HapticDevice {
   /// Turns about the tool's own axes through the tip, rad: pitch about +y (raises or lowers the handle), yaw about +z,
   /// roll about +x (the blade's length).
   void turn(double pitch_rad, double yaw_rad, double roll_rad) noexcept;
-  /// Lift along the handle (tool +z): +1 while the lift key is held, -1 while the lower key is, 0 when both are free;
-  /// the tool then stays lifted as far as it came.
+  /// Lift along the handle (tool +z), the blade coming level: +1 while the lift key is held, -1 while the lower key is,
+  /// 0 when both are free; the tool then stays lifted as far as it came.
   void set_lift(double direction) noexcept;
+  /// The force on the blade, N: a hand would feel it, so the key lifts the slower the harder the tissue pulls.
+  void feel(double force_n) noexcept;
   void set_buttons(std::uint32_t buttons) noexcept;
 
   // --- the servo's thread --------------------------------------------------------------------------------------------
@@ -57,7 +63,7 @@ class MouseDevice final : public HapticDevice {
   struct Target {
     std::array<double, 3> position_m{0, 0, 0};
     std::array<double, 4> rotation_wxyz{1, 0, 0, 0};
-    double lift_direction = 0.0;
+    double lift_direction = 0.0, lift_share = 1.0;
     std::uint32_t buttons = 0;
     std::uint32_t placement = 0;  ///< counts place(): the servo then jumps instead of following
   };

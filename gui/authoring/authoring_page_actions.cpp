@@ -15,6 +15,7 @@
 #include "gui/authoring/course_tree.h"
 #include "gui/session/curricula_files.h"
 #include "gui/session/files.h"
+#include "gui/session/recent_files.h"
 
 namespace vallecula::gui {
 
@@ -89,8 +90,10 @@ void AuthoringPage::open_file(const fs::path& given) {
   fs::path file = given;
   if (file.empty()) {
     if (!may_leave()) return;
-    file = QFileDialog::getOpenFileName(this, tr("Open a course"), {}, course_files()).toStdString();
+    file = QFileDialog::getOpenFileName(this, tr("Open a course"), folder_to_open(), course_files())
+               .toStdString();
     if (file.empty()) return;
+    keep_opened(QString::fromStdString(file.string()));
   }
   set_message("");
   try {

@@ -18,6 +18,7 @@
 #include "gui/import/import_work.h"
 #include "gui/import/window_message.h"
 #include "gui/import/work_strip.h"
+#include "gui/session/recent_files.h"
 #include "gui/views/theme.h"
 
 namespace vallecula::gui {
@@ -111,12 +112,16 @@ SourcePage::SourcePage(ImportWork& work, QWidget* parent) : QWidget(parent), wor
   all->addLayout(foot);
 
   connect(folder_, &QPushButton::clicked, this, [this] {
-    const QString folder = QFileDialog::getExistingDirectory(this, tr("Choose the folder with the CT"));
-    if (!folder.isEmpty()) look_at(folder);
+    const QString folder = QFileDialog::getExistingDirectory(this, tr("Choose the folder with the CT"), folder_to_open());
+    if (folder.isEmpty()) return;
+    keep_opened(folder);
+    look_at(folder);
   });
   connect(file_, &QPushButton::clicked, this, [this] {
-    const QString file = QFileDialog::getOpenFileName(this, tr("Choose a file of the CT"));
-    if (!file.isEmpty()) look_at(file);
+    const QString file = QFileDialog::getOpenFileName(this, tr("Choose a file of the CT"), folder_to_open());
+    if (file.isEmpty()) return;
+    keep_opened(file);
+    look_at(file);
   });
   // What was listed elsewhere says nothing of another place: its numbers would choose another patient's series.
   connect(source_, &QLineEdit::textChanged, this, &SourcePage::forget_rows);

@@ -274,7 +274,10 @@ QString CheckRun::ask() const {
     case Step::rate:
       return tr("Hold still: the rate is measured for %1 s.").arg(kMeasureS, 0, 'f', 0);
     case Step::moves:
-      return tr("Move the handle %1, about %2 cm.").arg(direction_words(part_, 1)).arg(1e2 * kMoveM + 0.5, 0, 'f', 0);
+      return (probe_.info().kind == "mouse"        ? tr("Move the blade %1, about %2 cm: drag, wheel or keys.")
+              : probe_.info().kind == "spacemouse" ? tr("Push the cap %1, until the blade has gone about %2 cm.")
+                                                   : tr("Move the handle %1, about %2 cm."))
+          .arg(direction_words(part_, 1)).arg(1e2 * kMoveM + 0.5, 0, 'f', 0);
     case Step::reach:
       return tr("Go to the four corners, then far and near. Still to come: %1.").arg(missing_marks());
     case Step::force:

@@ -70,7 +70,7 @@ DeviceCheck::DeviceCheck(const QString& name, Maker make, QWidget* parent, std::
   push_->setObjectName("primary");
   push_->setToolTip(tr("Enter: the device pushes once, gently, and you say which way"));
   centre_ = new QPushButton(tr("Count from &here"), this);
-  centre_->setToolTip(tr("The place where the handle is becomes the middle of the mouth"));
+  centre_->setToolTip(tr("Where you are with it now becomes the middle of the mouth"));
   cannot_ = new QPushButton(tr("I &cannot do this"), this);
   cannot_->setToolTip(tr("This step is noted as not done, and the next one comes"));
   again_ = new QPushButton(tr("Check &again"), this);

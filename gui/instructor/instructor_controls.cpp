@@ -10,6 +10,7 @@
 #include <QTimer>
 #include <QVBoxLayout>
 #include <memory>
+#include <tuple>
 
 #include "engine/tube/intubation_record.h"
 
@@ -74,7 +75,7 @@ InstructorControls::InstructorControls(QWidget* parent) : QWidget(parent) {
   connect(line_->lineEdit(), &QLineEdit::returnPressed, this, &InstructorControls::say);
   connect(line_->lineEdit(), &QLineEdit::textChanged, this,
           [this](const QString& text) { say_->setEnabled(line_->isEnabled() && !text.trimmed().isEmpty()); });
-  allow(false, false, false, false, false);
+  allow({});
 }
 
 /// The servo's thread reads what is held a thousand times a second; a click is held long enough to do something.
@@ -82,7 +83,7 @@ QPushButton* InstructorControls::vital_button(const QString& text, const QString
   auto* button = new QPushButton(text, this);
   button->setToolTip(tip);
   button->setAutoDefault(false);
-  vital_.emplace_back(button, action);
+  vital_.push_back({button, action, tip});
   if (action == engine::kInstructorSpasm) {
     button->setCheckable(true);
     connect(button, &QPushButton::toggled, this, [this, action](bool on) { emit vital_sign(action, on); });
@@ -102,30 +103,49 @@ QPushButton* InstructorControls::vital_button(const QString& text, const QString
   return button;
 }
 
-void InstructorControls::allow(bool running, bool vital_signs, bool spasm, bool assessment, bool instructor) {
-  const bool kept_out = assessment && !instructor;
-  const int now = (running ? 1 : 0) | (vital_signs ? 2 : 0) | (assessment ? 4 : 0) | (spasm ? 8 : 0) |
-                  (kept_out ? 16 : 0);
-  if (std::exchange(allowed_, now) == now) return;
-  freeze_->setEnabled(running && !assessment);
-  for (const auto& [button, action] : vital_) {
-    const bool relaxed = action == engine::kInstructorSpasm && vital_signs && !spasm;
-    button->setEnabled(running && vital_signs && !relaxed && !kept_out);
-    if (action == engine::kInstructorSpasm)
-      button->setToolTip(relaxed ? tr("This infant is relaxed: its cords do not close")
-                                 : tr("Pressed, the cords close; pressed again, they are let go"));
+bool InstructorControls::Trial::operator==(const Trial& other) const {
+  const auto all = [](const Trial& t) {
+    return std::make_tuple(t.open, t.running, t.stands, t.vital_signs, t.spasm, t.assessment, t.instructor);
+  };
+  return all(*this) == all(other);
+}
+
+QString InstructorControls::refusal(const Trial& trial, std::uint32_t action) const {
+  if (!trial.running) return tr("Once a trial runs");
+  if (!trial.vital_signs) return tr("This scenario has no infant's vital signs.");
+  if (trial.assessment && !trial.instructor) return tr("In an assessment for an instructor who is signed in here");
+  if (action == engine::kInstructorSpasm && !trial.spasm) return tr("This infant is relaxed: its cords do not close");
+  // What is held down acts by the infant's clock.
+  if (trial.stands) return tr("The infant's clock stands: once the trial goes on (F5: Freeze, Continue)");
+  return {};
+}
+
+void InstructorControls::allow(const Trial& trial) {
+  if (allowed_ && *allowed_ == trial) return;
+  allowed_ = trial;
+  const bool helps = trial.running && !trial.assessment;
+  freeze_->setEnabled(helps);
+  for (const Vital& vital : vital_) {
+    const QString refused = refusal(trial, vital.action);
+    vital.button->setEnabled(refused.isEmpty());
+    vital.button->setToolTip(refused.isEmpty() ? vital.tip : refused);
   }
-  line_->setEnabled(running && !assessment);
-  say_->setEnabled(running && !assessment && !line_->currentText().trimmed().isEmpty());
+  line_->setEnabled(helps);
+  say_->setEnabled(helps && !line_->currentText().trimmed().isEmpty());
   rules_->setText(
-      kept_out
+      !trial.open
+          ? tr("No trial runs. One begins in the other window, by Practise or Course and there by Start; what is here "
+               "then acts on it.")
+      : !trial.running ? tr("The trial is prepared: Start in the other window begins it, or Enter there.")
+      : trial.assessment && !trial.instructor
           ? tr("Assessment: its forces, figures and events are for an instructor who is signed in here, and so are its "
                "vital signs. It is not held up, and the team says nothing, for a line would be a help.")
-      : assessment
+      : trial.assessment
           ? tr("Assessment: it is not held up, and the team says nothing, for a line would be a help. A trial whose "
                "vital signs you change counts neither way.")
-      : vital_signs ? tr("Vital signs you change are recorded; the trial then counts neither way.")
-                    : tr("This scenario has no infant's vital signs."));
+      : !trial.vital_signs ? tr("This scenario has no infant's vital signs.")
+      : trial.stands       ? tr("The infant's clock stands: its vital signs are changed once the trial goes on.")
+                           : tr("Vital signs you change are recorded; the trial then counts neither way."));
   tell({});
 }
 
@@ -143,10 +163,10 @@ void InstructorControls::tell(const QString& message) {
 }
 
 void InstructorControls::release_all() {
-  for (const auto& [button, action] : vital_) {
-    if (button->isCheckable()) button->setChecked(false);
-    button->setDown(false);
-    emit vital_sign(action, false);
+  for (const Vital& vital : vital_) {
+    if (vital.button->isCheckable()) vital.button->setChecked(false);
+    vital.button->setDown(false);
+    emit vital_sign(vital.action, false);
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include <QWidget>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 class QComboBox;
@@ -16,9 +17,16 @@ class InstructorControls : public QWidget {
   Q_OBJECT
  public:
   explicit InstructorControls(QWidget* parent = nullptr);
-  /// What the present trial allows. `vital_signs`: it has an infant's; `spasm`: whose cords can close, for they are not
-  /// relaxed; `assessment`: the rules of an assessment; `instructor`: in one, that an instructor is signed in here.
-  void allow(bool running, bool vital_signs, bool spasm, bool assessment, bool instructor);
+  /// What the present trial allows.
+  struct Trial {
+    bool open = false, running = false;
+    bool stands = false;       ///< held or paused: the infant's clock stands with it
+    bool vital_signs = false;  ///< it has an infant's
+    bool spasm = false;        ///< whose cords can close, for they are not relaxed
+    bool assessment = false, instructor = false;  ///< its rules; in one, an instructor is signed in here
+    bool operator==(const Trial& other) const;
+  };
+  void allow(const Trial& trial);
   void show_frozen(bool frozen);
   void tell(const QString& message);  ///< why something was not done; empty: nothing
   void release_all();
@@ -34,11 +42,17 @@ class InstructorControls : public QWidget {
   void say();
 
   QPushButton* freeze_;
-  std::vector<std::pair<QPushButton*, std::uint32_t>> vital_;
+  struct Vital {
+    QPushButton* button;
+    std::uint32_t action;
+    QString tip;
+  };
+  QString refusal(const Trial& trial, std::uint32_t action) const;  ///< of a vital sign; empty: it is had
+  std::vector<Vital> vital_;
   QComboBox* line_;  ///< editable: a ready sentence or any other
   QPushButton* say_;
   QLabel *rules_, *message_;
-  int allowed_ = -1;  ///< as allow() was told last
+  std::optional<Trial> allowed_;  ///< as allow() was told last
 };
 
 /// So long a vital sign is driven by a click at least.

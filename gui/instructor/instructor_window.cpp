@@ -168,7 +168,7 @@ void InstructorWindow::take_session() {
   const auto mouth = mouth_of(session_->package());
   live_.begin(scenario, mouth);
   view_->show_patient(trial_.look(), scene.tool.surface, scene.intubation ? &*scene.intubation : nullptr);
-  bars_->set_marks({scenario.targets.tongue_force_n, scenario.targets.gum_force_n, scene.haptics.device_limit_n});
+  bars_->set_marks(force_marks(scenario, scene.haptics.device_limit_n));
   readings_->set_scenario(scenario, mouth);
   readings_->show_tube(scene.intubation.has_value());
   checklist_->begin(scenario);
@@ -252,7 +252,8 @@ void InstructorWindow::show_state() {
   events_->setVisible(told);
   if (!told) tabs_->setCurrentWidget(checklist_);
   tabs_->setTabEnabled(tabs_->indexOf(readings_), told);
-  controls_->allow(running, infant, infant && !session_->scene().intubation->glottis.relaxed, assessed, told);
+  controls_->allow({session_ != nullptr, running, running && !session_->pause().empty(), infant,
+                    infant && !session_->scene().intubation->glottis.relaxed, assessed, told});
   controls_->show_frozen(frozen);
 }
 

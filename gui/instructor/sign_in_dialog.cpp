@@ -2,12 +2,10 @@
 
 #include <QComboBox>
 #include <QFormLayout>
-#include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
-#include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
 
@@ -20,57 +18,30 @@ using curricula::Person;
 
 SignInDialog::SignInDialog(RecordsDesk& desk, Whom whom, const QString& title, const QString& say, long long after,
                            QWidget* parent)
-    : QDialog(parent), desk_(desk), whom_(whom), after_(after) {
-  setWindowTitle(title);
-  setAttribute(Qt::WA_DeleteOnClose);
-  auto* heading = new QLabel(title, this);
-  heading->setObjectName("heading");
-  auto* about = new QLabel(say, this);
-  about->setObjectName("faint");
-  about->setWordWrap(true);
+    : AskPerson(parent, title, say, tr("Sign in")), desk_(desk), whom_(whom), after_(after) {
   name_ = new QComboBox(this);
   name_->setAccessibleName(tr("Name"));
   name_->setToolTip(tr("Up and Down change it from the PIN's field too"));
-  pin_ = new QLineEdit(this);
-  pin_->setEchoMode(QLineEdit::Password);
-  pin_->setMaxLength(100);
+  form_->addRow(tr("&Name"), name_);
+  pin_ = line(tr("&PIN"), true);
   pin_->setAccessibleName(tr("PIN"));
   pin_->installEventFilter(this);
-  auto* form = new QFormLayout;
-  form->addRow(tr("&Name"), name_);
-  form->addRow(tr("&PIN"), pin_);
-  message_ = new QLabel(this);
-  message_->setObjectName("dialog_message");
-  message_->setWordWrap(true);
-  message_->setProperty("role", "warning");
-  auto* nobody = new QPushButton(whom == Whom::anybody ? tr("Go on as nobody") : tr("Cancel"), this);
-  nobody->setAutoDefault(false);
-  auto* records = new QPushButton(tr("Somebody ne&w ..."), this);
-  records->setAutoDefault(false);
-  records->setVisible(whom == Whom::anybody);
-  take_ = new QPushButton(tr("Sign in"), this);
-  take_->setObjectName("primary");
-  take_->setDefault(true);
   take_->setEnabled(false);
-  auto* buttons = new QHBoxLayout;
-  buttons->addWidget(nobody);
-  buttons->addWidget(records);
-  buttons->addStretch(1);
-  buttons->addWidget(take_);
-  auto* all = new QVBoxLayout(this);
-  all->setContentsMargins(22, 18, 22, 16);
-  all->setSpacing(10);
-  all->addWidget(heading);
-  all->addWidget(about);
-  all->addLayout(form);
-  all->addWidget(message_);
-  all->addLayout(buttons);
-  setMinimumWidth(460);
-  connect(nobody, &QPushButton::clicked, this, &QDialog::reject);
-  connect(records, &QPushButton::clicked, this, [this] {
-    emit records_wanted();
-    reject();
-  });
+  if (whom == Whom::anybody) {
+    QPushButton* nobody = other_button(tr("Go on as nob&ody"));
+    nobody->setToolTip(tr("Trials then belong to nobody"));
+    connect(nobody, &QPushButton::clicked, this, [this] {
+      emit changes();
+      accept();
+    });
+    QPushButton* somebody = other_button(tr("Somebody ne&w ..."));
+    somebody->setToolTip(tr("Registers a trainee, who is signed in then"));
+    connect(somebody, &QPushButton::clicked, this, [this] {
+      emit changes();
+      accept();
+      emit new_trainee_wanted();
+    });
+  }
   connect(take_, &QPushButton::clicked, this, &SignInDialog::take);
   pin_->setFocus();
   ask_names();
@@ -129,6 +100,7 @@ void SignInDialog::take() {
         pin_->clear();
         pin_->setFocus();
         if (answer.who) {
+          emit changes();
           desk_.sign_in(*answer.who, person);
           accept();
         } else if (answer.wait_s > 0.0) {

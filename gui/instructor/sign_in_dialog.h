@@ -1,21 +1,18 @@
 // Somebody signs in quickly: a name, a PIN, Enter.
 #pragma once
 
-#include <QDialog>
 #include <vector>
 
+#include "gui/records_pages/ask_person.h"
 #include "gui/records_pages/records_desk.h"
 
 class QComboBox;
-class QLabel;
-class QLineEdit;
-class QPushButton;
 
 namespace vallecula::gui {
 
-/// Signs in at `desk` and is accepted, or is closed with nobody signed in. Up and Down in the PIN's field change the
-/// name, so that the hands stay there.
-class SignInDialog : public QDialog {
+/// Signs in at `desk` and is accepted; cancelled, whoever was signed in stays so. Up and Down in the PIN's field change
+/// the name, so that the hands stay there.
+class SignInDialog : public AskPerson {
   Q_OBJECT
  public:
   enum class Whom { anybody, instructors };
@@ -24,7 +21,8 @@ class SignInDialog : public QDialog {
                QWidget* parent);
 
  signals:
-  void records_wanted();  ///< somebody new: the records' page registers
+  void changes();             ///< the PIN is right, or nobody wants to sign in: whoever was signed in goes now
+  void new_trainee_wanted();  ///< accepted with nobody signed in: somebody is to be registered
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -39,8 +37,6 @@ class SignInDialog : public QDialog {
   std::vector<curricula::Person> people_;
   QComboBox* name_;
   QLineEdit* pin_;
-  QLabel* message_;
-  QPushButton* take_;
 };
 
 }  // namespace vallecula::gui

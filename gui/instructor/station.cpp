@@ -72,15 +72,16 @@ void InstructorStation::show_second(const curricula::Who& who, const curricula::
 void InstructorStation::change_trainee() {
   window_.activateWindow();  // where it is asked
   if (may_change_ && !may_change_()) return;
-  const long long before = trainee_.person().id;
-  const QString gone = trainee_.who() ? tr("%1 is signed out.").arg(words_of(trainee_.person())) + " " : QString();
-  trainee_.sign_out();
-  emit next_trainee_begins();
+  const QString before = trainee_.who() ? tr("%1 is signed out then.").arg(words_of(trainee_.person())) + " " : QString();
   auto* dialog = new SignInDialog(
       trainee_, SignInDialog::Whom::anybody, tr("Next trainee"),
-      gone + tr("Scenario, patient and device stay; the mode is practice again. Nobody signs in for somebody else."),
-      before, &window_);
-  connect(dialog, &SignInDialog::records_wanted, this, &InstructorStation::records_wanted);
+      before + tr("Scenario, patient and device stay; the mode is practice again. Nobody signs in for somebody else."),
+      trainee_.person().id, &window_);
+  connect(dialog, &SignInDialog::changes, this, [this] {
+    trainee_.sign_out();
+    emit next_trainee_begins();
+  });
+  connect(dialog, &SignInDialog::new_trainee_wanted, this, &InstructorStation::new_trainee_wanted);
   dialog->open();
 }
 

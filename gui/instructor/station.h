@@ -41,7 +41,7 @@ class InstructorStation : public QObject {
 
  signals:
   void next_trainee_begins();  ///< the one before is signed out; whatever was open of theirs is to be left
-  void records_wanted();
+  void new_trainee_wanted();   ///< nobody is signed in: somebody is to be registered
   void told(const QString& message);  ///< why something was not done
 
  private:

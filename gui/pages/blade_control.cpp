@@ -84,6 +84,10 @@ bool BladeControl::key(QKeyEvent* event, bool pressed) {
   return event->key() != Qt::Key_Shift;
 }
 
+void BladeControl::feel(double force_n) {
+  if (device_ != nullptr) device_->feel(force_n);
+}
+
 void BladeControl::advance(double seconds) {
   if (device_ == nullptr || held_.empty()) return;
   const auto axis = [&](int plus, int minus) {

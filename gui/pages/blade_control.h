@@ -29,6 +29,8 @@ class BladeControl : public QObject {
   void set_tool(Tool tool);
   /// Moves what held keys move; to be called once a frame with the time since the last one.
   void advance(double seconds);
+  /// The force on the blade, N, as the window shows it; the lift follows it.
+  void feel(double force_n);
   /// True when the key is one of the blade's.
   bool key(QKeyEvent* event, bool pressed);
   void release_all();

@@ -171,7 +171,8 @@ QWidget* FirstRun::make_begin() {
   QWidget* page = make_step(
       tr("Your first laryngoscopy"),
       tr("A newborn lies before you, its head towards you. You hold the laryngoscope in your left hand: bring the blade "
-         "over the tongue into the vallecula, lift along the handle, and see the glottis. A grey blade shows the way.\n\n"
+         "over the tongue into the vallecula, lift along the handle, and see the glottis. The key G shows an expert doing it, "
+         "at this very infant.\n\n"
          "Nothing can break, and every try is a new one. Before it begins a card tells what mouse and keys do."),
       &column);
   column->addStretch(1);

@@ -162,7 +162,10 @@ void MainWindow::connect_station() {
     if (pages_->currentWidget() == replay_) leave_replay();
     back_to_start();
   });
-  connect(station_, &InstructorStation::records_wanted, this, [this] { show_page(records_); });
+  connect(station_, &InstructorStation::new_trainee_wanted, this, [this] {
+    show_page(records_);
+    records_->register_trainee();
+  });
   connect(station_, &InstructorStation::told, this, &MainWindow::tell);
   connect(devices_, &DevicesPage::check_wanted, station_,
           [this](const device::FoundDevice& device) { station_->check_device(QString::fromStdString(device.name)); });

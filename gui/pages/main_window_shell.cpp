@@ -107,9 +107,11 @@ void MainWindow::connect_menu() {
   connect(menu_, &MainMenu::recent_wanted, this, [this](const QString& path) { open_files({path.toStdString()}); });
   connect(menu_, &MainMenu::open_wanted, this, [this] {
     const QString file = QFileDialog::getOpenFileName(
-        this, tr("Open a trial, a patient's patient.yaml, a course or a CT's file"), {},
+        this, tr("Open a trial, a patient's patient.yaml, a course or a CT's file"), folder_to_open(),
         tr("What can be opened (*.vtrial *.yaml *.yml *.dcm *.ima *.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd);;All files (*)"));
-    if (!file.isEmpty()) open_files({file.toStdString()});
+    if (file.isEmpty()) return;
+    keep_opened(file);
+    open_files({file.toStdString()});
   });
   connect(menu_, &MainMenu::quit_wanted, this, &QWidget::close);
   connect(menu_, &MainMenu::settings_wanted, this, [this] {

@@ -68,8 +68,7 @@ void ReplayPage::open(std::shared_ptr<ReplayTrial> trial, double at_s, bool mark
   expert_->setToolTip(planned ? tr("X: the way a scripted expert's tip takes in this patient, in white")
                               : tr("The scripted expert has no plan for this patient"));
   free_->setChecked(false);
-  bars_->set_marks({trial_->scenario.targets.tongue_force_n, trial_->scenario.targets.gum_force_n,
-                    trial_->log->header.device_limit_n});
+  bars_->set_marks(force_marks(trial_->scenario, trial_->log->header.device_limit_n));
   monitor_->clear();
   monitor_->setVisible(intubation != nullptr);
   timeline_->show_trial(trial_->events, trial_->end_s());

@@ -187,6 +187,8 @@ QWidget* ReplayPage::make_side() {
   events_ = new TimedList(tr("What happened"), lists_);
   notes_ = new NotesPanel(lists_);
   reasons_->setObjectName("reasons");
+  reasons_->setToolTip(tr("Enter or a click begins %1 s before; on the timeline the moment itself is framed in yellow")
+                           .arg(kBeforeReason_s, 0, 'f', 0));
   events_->setObjectName("events");
   lists_->addTab(reasons_, tr("Score"));
   lists_->addTab(events_, tr("Events"));

@@ -10,15 +10,16 @@ std::string seconds(const std::optional<double>& time_s) { return time_s ? numbe
 std::vector<Row> tube_figures(const curricula::Score& score) {
   const curricula::IntubationScore& tube = *score.intubation;
   const curricula::Attempt* decisive = tube.decisive();
-  const auto lowest = [](const std::optional<double>& value, const std::string& unit) {
-    return value ? number(*value, 0) + unit : std::string("no attempt");
+  const auto lowest = [&](const std::string& name, const std::optional<double>& value, const std::string& unit,
+                          const std::string& criterion) {
+    return value ? row(score, name, number(*value, 0) + unit, criterion, "at least") : no_attempt(name);
   };
   std::vector<Row> rows = {
       {"Tip past the cords", tube.depth_m ? number(1e3 * *tube.depth_m, 0) + " mm" : std::string("not there"),
        tube.depth_m ? number(100.0 * *tube.depth_share(), 0) + " % of the way; good: 33 to 67 %" : std::string(), ""},
       row(score, "Attempts", std::to_string(tube.attempts.size()), "attempts", "at most"),
-      row(score, "Lowest SpO2", lowest(tube.lowest_spo2_percent, " %"), "lowest_spo2_percent", "at least"),
-      row(score, "Lowest heart rate", lowest(tube.lowest_heart_per_min, " /min"), "lowest_heart_per_min", "at least"),
+      lowest("Lowest SpO2", tube.lowest_spo2_percent, " %", "lowest_spo2_percent"),
+      lowest("Lowest heart rate", tube.lowest_heart_per_min, " /min", "lowest_heart_per_min"),
       {"Time to view", seconds(decisive != nullptr ? decisive->time_to_view_s : std::nullopt), "", ""},
       row(score, "Time to pass", seconds(decisive != nullptr ? decisive->time_to_pass_s : std::nullopt),
           "time_to_pass_s", "at most"),
@@ -51,7 +52,7 @@ std::vector<Row> result_figures(const TrialOutcome& outcome, const curricula::Sc
                      ? row(score,
                            score.intubation && score.intubation->attempts.size() > 1 ? "Longest attempt" : "Attempt",
                            number(score.attempt_time_s, 1) + " s", "attempt_time_s", "at most")
-                     : Row{"Attempt", "no attempt", "-", ""});
+                     : no_attempt("Attempt"));
   rows.push_back(
       row(score, "Over the target", number(score.time_over_target_s, 1) + " s", "time_over_target_s", "at most"));
   rows.push_back(row(score, "Over the device limit", number(score.time_over_force_limit_s, 1) + " s",

@@ -14,7 +14,9 @@
 #include "curricula/trial_log.h"
 #include "gui/report/advice.h"
 #include "gui/pages/background.h"
+#include "gui/pages/replay_page.h"
 #include "gui/pages/result_figures.h"
+#include "gui/report/figure_row.h"
 #include "gui/report/monitor_chart.h"
 #include "gui/session/replay_trial.h"
 #include "gui/session/words_from_below.h"
@@ -66,6 +68,9 @@ ResultPage::ResultPage(QWidget* parent) : QWidget(parent) {
   reasons_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   reasons_->setObjectName("reasons");
   reasons_->setTextInteractionFlags(Qt::LinksAccessibleByMouse | Qt::LinksAccessibleByKeyboard);
+  reasons_->setToolTip(tr("A link opens the replay %1 s before its moment, so that it is seen coming; on the timeline the "
+                          "moment itself is framed in yellow.")
+                           .arg(kBeforeReason_s, 0, 'f', 0));
   connect(reasons_, &QLabel::linkActivated, this, [this](const QString& at_s) { emit replay_wanted(at_s.toDouble()); });
   told_ = new QLabel(this);
   told_->setWordWrap(true);
@@ -139,7 +144,7 @@ void ResultPage::show_outcome(const TrialOutcome& outcome, const curricula::Scen
   const auto& score = outcome.score;
   title_->setText(QString::fromStdString(scenario.title));
   const bool aside = !score.set_aside.empty();  // it counts neither way; the reasons begin with why
-  verdict_->setText(aside ? tr("SET ASIDE") : score.passed ? tr("PASSED") : tr("NOT PASSED"));
+  verdict_->setText(aside ? in_words(verdict(score)) : score.passed ? tr("PASSED") : tr("NOT PASSED"));
   verdict_->setStyleSheet(
       QString(
           "background: %1; color: white; font-size: 14pt; font-weight: bold; padding: 6px 14px; border-radius: 6px;")

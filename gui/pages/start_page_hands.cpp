@@ -8,6 +8,7 @@
 #include "gui/pages/start_page.h"
 #include "gui/session/device_choice.h"
 #include "gui/session/device_rows.h"
+#include "gui/session/recent_files.h"
 
 namespace vallecula::gui {
 namespace {
@@ -78,9 +79,10 @@ std::unique_ptr<QDialog> StartPage::device_settings() {
 }
 
 void StartPage::browse() {
-  const QString folder =
-      QFileDialog::getExistingDirectory(this, tr("Choose a patient package (a folder NAME.patient)"));
+  const QString folder = QFileDialog::getExistingDirectory(
+      this, tr("Choose a patient package (a folder NAME.patient)"), folder_to_open());
   if (folder.isEmpty()) return;
+  keep_opened(folder);
   if (!std::filesystem::exists(std::filesystem::path(folder.toStdString()) / "patient.yaml")) {
     set_message(
         tr("%1 is not a patient package (it holds no patient.yaml); make one with `vallecula import`.").arg(folder));

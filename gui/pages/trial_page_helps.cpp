@@ -2,6 +2,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QSettings>
+#include <cmath>
 
 #include "gui/pages/background.h"
 #include "gui/pages/blade_control.h"
@@ -87,10 +88,13 @@ void TrialPage::draw_expert() {
     return;
   }
   if (!since_expert_.isValid()) since_expert_.start();
-  expert_sign_->setText(tr("Expert - your trial waits"));
+  const double whole_s = expert_->duration_s();
+  expert_sign_->setText(tr("Expert - your trial waits\n%1 of %2 s   |   Esc or G: back to your trial")
+                            .arg(std::fmod(now_s, whole_s), 0, 'f', 0)
+                            .arg(whole_s, 0, 'f', 0));
   operator_view_->update_from(*snapshot);
   operator_view_->draw();
-  panels_->show_pictures(*snapshot, session_->scenario().sight_percent);
+  panels_->show_expert(*snapshot, session_->scenario().sight_percent);
 }
 
 void TrialPage::end_expert() {

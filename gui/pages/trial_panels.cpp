@@ -237,7 +237,7 @@ void TrialPanels::open(TrialSession& session, const std::shared_ptr<PatientLook>
   video_view_->show_patient(look, scene.tool.surface, has_infant_ ? &*scene.intubation : nullptr);
   readings_->show_force(allowed_.force_bar);
   distractions_->serve(&session.dual_task(), session.by_person());
-  bars_->set_marks({scenario.targets.tongue_force_n, scenario.targets.gum_force_n, scene.haptics.device_limit_n});
+  bars_->set_marks(force_marks(scenario, scene.haptics.device_limit_n));
   readings_->set_scenario(scenario, mouth_of(session.package()));
   readings_->show_tube(has_infant_);
   monitor_->clear();
@@ -281,6 +281,11 @@ void TrialPanels::show_pictures(const engine::Snapshot& snapshot, double sight_p
     video_view_->update_from(snapshot);
     video_view_->draw();
   }
+}
+
+void TrialPanels::show_expert(const engine::Snapshot& snapshot, double sight_percent) {
+  show_pictures(snapshot, sight_percent);
+  bars_->show_expert(blade_forces(snapshot.loads, snapshot.proxy_pose));
 }
 
 void TrialPanels::show_snapshot(const engine::Snapshot& snapshot, double sight_percent, double paused_s) {

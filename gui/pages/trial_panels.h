@@ -38,8 +38,8 @@ class TrialPanels : public QMainWindow {
   void draw_at_rest();
   /// To be called for every frame; the cut is drawn at a lower rate, the video's picture at half.
   void show_snapshot(const engine::Snapshot& snapshot, double sight_percent, double paused_s);
-  /// The pictures alone: of somebody else's hands.
-  void show_pictures(const engine::Snapshot& snapshot, double sight_percent);
+  /// Pictures and forces of an expert's hands; the trial's own clock, figures and peaks stay as they are.
+  void show_expert(const engine::Snapshot& snapshot, double sight_percent);
   void clear();
   /// An instructor's sentence: the team's panel opens for it, whatever else is there.
   void say(const QString& line);
@@ -61,6 +61,7 @@ class TrialPanels : public QMainWindow {
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
+  void show_pictures(const engine::Snapshot& snapshot, double sight_percent);
   void add(Panel panel, const QString& title, QWidget* content);
   void arrange();
   void switch_as_at_first();

@@ -61,9 +61,7 @@ QWidget* AccountTab::make_sign_in() {
   say->setWordWrap(true);
   name_ = new QComboBox(half);
   name_->setAccessibleName(tr("Name"));
-  pin_ = new QLineEdit(half);
-  pin_->setEchoMode(QLineEdit::Password);
-  pin_->setMaxLength(100);
+  pin_ = person_line(half, true);
   pin_->setAccessibleName(tr("PIN"));
   message_ = new QLabel(half);
   message_->setObjectName("sign_in_message");

@@ -25,6 +25,7 @@ class AccountTab : public QWidget {
  public:
   AccountTab(RecordsDesk& desk, QWidget* parent);
   void refresh();  ///< the names to choose from
+  void register_somebody(bool first_instructor);
   /// Everything kept of whoever is signed in, into a new folder in `folder`.
   void export_own(const QString& folder);
 
@@ -38,7 +39,6 @@ class AccountTab : public QWidget {
   void show_wait();
   void sign_in();
   void sign_in_as(long long id, const std::string& pin);
-  void register_somebody(bool first_instructor);
   void change_pin();
   void delete_own();
   long long chosen() const;

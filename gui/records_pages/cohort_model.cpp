@@ -27,7 +27,7 @@ constexpr Heading kHeadings[CohortModel::kColumns] = {
                        "(PMC8290971), its other numbers assumed")},
     {QT_TRANSLATE_NOOP("CohortModel", "Cut off"),
      QT_TRANSLATE_NOOP("CohortModel", "interrupted trials: in no other figure")},
-    {QT_TRANSLATE_NOOP("CohortModel", "Set aside"),
+    {QT_TRANSLATE_NOOP("CohortModel", "Not counted"),
      QT_TRANSLATE_NOOP("CohortModel", "changed by an instructor, or begun at the vallecula: in no other figure")},
     {QT_TRANSLATE_NOOP("CohortModel", "Last"), QT_TRANSLATE_NOOP("CohortModel", "when the last trial ended")}};
 

@@ -22,7 +22,7 @@ std::optional<double> value_of(const RecordRow& row, const Figure& figure) {
 
 QString result_of(const RecordRow& row) {
   return !row.score.complete   ? QCoreApplication::translate("CurveCharts", "interrupted")
-         : !row.score.counts() ? QCoreApplication::translate("CurveCharts", "set aside")
+         : !row.score.counts() ? QCoreApplication::translate("CurveCharts", "not counted")
          : row.score.passed    ? QCoreApplication::translate("CurveCharts", "passed")
                                : QCoreApplication::translate("CurveCharts", "not passed");
 }

@@ -11,7 +11,7 @@ namespace vallecula::gui {
 
 QString with_unit(const curricula::Figure& figure);  ///< "Peak tongue force (N)"
 std::optional<double> value_of(const curricula::RecordRow& row, const curricula::Figure& figure);
-QString result_of(const curricula::RecordRow& row);  ///< "passed", "not passed", "interrupted", "set aside"
+QString result_of(const curricula::RecordRow& row);  ///< "passed", "not passed", "interrupted", "not counted"
 
 /// One point a row. `scenario`: whose lines are drawn; null: it is not known here.
 TrialChart::Content learning_chart(const std::vector<curricula::RecordRow>& rows, const curricula::Figure& figure,

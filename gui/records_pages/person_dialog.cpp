@@ -2,67 +2,27 @@
 
 #include <QComboBox>
 #include <QFormLayout>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
-#include <QVBoxLayout>
 
 namespace vallecula::gui {
 
-PersonDialog::PersonDialog(QWidget* parent, const QString& title, const QString& say, int fields) : QDialog(parent) {
-  setWindowTitle(title);
-  setAttribute(Qt::WA_DeleteOnClose);
-  auto* heading = new QLabel(title, this);
-  heading->setObjectName("heading");
-  auto* about = new QLabel(say, this);
-  about->setWordWrap(true);
-  about->setObjectName("faint");
-  auto* form = new QFormLayout;
-  if ((fields & kName) != 0) name_ = line(form, tr("&Name or pseudonym"), false);
+PersonDialog::PersonDialog(QWidget* parent, const QString& title, const QString& say, int fields)
+    : AskPerson(parent, title, say, title) {
+  if ((fields & kName) != 0) name_ = line(tr("&Name or pseudonym"), false);
   if ((fields & kRole) != 0) {
     role_ = new QComboBox(this);
     role_->addItems({tr("Trainee"), tr("Instructor")});
-    form->addRow(tr("&Role"), role_);
+    form_->addRow(tr("&Role"), role_);
   }
-  if ((fields & kOldPin) != 0) old_pin_ = line(form, tr("&Old PIN"), true);
+  if ((fields & kOldPin) != 0) old_pin_ = line(tr("&Old PIN"), true);
   if ((fields & kNewPin) != 0) {
-    new_pin_ = line(form, (fields & kOldPin) != 0 ? tr("New &PIN") : tr("&PIN"), true);
+    new_pin_ = line((fields & kOldPin) != 0 ? tr("New &PIN") : tr("&PIN"), true);
     new_pin_->setPlaceholderText(tr("4 to 64 characters"));
-    again_ = line(form, tr("PIN &again"), true);
+    again_ = line(tr("PIN &again"), true);
   }
-  message_ = new QLabel(this);
-  message_->setObjectName("dialog_message");
-  message_->setWordWrap(true);
-  message_->setProperty("role", "warning");
-  auto* cancel = new QPushButton(tr("Cancel"), this);
-  cancel->setAutoDefault(false);
-  take_ = new QPushButton(title, this);
-  take_->setObjectName("primary");
-  take_->setDefault(true);
-  auto* buttons = new QHBoxLayout;
-  buttons->addWidget(cancel);
-  buttons->addStretch(1);
-  buttons->addWidget(take_);
-  auto* all = new QVBoxLayout(this);
-  all->setContentsMargins(22, 18, 22, 16);
-  all->setSpacing(10);
-  all->addWidget(heading);
-  all->addWidget(about);
-  all->addLayout(form);
-  all->addWidget(message_);
-  all->addLayout(buttons);
-  setMinimumWidth(440);
-  connect(cancel, &QPushButton::clicked, this, &QDialog::reject);
   connect(take_, &QPushButton::clicked, this, &PersonDialog::take);
-}
-
-QLineEdit* PersonDialog::line(QFormLayout* form, const QString& label, bool secret) {
-  auto* edit = new QLineEdit(this);
-  edit->setMaxLength(100);
-  if (secret) edit->setEchoMode(QLineEdit::Password);
-  form->addRow(label, edit);
-  return edit;
 }
 
 void PersonDialog::take() {

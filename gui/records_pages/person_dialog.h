@@ -1,18 +1,15 @@
 // Asks for a name, a PIN, or both: registering, renaming, changing a PIN.
 #pragma once
 
-#include <QDialog>
 #include <string>
 
+#include "gui/records_pages/ask_person.h"
+
 class QComboBox;
-class QFormLayout;
-class QLabel;
-class QLineEdit;
-class QPushButton;
 
 namespace vallecula::gui {
 
-class PersonDialog : public QDialog {
+class PersonDialog : public AskPerson {
   Q_OBJECT
  public:
   enum Field { kName = 1, kRole = 2, kOldPin = 4, kNewPin = 8 };
@@ -33,13 +30,10 @@ class PersonDialog : public QDialog {
 
  private:
   void take();
-  QLineEdit* line(QFormLayout* form, const QString& label, bool secret);
 
   QLineEdit* name_ = nullptr;
   QComboBox* role_ = nullptr;
   QLineEdit *old_pin_ = nullptr, *new_pin_ = nullptr, *again_ = nullptr;
-  QLabel* message_;
-  QPushButton* take_;
 };
 
 }  // namespace vallecula::gui

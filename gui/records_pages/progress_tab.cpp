@@ -225,7 +225,7 @@ void ProgressTab::show_subject(Subject subject) {
                          .arg(curve.passed)
                          .arg(curve.trials) +
                      (curve.interrupted > 0 ? tr(" · %1 cut off").arg(curve.interrupted) : QString()) +
-                     (curve.set_aside > 0 ? tr(" · %1 set aside").arg(curve.set_aside) : QString()) +
+                     (curve.set_aside > 0 ? tr(" · %1 not counted").arg(curve.set_aside) : QString()) +
                      (subject.to_rate[i] > 0 ? tr(" · %1 to rate").arg(subject.to_rate[i]) : QString()));
       list_->item(static_cast<int>(i))->setToolTip(courses_.title(curve.key.curriculum_id));
       if (same(curve.key, wanted_)) row = static_cast<int>(i);
@@ -309,7 +309,7 @@ void ProgressTab::show_curve(std::vector<RecordRow> to_rate) {
           .arg(reading_.in_a_row)
           .arg(reading_.interrupted == 0 ? QString()
                                          : tr("  Interrupted: %1, counted in nothing.").arg(reading_.interrupted)) +
-      (reading_.set_aside == 0 ? QString() : tr("  Set aside: %1, counted in nothing.").arg(reading_.set_aside)));
+      (reading_.set_aside == 0 ? QString() : tr("  Practised with help, or changed by an instructor: %1, counted in nothing.").arg(reading_.set_aside)));
   rule_->setText(QString::fromStdString(reading_.rule_in_words) + ' ' + tr("No pass mark is validated."));
   show_figure();
   trials_->show_trials(whose, rows_, std::move(to_rate), figure());

@@ -130,6 +130,11 @@ void RecordsPage::show_trouble(const QString& message) {
 
 void RecordsPage::tell_of_statements(const QString& line) { statements_->tell(line); }
 
+void RecordsPage::register_trainee() {
+  tabs_->setCurrentWidget(account_);
+  account_->register_somebody(false);
+}
+
 void RecordsPage::tell(const QString& message) {
   trouble_->setText(message);
   trouble_->show();

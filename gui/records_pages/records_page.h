@@ -28,6 +28,7 @@ class RecordsPage : public QWidget {
   RecordsDesk& desk() { return desk_; }
   /// What became of the statements for the learning record store; one line, below all tabs.
   void tell_of_statements(const QString& line);
+  void register_trainee();            ///< asks for a name and a PIN; whoever gives them is signed in
   void tell(const QString& message);  ///< what went wrong with something that was opened from here
 
  signals:

@@ -8,7 +8,9 @@
 namespace vallecula::gui {
 
 const char* verdict(const curricula::Score& score) {
-  return !score.set_aside.empty() ? "Set aside" : score.passed ? "Passed" : "Not passed";
+  if (score.set_aside.empty()) return score.passed ? "Passed" : "Not passed";
+  return score.at_vallecula ? "Practice with help: not counted for the course"
+                            : "Changed by the instructor: not counted for the course";
 }
 
 std::string escaped(const std::string& text) { return QString::fromStdString(text).toHtmlEscaped().toStdString(); }
@@ -31,6 +33,8 @@ Row row(const curricula::Score& score, const std::string& name, const std::strin
   }
   return {name, value, "", ""};
 }
+
+Row no_attempt(const std::string& name) { return {name, "no attempt", "the blade did not enter the mouth", ""}; }
 
 std::string force(double peak_n, double at_s) {
   return number(peak_n, 2) + " N" + (peak_n > 0.0 ? ", at " + number(at_s, 1) + " s" : "");

@@ -15,7 +15,11 @@ struct Row {
 Row row(const curricula::Score& score, const std::string& name, const std::string& value, const std::string& criterion,
         const std::string& demand);
 
-const char* verdict(const curricula::Score& score);  ///< "Passed", "Not passed", or "Set aside" where it counts neither way
+/// Of a figure that only an attempt has, where there was none.
+Row no_attempt(const std::string& name);
+
+/// "Passed", "Not passed"; of a trial that was set aside that it is not counted, and why in a word or two.
+const char* verdict(const curricula::Score& score);
 std::string escaped(const std::string& text);  ///< for HTML
 std::string in_page(const std::string& text);  ///< in the window's language (in_words), for HTML
 std::string number(double value, int digits);

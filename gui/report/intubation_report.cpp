@@ -77,8 +77,9 @@ std::string intubation_sentence(const curricula::Score& score, const curricula::
 std::vector<Row> intubation_rows(const curricula::Score& score, const curricula::Scenario& scenario) {
   const curricula::IntubationScore& i = *score.intubation;
   const curricula::Attempt* decisive = i.decisive();
-  const auto lowest = [](const std::optional<double>& value, const char* unit, double at_s) {
-    return value ? number(*value, 0) + unit + at(at_s) : std::string("no attempt");
+  const auto lowest = [&](const std::string& name, const std::optional<double>& value, const char* unit, double at_s,
+                          const std::string& criterion) {
+    return value ? row(score, name, number(*value, 0) + unit + at(at_s), criterion, "at least") : no_attempt(name);
   };
   std::string against;
   if (i.tip_against < curricula::kTubeLoads)
@@ -93,10 +94,8 @@ std::vector<Row> intubation_rows(const curricula::Score& score, const curricula:
           seconds_or(decisive ? decisive->time_to_pass_s : std::nullopt,
                      i.passed_untimed() ? "passed before the blade was in" : "never"),
           "time_to_pass_s", "at most"),
-      row(score, "Lowest saturation, displayed", lowest(i.lowest_spo2_percent, " %", i.lowest_spo2_at_s),
-          "lowest_spo2_percent", "at least"),
-      row(score, "Lowest heart rate", lowest(i.lowest_heart_per_min, " per minute", i.lowest_heart_at_s),
-          "lowest_heart_per_min", "at least"),
+      lowest("Lowest saturation, displayed", i.lowest_spo2_percent, " %", i.lowest_spo2_at_s, "lowest_spo2_percent"),
+      lowest("Lowest heart rate", i.lowest_heart_per_min, " per minute", i.lowest_heart_at_s, "lowest_heart_per_min"),
       row(score, "CO2 detector", detector(i), "co2_confirmed", "yellow, with breath"),
       row(score, "Peak force along the tube", force(i.tip_load_n.value, i.tip_load_n.at_s) + against, "tube_force_n",
           "at most"),

@@ -179,7 +179,7 @@ void write_trainee_pdf(const std::filesystem::path& file, long long trainee_id, 
   for (const curricula::ExportTrial& trial : trials) {
     const curricula::RecordRow& row = trial.row;
     const std::string result = !row.score.complete ? in_page("cut off")
-                               : !row.score.counts() ? in_page("set aside")
+                               : !row.score.counts() ? in_page("not counted")
                                : row.score.passed  ? in_page("passed")
                                                    : "<b>" + in_page("not passed") + "</b>";
     all.push_back({minute(row.finished_utc), title_of(courses, row.curriculum_id, row.scenario_id),
@@ -194,7 +194,7 @@ void write_trainee_pdf(const std::filesystem::path& file, long long trainee_id, 
           .arg(minute(first).c_str(), minute(last).c_str())
           .toStdString() +
       "</p>" + heading("By scenario and device") +
-      table({"Curriculum", "Scenario", "Device", "Trials", "Cut off", "Set aside", "Passed", "CUSUM says competent"},
+      table({"Curriculum", "Scenario", "Device", "Trials", "Cut off", "Not counted", "Passed", "CUSUM says competent"},
             summary) +
       "<p>" +
       in_page(

@@ -38,7 +38,7 @@ std::vector<Row> figures(const curricula::Score& score, const curricula::TrialLo
                                 score.mouth_entries > 1 && score.intubation ? "Longest attempt, blade in to blade out"
                                                                             : "Attempt time, blade in to blade out",
                                 number(score.attempt_time_s, 1) + " s", "attempt_time_s", "at most")
-                          : Row{"Attempt time, blade in to blade out", "no attempt", "-", ""},
+                          : no_attempt("Attempt time, blade in to blade out"),
       row(score, "Peak force on the tongue", force(score.peak_tongue_force_n, score.time_of_peak_tongue_force_s),
           "peak_tongue_force_n", "at most"),
       row(score, "Peak force on the gums", force(score.peak_gum_force_n, score.time_of_peak_gum_force_s),

@@ -4,6 +4,7 @@
 #include <QFileInfo>
 #include <QLocale>
 #include <QRegularExpression>
+#include <QStandardPaths>
 #include <QStringList>
 
 #include "gui/session/user_settings.h"
@@ -12,6 +13,7 @@ namespace vallecula::gui {
 namespace {
 
 constexpr const char* kKey = "recent/files";
+constexpr const char* kFolderKey = "recent/folder";
 
 QString say(const char* text) { return QCoreApplication::translate("RecentFiles", text); }
 
@@ -25,6 +27,14 @@ void remember_recent(const std::filesystem::path& path) {
   files.prepend(first);
   kept->setValue(kKey, QStringList(files.mid(0, kMostRecent)));
 }
+
+QString folder_to_open() {
+  const QString last = user_settings()->value(kFolderKey).toString();
+  return !last.isEmpty() && QFileInfo(last).isDir() ? last
+                                                    : QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+}
+
+void keep_opened(const QString& path) { user_settings()->setValue(kFolderKey, QFileInfo(path).absolutePath()); }
 
 std::vector<std::filesystem::path> kept_recent() {
   std::vector<std::filesystem::path> paths;

@@ -20,6 +20,10 @@ struct RecentFile {
 
 /// Puts it first. Throws std::runtime_error when the user's folder is not known.
 void remember_recent(const std::filesystem::path& path);
+/// Where a dialog that opens a file begins: the folder of what was opened by one last, else the person's documents.
+QString folder_to_open();
+/// What was chosen in one: a file, or a folder that is opened as a whole.
+void keep_opened(const QString& path);
 /// The paths as kept, newest first, whether they are there or not.
 std::vector<std::filesystem::path> kept_recent();
 /// Those of them that are there and can be opened. Asks the disk: not for the window's thread.

@@ -347,12 +347,12 @@
         <translation>wann der letzte Durchgang endete</translation>
     </message>
     <message>
-        <source>Set aside</source>
-        <translation>Außer Wertung</translation>
-    </message>
-    <message>
         <source>changed by an instructor, or begun at the vallecula: in no other figure</source>
         <translation>von einer Lehrperson verändert oder in der Vallecula begonnen: in keiner anderen Größe enthalten</translation>
+    </message>
+    <message>
+        <source>Not counted</source>
+        <translation>Nicht gezählt</translation>
     </message>
 </context>
 <context>
@@ -425,8 +425,8 @@
         <translation>nicht kompetent darüber</translation>
     </message>
     <message>
-        <source>set aside</source>
-        <translation>außer Wertung</translation>
+        <source>not counted</source>
+        <translation>nicht gezählt</translation>
     </message>
 </context>
 <context>
@@ -3488,14 +3488,6 @@
         <translation>Kopf von einer Assistenz gestreckt</translation>
     </message>
     <message>
-        <source>set aside</source>
-        <translation>außer Wertung</translation>
-    </message>
-    <message>
-        <source>Set aside</source>
-        <translation>Außer Wertung</translation>
-    </message>
-    <message>
         <source>The trial is let go. To go on press Enter or a button of the device, or hold the grey blade on the steel one for half a second.</source>
         <translation>Der Durchgang ist freigegeben. Um weiterzumachen, drücken Sie Enter oder eine Taste des Geräts oder halten Sie den grauen Spatel eine halbe Sekunde auf dem stählernen.</translation>
     </message>
@@ -3578,6 +3570,34 @@
     <message>
         <source>Keeping the trial before</source>
         <translation>Der Durchgang davor wird noch gesichert</translation>
+    </message>
+    <message>
+        <source>Held by the instructor: it goes on when they let it go.</source>
+        <translation>Von der Lehrperson angehalten: Es geht weiter, wenn sie den Durchgang freigibt.</translation>
+    </message>
+    <message>
+        <source>Held by you for as long as you look at the expert (G).</source>
+        <translation>Von Ihnen angehalten, solange Sie dem Experten zusehen (G).</translation>
+    </message>
+    <message>
+        <source>the blade did not enter the mouth</source>
+        <translation>der Spatel kam nicht in den Mund</translation>
+    </message>
+    <message>
+        <source>not counted</source>
+        <translation>nicht gezählt</translation>
+    </message>
+    <message>
+        <source>Not counted</source>
+        <translation>Nicht gezählt</translation>
+    </message>
+    <message>
+        <source>Practice with help: not counted for the course</source>
+        <translation>Übung mit Hilfe: zählt nicht für den Kurs</translation>
+    </message>
+    <message>
+        <source>Changed by the instructor: not counted for the course</source>
+        <translation>Von der Lehrperson verändert: zählt nicht für den Kurs</translation>
     </message>
 </context>
 <context>
@@ -4343,6 +4363,13 @@ Freie Software unter der GNU Affero General Public License, Version 3, weil TetG
     <message>
         <source>This deletes you</source>
         <translation>Dies löscht Sie</translation>
+    </message>
+</context>
+<context>
+    <name>vallecula::gui::AskPerson</name>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
     </message>
 </context>
 <context>
@@ -5175,6 +5202,14 @@ Eine Label-Karte ohne Namen (NIfTI) wird nach diesen Werten gelesen: %1</transla
         <source>Press and hold button %1, the clutch, and let it go.</source>
         <translation>Drücken und halten Sie Taste %1, die Kupplung, und lassen Sie sie los.</translation>
     </message>
+    <message>
+        <source>Move the blade %1, about %2 cm: drag, wheel or keys.</source>
+        <translation>Bewegen Sie den Spatel %1, etwa %2 cm: ziehen, Rad oder Tasten.</translation>
+    </message>
+    <message>
+        <source>Push the cap %1, until the blade has gone about %2 cm.</source>
+        <translation>Drücken Sie die Kappe %1, bis der Spatel etwa %2 cm gegangen ist.</translation>
+    </message>
 </context>
 <context>
     <name>vallecula::gui::ClipExport</name>
@@ -5401,10 +5436,6 @@ Eine Label-Karte ohne Namen (NIfTI) wird nach diesen Werten gelesen: %1</transla
         <translation>Ab &amp;hier zählen</translation>
     </message>
     <message>
-        <source>The place where the handle is becomes the middle of the mouth</source>
-        <translation>Wo der Griff ist, wird die Mitte des Mundes</translation>
-    </message>
-    <message>
         <source>I &amp;cannot do this</source>
         <translation>Das &amp;geht nicht</translation>
     </message>
@@ -5447,6 +5478,10 @@ Eine Label-Karte ohne Namen (NIfTI) wird nach diesen Werten gelesen: %1</transla
     <message>
         <source>Not as it should be: %1 of %2.</source>
         <translation>Nicht, wie es sein soll: %1 von %2.</translation>
+    </message>
+    <message>
+        <source>Where you are with it now becomes the middle of the mouth</source>
+        <translation>Wo Sie damit jetzt sind, wird die Mitte des Mundes</translation>
     </message>
 </context>
 <context>
@@ -5774,14 +5809,6 @@ Eine Label-Karte ohne Namen (NIfTI) wird nach diesen Werten gelesen: %1</transla
         <translation>Ihre erste Laryngoskopie</translation>
     </message>
     <message>
-        <source>A newborn lies before you, its head towards you. You hold the laryngoscope in your left hand: bring the blade over the tongue into the vallecula, lift along the handle, and see the glottis. A grey blade shows the way.
-
-Nothing can break, and every try is a new one. Before it begins a card tells what mouse and keys do.</source>
-        <translation>Ein Neugeborenes liegt vor Ihnen, den Kopf zu Ihnen. Sie halten das Laryngoskop in der linken Hand: Führen Sie den Spatel über die Zunge in die Vallecula, heben Sie längs des Griffs, und sehen Sie die Glottis. Ein grauer Spatel zeigt den Weg.
-
-Nichts kann kaputtgehen, und jeder Versuch ist ein neuer. Bevor es beginnt, sagt eine Karte, was Maus und Tasten tun.</translation>
-    </message>
-    <message>
         <source>Step %1 of %2</source>
         <translation>Schritt %1 von %2</translation>
     </message>
@@ -5797,6 +5824,14 @@ Nichts kann kaputtgehen, und jeder Versuch ist ein neuer. Bevor es beginnt, sagt
         <source>Be&amp;gin</source>
         <translation>&amp;Beginnen</translation>
     </message>
+    <message>
+        <source>A newborn lies before you, its head towards you. You hold the laryngoscope in your left hand: bring the blade over the tongue into the vallecula, lift along the handle, and see the glottis. The key G shows an expert doing it, at this very infant.
+
+Nothing can break, and every try is a new one. Before it begins a card tells what mouse and keys do.</source>
+        <translation>Ein Neugeborenes liegt vor Ihnen, den Kopf zu Ihnen. Sie halten das Laryngoskop in der linken Hand: Führen Sie den Spatel über die Zunge in die Vallecula, heben Sie längs des Griffs, und sehen Sie die Glottis. Die Taste G zeigt, wie ein Experte es macht, an eben diesem Kind.
+
+Nichts kann kaputtgehen, und jeder Versuch ist ein neuer. Bevor es beginnt, sagt eine Karte, was Maus und Tasten tun.</translation>
+    </message>
 </context>
 <context>
     <name>vallecula::gui::ForceBars</name>
@@ -5805,20 +5840,12 @@ Nichts kann kaputtgehen, und jeder Versuch ist ein neuer. Bevor es beginnt, sagt
         <translation>Kraft auf Zunge und Zahnleiste</translation>
     </message>
     <message>
-        <source>Model force of the tissue on the blade, in newton. Yellow line: training target; white line: the highest so far; dashed: what the device can show. Below the tongue&apos;s bar: what your hand lifts of the load along the handle, and what is levered on the upper jaw (hatched).</source>
-        <translation>Modellkraft des Gewebes auf den Spatel, in Newton. Gelbe Linie: Trainingsziel; weiße Linie: die höchste bisher; gestrichelt: was das Gerät zeigen kann. Unter dem Balken der Zunge: was Ihre Hand von der Last längs des Griffs hebt und was am Oberkiefer gehebelt wird (schraffiert).</translation>
-    </message>
-    <message>
         <source>tongue %1 N, gum %2 N, lift %3 N, lever %4 N</source>
         <translation>Zunge %1 N, Zahnleiste %2 N, gehoben %3 N, gehebelt %4 N</translation>
     </message>
     <message>
         <source>target %1</source>
         <translation>Ziel %1</translation>
-    </message>
-    <message>
-        <source>device limit %1</source>
-        <translation>Gerätegrenze %1</translation>
     </message>
     <message>
         <source>%1 N</source>
@@ -5843,6 +5870,34 @@ Nichts kann kaputtgehen, und jeder Versuch ist ein neuer. Bevor es beginnt, sagt
     <message>
         <source>Gum</source>
         <translation>Zahnleiste</translation>
+    </message>
+    <message>
+        <source>Model force of the tissue on the blade, in newton.
+target: what to train for, %1 N on the tongue and %2 N on the gum; a trial passes with at most %3 s above the tongue&apos;s.
+pass: a peak above %4 N on the tongue or %5 N on the gum does not pass.
+device: it can show %6 N. White line: the highest so far.
+Below the tongue&apos;s bar: what your hand lifts of the load along the handle, and what is levered on the upper jaw (hatched).</source>
+        <translation>Modellkraft des Gewebes auf den Spatel, in Newton.
+Ziel: worauf geübt wird, %1 N auf die Zunge und %2 N auf die Zahnleiste; bestanden wird mit höchstens %3 s über dem der Zunge.
+besteht: Eine Spitze über %4 N auf die Zunge oder %5 N auf die Zahnleiste besteht nicht.
+Gerät: Es kann %6 N zeigen. Weiße Linie: das Höchste bisher.
+Unter dem Balken der Zunge: was Ihre Hand von der Last längs des Griffs hebt und was am Oberkiefer gehebelt wird (schraffiert).</translation>
+    </message>
+    <message>
+        <source>An expert&apos;s: tongue %1 N, gum %2 N, lift %3 N, lever %4 N</source>
+        <translation>Von Expertenhand: Zunge %1 N, Zahnleiste %2 N, Heben %3 N, Hebeln %4 N</translation>
+    </message>
+    <message>
+        <source>pass %1</source>
+        <translation>besteht %1</translation>
+    </message>
+    <message>
+        <source>device %1</source>
+        <translation>Gerät %1</translation>
+    </message>
+    <message>
+        <source>expert</source>
+        <translation>Experte</translation>
     </message>
 </context>
 <context>
@@ -6359,6 +6414,30 @@ Gerät: %3</translation>
         <source>Assessment: its forces, figures and events are for an instructor who is signed in here, and so are its vital signs. It is not held up, and the team says nothing, for a line would be a help.</source>
         <translation>Prüfung: Kräfte, Werte und Ereignisse sieht hier nur eine angemeldete Lehrperson, und nur sie ändert die Vitalwerte. Sie wird nicht angehalten, und das Team sagt nichts, denn ein Hinweis wäre eine Hilfe.</translation>
     </message>
+    <message>
+        <source>Once a trial runs</source>
+        <translation>Sobald ein Durchgang läuft</translation>
+    </message>
+    <message>
+        <source>In an assessment for an instructor who is signed in here</source>
+        <translation>In einer Prüfung nur für eine Lehrperson, die hier angemeldet ist</translation>
+    </message>
+    <message>
+        <source>The infant&apos;s clock stands: once the trial goes on (F5: Freeze, Continue)</source>
+        <translation>Die Uhr des Kindes steht: sobald der Durchgang weitergeht (F5: Anhalten, Weiter)</translation>
+    </message>
+    <message>
+        <source>No trial runs. One begins in the other window, by Practise or Course and there by Start; what is here then acts on it.</source>
+        <translation>Es läuft kein Durchgang. Einer beginnt im anderen Fenster, über Üben oder Kurs und dort mit Start; was hier steht, wirkt dann auf ihn.</translation>
+    </message>
+    <message>
+        <source>The trial is prepared: Start in the other window begins it, or Enter there.</source>
+        <translation>Der Durchgang ist vorbereitet: Start im anderen Fenster beginnt ihn, oder dort Enter.</translation>
+    </message>
+    <message>
+        <source>The infant&apos;s clock stands: its vital signs are changed once the trial goes on.</source>
+        <translation>Die Uhr des Kindes steht: Seine Vitalzeichen werden verändert, sobald der Durchgang weitergeht.</translation>
+    </message>
 </context>
 <context>
     <name>vallecula::gui::InstructorStation</name>
@@ -6387,16 +6466,16 @@ Gerät: %3</translation>
         <translation>Hier meldet sich eine Lehrperson an; wer am Spatel ist, bleibt dort angemeldet.</translation>
     </message>
     <message>
-        <source>%1 is signed out.</source>
-        <translation>%1 ist abgemeldet.</translation>
-    </message>
-    <message>
         <source>Next trainee</source>
         <translation>Nächste Lernende</translation>
     </message>
     <message>
         <source>Scenario, patient and device stay; the mode is practice again. Nobody signs in for somebody else.</source>
         <translation>Szenario, Patient und Gerät bleiben; es wird wieder geübt. Niemand meldet sich für jemand anderen an.</translation>
+    </message>
+    <message>
+        <source>%1 is signed out then.</source>
+        <translation>%1 wird dann abgemeldet.</translation>
     </message>
 </context>
 <context>
@@ -7200,10 +7279,6 @@ Gerät: %3</translation>
         <translation>PIN noch &amp;einmal</translation>
     </message>
     <message>
-        <source>Cancel</source>
-        <translation>Abbrechen</translation>
-    </message>
-    <message>
         <source>Give a name or a pseudonym.</source>
         <translation>Geben Sie einen Namen oder ein Pseudonym ein.</translation>
     </message>
@@ -7334,12 +7409,12 @@ Gerät: %3</translation>
         <translation>Keine Bestehensgrenze ist validiert.</translation>
     </message>
     <message>
-        <source> · %1 set aside</source>
-        <translation> · %1 beiseitegelegt</translation>
+        <source> · %1 not counted</source>
+        <translation> · %1 nicht gezählt</translation>
     </message>
     <message>
-        <source>  Set aside: %1, counted in nothing.</source>
-        <translation>  Beiseitegelegt: %1, nirgends mitgezählt.</translation>
+        <source>  Practised with help, or changed by an instructor: %1, counted in nothing.</source>
+        <translation>  Mit Hilfe geübt oder von einer Lehrperson verändert: %1, nirgends mitgezählt.</translation>
     </message>
 </context>
 <context>
@@ -7720,6 +7795,10 @@ Gerät: %3</translation>
         <source>Highest pressure on tongue and epiglottis so far: %1 little %2 %3 %4 %5 kPa</source>
         <translation>Höchster Druck auf Zunge und Epiglottis bisher: %1 wenig %2 %3 %4 %5 kPa</translation>
     </message>
+    <message>
+        <source>Enter or a click begins %1 s before; on the timeline the moment itself is framed in yellow</source>
+        <translation>Enter oder ein Klick beginnt %1 s davor; auf der Zeitleiste ist der Augenblick selbst gelb umrahmt</translation>
+    </message>
 </context>
 <context>
     <name>vallecula::gui::ResultPage</name>
@@ -7796,8 +7875,8 @@ Gerät: %3</translation>
         <translation>Das Kraftdiagramm konnte nicht gelesen werden.</translation>
     </message>
     <message>
-        <source>SET ASIDE</source>
-        <translation>BEISEITEGELEGT</translation>
+        <source>A link opens the replay %1 s before its moment, so that it is seen coming; on the timeline the moment itself is framed in yellow.</source>
+        <translation>Ein Verweis öffnet die Wiedergabe %1 s vor seinem Augenblick, damit man ihn kommen sieht; auf der Zeitleiste ist der Augenblick selbst gelb umrahmt.</translation>
     </message>
 </context>
 <context>
@@ -8040,14 +8119,6 @@ Gerät: %3</translation>
         <translation>&amp;PIN</translation>
     </message>
     <message>
-        <source>Go on as nobody</source>
-        <translation>Als niemand fortfahren</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>Abbrechen</translation>
-    </message>
-    <message>
         <source>Somebody ne&amp;w ...</source>
         <translation>&amp;Jemand Neues ...</translation>
     </message>
@@ -8070,6 +8141,18 @@ Gerät: %3</translation>
     <message>
         <source>Too many wrong PINs: wait %1 s, or ask an instructor for a new PIN.</source>
         <translation>Zu viele falsche PINs: Warten Sie %1 s oder bitten Sie eine Lehrperson um eine neue PIN.</translation>
+    </message>
+    <message>
+        <source>Go on as nob&amp;ody</source>
+        <translation>&amp;Ohne Anmeldung weiter</translation>
+    </message>
+    <message>
+        <source>Trials then belong to nobody</source>
+        <translation>Durchgänge gehören dann niemandem</translation>
+    </message>
+    <message>
+        <source>Registers a trainee, who is signed in then</source>
+        <translation>Registriert jemanden zum Üben und meldet ihn oder sie an</translation>
     </message>
 </context>
 <context>
@@ -8800,6 +8883,12 @@ Gerät: %3</translation>
         <source>Back to where this trial was chosen (Esc, before the start)</source>
         <translation>Zurück dorthin, wo dieser Durchgang gewählt wurde (Esc, vor dem Start)</translation>
     </message>
+    <message>
+        <source>Expert - your trial waits
+%1 of %2 s   |   Esc or G: back to your trial</source>
+        <translation>Experte - Ihr Durchgang wartet
+%1 von %2 s   |   Esc oder G: zurück zu Ihrem Durchgang</translation>
+    </message>
 </context>
 <context>
     <name>vallecula::gui::TrialPanels</name>
@@ -9078,8 +9167,8 @@ Gerät: %3</translation>
         <translation>Zuerst &amp;bewerten ...</translation>
     </message>
     <message>
-        <source>Squares were interrupted or set aside, crosses not passed, discs passed.</source>
-        <translation>Quadrate: abgebrochen oder beiseitegelegt, Kreuze: nicht bestanden, Punkte: bestanden.</translation>
+        <source>Squares were interrupted or are not counted (practised with help, or changed by an instructor), crosses not passed, discs passed.</source>
+        <translation>Quadrate: abgebrochen oder nicht gezählt (mit Hilfe geübt oder von einer Lehrperson verändert), Kreuze: nicht bestanden, Punkte: bestanden.</translation>
     </message>
 </context>
 <context>

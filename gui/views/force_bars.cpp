@@ -44,12 +44,13 @@ BladeForces blade_forces(const std::array<engine::StructureLoad, engine::kLoaded
           handle.levered_n};
 }
 
+ForceMarks force_marks(const curricula::Scenario& scenario, double device_limit_n) {
+  return {scenario.targets.tongue_force_n,   scenario.targets.gum_force_n,   device_limit_n,
+          scenario.pass.peak_tongue_force_n, scenario.pass.peak_gum_force_n, scenario.pass.time_over_target_s};
+}
+
 ForceBars::ForceBars(QWidget* parent) : QWidget(parent) {
   setAccessibleName(tr("Force on the tongue and on the gum"));
-  setToolTip(
-      tr("Model force of the tissue on the blade, in newton. Yellow line: training target; white line: the highest so "
-         "far; dashed: what the device can show. Below the tongue's bar: what your hand lifts of the load along the "
-         "handle, and what is levered on the upper jaw (hatched)."));
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
 }
 
@@ -62,25 +63,48 @@ QSize ForceBars::minimumSizeHint() const { return {280, static_cast<int>(4.2 * l
 void ForceBars::set_marks(const ForceMarks& marks) {
   tongue_.target = marks.tongue_target_n;
   gum_.target = marks.gum_target_n;
+  tongue_.pass = marks.tongue_pass_n;
+  gum_.pass = marks.gum_pass_n;
   device_limit_ = marks.device_limit_n;
-  scale_ = std::max(1.0, std::ceil(1.2 * std::max({device_limit_, tongue_.target, gum_.target})));
+  scale_ = std::max(
+      1.0, std::ceil(1.2 * std::max({device_limit_, tongue_.target, gum_.target, tongue_.pass, gum_.pass})));
+  const QString of_device = device_limit_ > 0.0 ? newtons(device_limit_) : QString("-");
+  setToolTip(tr("Model force of the tissue on the blade, in newton.\n"
+                "target: what to train for, %1 N on the tongue and %2 N on the gum; a trial passes with at most %3 s "
+                "above the tongue's.\n"
+                "pass: a peak above %4 N on the tongue or %5 N on the gum does not pass.\n"
+                "device: it can show %6 N. White line: the highest so far.\n"
+                "Below the tongue's bar: what your hand lifts of the load along the handle, and what is levered on the "
+                "upper jaw (hatched).")
+                 .arg(newtons(tongue_.target), newtons(gum_.target), newtons(marks.over_target_s),
+                      newtons(tongue_.pass), newtons(gum_.pass), of_device));
   clear();
 }
 
 void ForceBars::show_forces(const BladeForces& now) {
-  tongue_.now = now.tongue_n;
   tongue_.peak = std::max(tongue_.peak, now.tongue_n);
-  gum_.now = now.gum_n;
   gum_.peak = std::max(gum_.peak, now.gum_n);
+  show(now, false);
+}
+
+void ForceBars::show_expert(const BladeForces& now) { show(now, true); }
+
+void ForceBars::show(const BladeForces& now, bool of_expert) {
+  of_expert_ = of_expert;
+  tongue_.now = now.tongue_n;
+  gum_.now = now.gum_n;
   lifted_ = now.lifted_n;
   levered_ = now.levered_n;
-  setAccessibleDescription(tr("tongue %1 N, gum %2 N, lift %3 N, lever %4 N")
-                               .arg(newtons(now.tongue_n), newtons(now.gum_n), newtons(lifted_), newtons(levered_)));
+  const QString words = of_expert ? tr("An expert's: tongue %1 N, gum %2 N, lift %3 N, lever %4 N")
+                                  : tr("tongue %1 N, gum %2 N, lift %3 N, lever %4 N");
+  setAccessibleDescription(
+      words.arg(newtons(now.tongue_n), newtons(now.gum_n), newtons(lifted_), newtons(levered_)));
   update();
 }
 
 void ForceBars::clear() {
   tongue_.now = tongue_.peak = gum_.now = gum_.peak = lifted_ = levered_ = 0.0;
+  of_expert_ = false;
   update();
 }
 
@@ -118,20 +142,25 @@ void ForceBars::paint_bar(QPainter& painter, const QRectF& place, const QString&
   }
 
   painter.setFont(with_points(font(), kSmall));
-  // In a narrow window the two labels stand away from each other.
-  const bool crowded = with_limit && device_limit_ > 0.0 && std::abs(at(device_limit_) - at(bar.target)) < 84.0;
-  const auto mark = [&](double newton, const QColor& colour, const QString& text, Qt::PenStyle style, double aside) {
+  // Their words stand in one line: the target's before its mark, the others after theirs, each after the one before.
+  const QFontMetricsF type(painter.font());
+  double free_from = place.left();
+  const auto mark = [&](double newton, const QColor& colour, const QString& text, Qt::PenStyle style, bool before) {
+    if (!(newton > 0.0)) return;
     painter.setPen(QPen(colour, 2.0, style));
     painter.drawLine(QPointF(at(newton), track.top() - 3.0), QPointF(at(newton), track.bottom() + 3.0));
+    const double wide = type.horizontalAdvance(text) + 2.0;
+    const double from = std::max(free_from, at(newton) + (before ? 3.0 - wide : -3.0));
+    if (from + wide > place.right()) return;  // no room: the tooltip has it
     painter.setPen(colour);
-    painter.drawText(QRectF(at(newton) - 90.0 + (crowded ? aside : 0.0), place.top() - 1.0, 180.0, line()),
-                     Qt::AlignCenter, text);
+    painter.drawText(QRectF(from, place.top() - 1.0, wide, line()), Qt::AlignLeft | Qt::AlignVCenter, text);
+    free_from = from + wide + 6.0;
   };
-  if (bar.target > 0.0)
-    mark(bar.target, theme::target(), tr("target %1").arg(newtons(bar.target)), Qt::SolidLine, -24.0);
-  if (with_limit && device_limit_ > 0.0)
-    mark(device_limit_, theme::device(), tr("device limit %1").arg(newtons(device_limit_)), Qt::DashLine, 30.0);
-  if (bar.peak > 0.05) {
+  mark(bar.target, theme::target(), tr("target %1").arg(newtons(bar.target)), Qt::SolidLine, true);
+  mark(bar.pass, theme::bad(), tr("pass %1").arg(newtons(bar.pass)), Qt::SolidLine, false);
+  if (with_limit)
+    mark(device_limit_, theme::device(), tr("device %1").arg(newtons(device_limit_)), Qt::DashLine, false);
+  if (bar.peak > 0.05 && !of_expert_) {
     painter.setPen(QPen(theme::text(), 1.5));
     painter.drawLine(QPointF(at(bar.peak), track.top()), QPointF(at(bar.peak), track.bottom()));
   }
@@ -142,7 +171,7 @@ void ForceBars::paint_bar(QPainter& painter, const QRectF& place, const QString&
   painter.drawText(figures, Qt::AlignTop | Qt::AlignLeft, tr("%1 N").arg(newtons(bar.now)));
   painter.setFont(with_points(font(), kSmall));
   painter.setPen(theme::faint());
-  painter.drawText(figures, Qt::AlignBottom | Qt::AlignLeft, tr("peak %1").arg(newtons(bar.peak)));
+  painter.drawText(figures, Qt::AlignBottom | Qt::AlignLeft, of_expert_ ? tr("expert") : tr("peak %1").arg(newtons(bar.peak)));
 }
 
 /// A strip on the same scale, lift first, then lever; their words with figures below it.

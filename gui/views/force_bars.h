@@ -6,6 +6,7 @@
 #include <QWidget>
 #include <array>
 
+#include "curricula/scenario.h"
 #include "engine/tick_record.h"
 
 namespace vallecula::gui {
@@ -14,7 +15,12 @@ struct ForceMarks {
   double tongue_target_n = 0.0;  ///< training target
   double gum_target_n = 0.0;
   double device_limit_n = 0.0;  ///< what the device can give
+  /// A trial with a higher peak is not passed; 0: there is no such mark.
+  double tongue_pass_n = 0.0, gum_pass_n = 0.0;
+  double over_target_s = 0.0;  ///< so long the tongue's target may be exceeded in a trial that passes
 };
+/// All of a scenario's.
+ForceMarks force_marks(const curricula::Scenario& scenario, double device_limit_n);
 
 /// Model forces at a moment, N.
 struct BladeForces {
@@ -31,6 +37,8 @@ class ForceBars : public QWidget {
   void set_marks(const ForceMarks& marks);
   /// Peaks are kept until clear().
   void show_forces(const BladeForces& now);
+  /// An expert's, in place of one's own, whose peaks stay kept; until show_forces().
+  void show_expert(const BladeForces& now);
   void clear();
   double tongue_peak_n() const { return tongue_.peak; }
   double gum_peak_n() const { return gum_.peak; }
@@ -44,8 +52,9 @@ class ForceBars : public QWidget {
 
  private:
   struct Bar {
-    double now = 0.0, peak = 0.0, target = 0.0;
+    double now = 0.0, peak = 0.0, target = 0.0, pass = 0.0;
   };
+  void show(const BladeForces& now, bool of_expert);
   void paint_bar(class QPainter& painter, const QRectF& place, const QString& name, const Bar& bar,
                  bool with_limit) const;
   void paint_parts(class QPainter& painter, const QRectF& place) const;
@@ -55,6 +64,7 @@ class ForceBars : public QWidget {
   Bar tongue_, gum_;
   double lifted_ = 0.0, levered_ = 0.0;
   double device_limit_ = 0.0, scale_ = 10.0;
+  bool of_expert_ = false;
 };
 
 }  // namespace vallecula::gui

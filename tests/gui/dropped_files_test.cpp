@@ -1,6 +1,8 @@
 // What is dropped on the window or opened from its menu is told by what lies there.
 #include <gtest/gtest.h>
 
+#include <QStandardPaths>
+
 #include <fstream>
 
 #include "gui/session/dropped_files.h"
@@ -90,6 +92,16 @@ TEST_F(DroppedFiles, TheLastEightAreRememberedAndThoseThatAreGoneAreNotShown) {
   const QString trial = described({DroppedKind::trial, log.parent_path(), QDateTime({2026, 5, 3}, {14, 2})});
   EXPECT_TRUE(trial.startsWith("Trial: first-look, ")) << trial.toStdString();
   EXPECT_EQ(kept_recent().size(), 8u) << "a disc that is not in the drive may come back";
+}
+
+TEST_F(DroppedFiles, AnOpeningDialogBeginsWhereTheLastOneEndedElseInTheDocuments) {
+  EXPECT_EQ(folder_to_open(), QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation));
+  const std::filesystem::path folder = box_ / "courses";
+  std::filesystem::create_directories(folder);
+  keep_opened(QString::fromStdString((folder / "one.yaml").string()));
+  EXPECT_EQ(folder_to_open().toStdString(), folder.string());
+  std::filesystem::remove_all(folder);
+  EXPECT_EQ(folder_to_open(), QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation)) << "it is gone";
 }
 
 }  // namespace

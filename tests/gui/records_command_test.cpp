@@ -187,7 +187,7 @@ TEST_F(RecordsCommand, PdfReportsHoldTheirText) {
   EXPECT_NE(facts.find("(A4)"), std::string::npos) << facts;
   const std::string trainee = read_back("pdftotext -layout", nobody);
   for (const char* held :
-       {"Trials of nobody", "By scenario and device", "Set aside", "Learning curves", "All trials", "plain"})
+       {"Trials of nobody", "By scenario and device", "Not counted", "Learning curves", "All trials", "plain"})
     EXPECT_NE(trainee.find(held), std::string::npos) << held << " in " << trainee;
 }
 

@@ -167,6 +167,7 @@ TEST_P(AnyRecords, ACohortIsTheInstructors) {
   c.add(c.emu_id, "2024-05-02T10:00:00Z", false);
   c.add(c.emu_id, "2024-05-03T10:00:00Z", true, "touch");
   c.add(0, "2024-05-03T10:00:00Z", true);
+  c.add(c.boss->id(), "2024-05-03T10:00:00Z", true);  // who teaches is no trainee
   const Progress progress(c.records);
   const auto all = progress.cohort(*c.boss, {});
   ASSERT_EQ(all.size(), 3u);

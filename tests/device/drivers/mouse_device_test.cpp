@@ -85,6 +85,47 @@ TEST(MouseDevice, LiftsAlongTheHandleWhileTheKeyIsHeldAndStays) {
   EXPECT_NEAR(mouse.lift_m(), 0.0, 1e-9);
 }
 
+TEST(MouseDevice, ComesLevelAsItRisesAndGoesBackAsItIsLowered) {
+  const MouseSettings settings;
+  MouseDevice mouse(settings);
+  const Rotation pose = about_axis({1, 0, 0}, M_PI / 2);
+  mouse.place({0, 0, 0}, pose);
+  int tick = 0;
+  run(mouse, tick, 10);
+  mouse.set_lift(1.0);
+  run(mouse, tick, 1000);
+  mouse.set_lift(0.0);
+  DeviceReading held = run(mouse, tick, 1000);
+  const double turn = settings.lift_speed_m_s * settings.lift_levels_rad_m;
+  EXPECT_LT(angle_between(held.rotation_wxyz, multiply(pose, about_axis({0, 1, 0}, turn))), 1e-6);
+  EXPECT_LT(length(subtract(held.position_m, {0, -settings.lift_speed_m_s, 0})), 1e-9) << "the tip goes straight";
+  mouse.set_lift(-1.0);
+  held = run(mouse, tick, 3000);
+  EXPECT_LT(angle_between(held.rotation_wxyz, pose), 1e-6);
+}
+
+TEST(MouseDevice, TheKeyLiftsSlowerTheHarderTheTissuePullsAndLowersAsEver) {
+  const MouseSettings settings;
+  MouseDevice mouse(settings);
+  int tick = 0;
+  run(mouse, tick, 10);
+  const auto lifted_in_a_second = [&](double force_n, double direction) {
+    const double from = mouse.lift_m();
+    mouse.feel(force_n);
+    mouse.set_lift(direction);
+    run(mouse, tick, 1000);
+    mouse.set_lift(0.0);
+    run(mouse, tick, 500);
+    return mouse.lift_m() - from;
+  };
+  EXPECT_NEAR(lifted_in_a_second(0.0, 1.0), settings.lift_speed_m_s, 1e-9);
+  EXPECT_NEAR(lifted_in_a_second(0.5 * settings.lift_force_n, 1.0), 0.5 * settings.lift_speed_m_s, 1e-9);
+  EXPECT_NEAR(lifted_in_a_second(settings.lift_force_n + 1.0, 1.0), 0.0, 1e-9);
+  EXPECT_NEAR(lifted_in_a_second(settings.lift_force_n + 1.0, -1.0), -settings.lift_speed_m_s, 1e-9);
+  mouse.feel(std::numeric_limits<double>::quiet_NaN());
+  EXPECT_NEAR(lifted_in_a_second(std::numeric_limits<double>::infinity(), 1.0), 0.0, 1e-9) << "as it was told last";
+}
+
 TEST(MouseDevice, TurnsAboutTheTip) {
   MouseDevice mouse;
   mouse.place({0.01, 0, 0}, {1, 0, 0, 0});
@@ -161,6 +202,7 @@ TEST(MouseDevice, TicksAllocateNothing) {
     mouse.move(0.001, 0);
     mouse.turn(0.001, 0, 0);
     mouse.set_lift(1);
+    mouse.feel(1.0);
     mouse.read(i * kTick);
     mouse.write({1, 0, 0});
   }

@@ -20,6 +20,7 @@
 #include "gui/instructor/sign_in_dialog.h"
 #include "gui/instructor/station.h"
 #include "gui/pages/trial_page.h"
+#include "gui/records_pages/person_dialog.h"
 #include "gui/views/force_bars.h"
 #include "gui/views/operator_view.h"
 #include "gui/views/theme.h"
@@ -212,6 +213,22 @@ TEST_F(WindowInstructor, WatchesAnIntubationAndActsOnIt) {
   if (!page.session()->frozen()) QTest::mouseClick(button("Freeze"), Qt::LeftButton);
   EXPECT_TRUE(page.session()->frozen());
   ASSERT_TRUE(wait_for([&] { return state().startsWith("FROZEN"); }, 5000)) << state().toStdString();
+  const auto vital_signs = [&] {
+    return QList<QPushButton*>{button("SpO2"), button("Heart"), button("Laryngospasm")};
+  };
+  for (const QPushButton* vital : vital_signs()) {
+    EXPECT_FALSE(vital->isEnabled()) << "the infant's clock stands";
+    EXPECT_TRUE(vital->toolTip().contains("once the trial goes on")) << vital->toolTip().toStdString();
+  }
+  EXPECT_TRUE(wait_for(
+      [&] {
+        const auto now = page.findChildren<QLabel*>();
+        return std::any_of(now.begin(), now.end(), [](const QLabel* label) {
+          return label->isVisible() && label->text().contains("Held by the instructor");
+        });
+      },
+      5000))
+      << "the trainee is told by whom";
   keep_pictures("frozen");
   wait_for([] { return false; }, 700);  // what the recorder has not counted yet: the pauses it tells of come a little later
   const QString stood = state();
@@ -221,6 +238,7 @@ TEST_F(WindowInstructor, WatchesAnIntubationAndActsOnIt) {
   EXPECT_FALSE(page.session()->frozen());
   page.session()->confirm();
   EXPECT_TRUE(wait_for([&] { return state().startsWith("Running"); }, 5000)) << state().toStdString();
+  for (const QPushButton* vital : vital_signs()) EXPECT_TRUE(vital->isEnabled()) << vital->text().toStdString();
   keep_pictures("running");
   second().close();
   window_->close();
@@ -230,7 +248,13 @@ TEST_F(WindowInstructor, WhatIsFrozenHereOnlyThisWindowLetsGo) {
   open_with_course();
   open_second();
   ASSERT_TRUE(wait_for([&] { return second_is_open(); }, 10000));
+  const auto rules_begin = [&](const char* words) {
+    const auto labels = second().findChildren<QLabel*>();
+    return std::any_of(labels.begin(), labels.end(), [&](const QLabel* one) { return one->text().startsWith(words); });
+  };
+  EXPECT_TRUE(rules_begin("No trial runs."));
   prepare(setup("helped"));
+  EXPECT_TRUE(rules_begin("The trial is prepared"));
   TrialPage& page = window_->trial_page();
   page.start();
   ASSERT_TRUE(wait_for([&] { return second().drawn() >= 2; }, 20000));
@@ -443,18 +467,25 @@ TEST_F(WindowInstructor, TheNextTraineeTakesOverByOneKeyAndThePin) {
 
   QApplication::setActiveWindow(window_.get());
   QTest::keyClick(window_.get(), Qt::Key_T, Qt::ControlModifier);
-  EXPECT_FALSE(desk().who()) << "the one before is signed out at once";
-  EXPECT_NE(window_->page_name(), "trial") << "what was prepared was for the one before";
   auto* asks = dialog<SignInDialog>();
   ASSERT_NE(asks, nullptr);
   EXPECT_EQ(asks->findChild<QComboBox*>()->currentText(), "Kiwi (trainee)") << "the one after Emu";
   keep_picture(*asks, "next-trainee.png");
+  QTest::keyClick(asks, Qt::Key_Escape);
+  EXPECT_EQ(desk().person().name, "Emu") << "cancelled, all is as it was";
+  EXPECT_EQ(window_->page_name(), "trial");
+  ASSERT_TRUE(wait_for([] { return QApplication::activeModalWidget() == nullptr; }, 5000));
+  QApplication::setActiveWindow(window_.get());
+  QTest::keyClick(window_.get(), Qt::Key_T, Qt::ControlModifier);
+  asks = dialog<SignInDialog>();
+  ASSERT_NE(asks, nullptr);
   auto* pin = asks->findChild<QLineEdit*>();
   QTest::keyClick(pin, Qt::Key_Down);  // Moa, not Kiwi
   QTest::keyClicks(pin, "1234");
   QTest::keyClick(pin, Qt::Key_Return);
-  ASSERT_TRUE(wait_for([&] { return desk().who().has_value(); }, 10000));
+  wait_for([&] { return desk().person().name == "Moa"; }, 10000);
   EXPECT_EQ(desk().person().name, "Moa") << "three keys and the PIN";
+  EXPECT_NE(window_->page_name(), "trial") << "what was prepared was for the one before";
   const Choice after = start.choice();
   EXPECT_EQ(after.scenario.id, before.scenario.id);
   EXPECT_EQ(after.patient, before.patient);
@@ -470,8 +501,32 @@ TEST_F(WindowInstructor, TheNextTraineeTakesOverByOneKeyAndThePin) {
   asks = dialog<SignInDialog>();
   ASSERT_NE(asks, nullptr);
   EXPECT_EQ(asks->findChild<QComboBox*>()->currentText(), "Emu (trainee)") << "after the last one the first";
-  QTest::keyClick(asks, Qt::Key_Escape);
+  const auto press = [&](QDialog* in, const QString& text) {
+    for (auto* one : in->findChildren<QPushButton*>())
+      if (one->text().remove('&') == text) return QTest::mouseClick(one, Qt::LeftButton);
+    ADD_FAILURE() << "no " << text.toStdString();
+  };
+  press(asks, "Go on as nobody");
   EXPECT_FALSE(desk().who());
+  ASSERT_TRUE(wait_for([] { return QApplication::activeModalWidget() == nullptr; }, 5000));
+
+  // Somebody new is asked for a name at once, and signed in with it.
+  QTest::mouseClick(next, Qt::LeftButton);
+  asks = dialog<SignInDialog>();
+  ASSERT_NE(asks, nullptr);
+  press(asks, "Somebody new ...");
+  PersonDialog* registers = nullptr;
+  ASSERT_TRUE(wait_for(
+      [&] { return (registers = qobject_cast<PersonDialog*>(QApplication::activeModalWidget())) != nullptr; }, 10000));
+  EXPECT_EQ(window_->page_name(), "records");
+  const auto lines = registers->findChildren<QLineEdit*>();
+  ASSERT_EQ(lines.size(), 3);
+  QTest::keyClicks(lines[0], "Rhea");
+  QTest::keyClicks(lines[1], "1234");
+  QTest::keyClicks(lines[2], "1234");
+  QTest::keyClick(lines[2], Qt::Key_Return);
+  ASSERT_TRUE(wait_for([&] { return desk().who().has_value(); }, 10000));
+  EXPECT_EQ(desk().person().name, "Rhea");
 }
 
 TEST_F(WindowInstructor, AHapticDeviceIsCheckedBeforeItsFirstTrial) {

@@ -348,6 +348,17 @@ TEST_F(WindowPanelsOfATube, TheExpertIsSeenWhileTheTrialWaitsAndThenItGoesOn) {
   ASSERT_TRUE(wait_for([&] { return says("Expert - your trial waits"); }, 60000));
   // The expert's blade comes in: another picture than the one where the trial stands.
   ASSERT_TRUE(wait_for([&] { return difference(before, page.operator_view().picture()).pixels > 4000; }, 60000));
+  auto* bars = page.panels().findChild<ForceBars*>();
+  ASSERT_NE(bars, nullptr);
+  const double own_peak_n = bars->tongue_peak_n();
+  const auto expert_presses = [&] {
+    const QString now = bars->accessibleDescription();
+    return now.startsWith("An expert's") && !now.contains("tongue 0.0 N");
+  };
+  ASSERT_TRUE(wait_for(expert_presses, 60000)) << bars->accessibleDescription().toStdString();
+  EXPECT_EQ(bars->tongue_peak_n(), own_peak_n) << "the trainee's own stays";
+  EXPECT_TRUE(says(" of 20 s")) << "how far the loop is";
+  EXPECT_TRUE(says("back to your trial"));
   keep_picture(window, "expert.png");
   const double waited_from_s = page.session()->paused_s();
   ASSERT_TRUE(wait_for([&] { return page.session()->paused_s() > waited_from_s + 0.3; }, 20000)) << "its clock stands";

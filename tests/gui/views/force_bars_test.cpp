@@ -79,6 +79,34 @@ TEST_F(Bars, GrowWithTheForceAndTellLiftFromLever) {
   EXPECT_NEAR(bars_.tongue_peak_n(), 6.2, 1e-12);
 }
 
+TEST_F(Bars, SayWhatTheirMarksAreByTheScenariosOwnFigures) {
+  curricula::Scenario scenario;
+  scenario.targets.tongue_force_n = 4.1;
+  scenario.targets.gum_force_n = 1.6;
+  scenario.pass.peak_tongue_force_n = 5.7;
+  scenario.pass.peak_gum_force_n = 2.4;
+  scenario.pass.time_over_target_s = 2.5;
+  const int without = pixels(theme::bad());
+  bars_.set_marks(force_marks(scenario, 7.9));
+  EXPECT_GT(pixels(theme::bad()), without + 60) << "the marks that decide are drawn";
+  for (const char* figure : {"4.1 N", "1.6 N", "5.7 N", "2.4 N", "2.5 s", "7.9 N"})
+    EXPECT_TRUE(bars_.toolTip().contains(figure)) << figure << " in " << bars_.toolTip().toStdString();
+  bars_.show_forces({4.4, 1.0, 4.0, 0.4});
+  keep_picture(bars_, "bars-marks.png");
+  bars_.resize(280, 140);
+  keep_picture(bars_, "bars-marks-narrow.png");
+}
+
+TEST_F(Bars, AnExpertsForcesLeaveOnesOwnPeaks) {
+  bars_.show_forces({3.0, 1.0, 2.0, 1.0});
+  bars_.show_expert({6.5, 0.2, 6.3, 0.2});
+  EXPECT_EQ(bars_.tongue_peak_n(), 3.0);
+  EXPECT_TRUE(bars_.accessibleDescription().startsWith("An expert's: tongue 6.5 N"));
+  bars_.show_forces({0.0, 0.0, 0.0, 0.0});
+  EXPECT_EQ(bars_.tongue_peak_n(), 3.0);
+  EXPECT_TRUE(bars_.accessibleDescription().startsWith("tongue 0.0 N"));
+}
+
 TEST_F(Bars, PatternsTellThePartsApartWithoutColour) {
   bars_.show_forces({4.0, 0.0, 2.0, 2.0});
   // The strip below the tongue's bar: grey values along a row; a plain part has one, a hatched one changes.
