@@ -9012,10 +9012,6 @@ Gerät: %3</translation>
         <translation>steht</translation>
     </message>
     <message>
-        <source>%1; %2</source>
-        <translation>%1; %2</translation>
-    </message>
-    <message>
         <source>following your hand</source>
         <translation>folgt Ihrer Hand</translation>
     </message>
@@ -9086,6 +9082,10 @@ Gerät: %3</translation>
     <message>
         <source>%1 of %2 steps dropped</source>
         <translation>%1 von %2 Schritten ausgelassen</translation>
+    </message>
+    <message>
+        <source>%1, less detail</source>
+        <translation>%1, weniger Details</translation>
     </message>
 </context>
 <context>
