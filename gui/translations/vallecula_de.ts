@@ -7792,12 +7792,12 @@ Gerät: %3</translation>
         <translation>Weg der Spitze: %1 unter der halben Zielkraft auf die Zunge %2 bis zu ihr (%4 N) %3 darüber; in Weiß der des Experten</translation>
     </message>
     <message>
-        <source>Highest pressure on tongue and epiglottis so far: %1 little %2 %3 %4 %5 kPa</source>
-        <translation>Höchster Druck auf Zunge und Epiglottis bisher: %1 wenig %2 %3 %4 %5 kPa</translation>
-    </message>
-    <message>
         <source>Enter or a click begins %1 s before; on the timeline the moment itself is framed in yellow</source>
         <translation>Enter oder ein Klick beginnt %1 s davor; auf der Zeitleiste ist der Augenblick selbst gelb umrahmt</translation>
+    </message>
+    <message>
+        <source>Highest pressure on tongue and epiglottis so far: %1 little %2 %3 %4 %5 kPa and more, in every trial; at most %6 kPa in this one</source>
+        <translation>Höchster Druck auf Zunge und Epiglottis bisher: %1 wenig %2 %3 %4 %5 kPa und mehr, in jedem Durchgang; höchstens %6 kPa in diesem</translation>
     </message>
 </context>
 <context>

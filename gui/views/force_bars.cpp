@@ -58,7 +58,7 @@ double ForceBars::line() const { return QFontMetricsF(with_points(font(), kSmall
 
 // Two bars with their labels above, the tongue's with its parts and their words below.
 QSize ForceBars::sizeHint() const { return {420, static_cast<int>(4.2 * line() + 86.0)}; }
-QSize ForceBars::minimumSizeHint() const { return {280, static_cast<int>(4.2 * line() + 58.0)}; }
+QSize ForceBars::minimumSizeHint() const { return {280, static_cast<int>(4.2 * line() + 76.0)}; }
 
 void ForceBars::set_marks(const ForceMarks& marks) {
   tongue_.target = marks.tongue_target_n;

@@ -39,14 +39,6 @@ std::array<unsigned char, 4> heat_colour(double share) {
   return {mixed(a.red, b.red), mixed(a.green, b.green), mixed(a.blue, b.blue), mixed(a.alpha, b.alpha)};
 }
 
-double heat_scale_kpa(double highest_kpa) {
-  if (!(highest_kpa > 0.0)) return 1.0;
-  const double decade = std::pow(10.0, std::floor(std::log10(highest_kpa)));
-  for (const double step : {1.0, 2.0, 5.0})
-    if (highest_kpa <= step * decade) return step * decade;
-  return 10.0 * decade;
-}
-
 HeatLook::HeatLook(const SoftBoundary& boundary) : boundary_(boundary) {
   surface_ = poly_data(std::vector<std::array<float, 3>>(boundary_.node.size()), boundary_.triangles);
   vtkNew<vtkUnsignedCharArray> colours;
@@ -69,14 +61,14 @@ HeatLook::HeatLook(const SoftBoundary& boundary) : boundary_(boundary) {
   actor_->VisibilityOff();
 }
 
-void HeatLook::show(const engine::Snapshot& snapshot, const std::vector<float>& kpa, double scale_kpa) {
+void HeatLook::show(const engine::Snapshot& snapshot, const std::vector<float>& kpa) {
   auto* points = vtkFloatArray::SafeDownCast(surface_->GetPoints()->GetData());
   auto* colours = vtkUnsignedCharArray::SafeDownCast(surface_->GetPointData()->GetScalars());
   for (std::size_t i = 0; i < boundary_.node.size(); ++i) {
     const float* p = snapshot.soft_points.data() + 3 * static_cast<std::size_t>(boundary_.node[i]);
     const float mm[3] = {1000.0f * p[0], 1000.0f * p[1], 1000.0f * p[2]};
     points->SetTypedTuple(static_cast<vtkIdType>(i), mm);
-    colours->SetTypedTuple(static_cast<vtkIdType>(i), heat_colour(kpa[i] / scale_kpa).data());
+    colours->SetTypedTuple(static_cast<vtkIdType>(i), heat_colour(kpa[i] / kHeatTopKpa).data());
   }
   points->Modified();
   colours->Modified();
