@@ -23,7 +23,7 @@ namespace vallecula::gui {
 namespace {
 
 constexpr int kSagittalMs = 140, kVideoMs = 80, kRestMs = 500;
-constexpr int kOneView = 150;    // px in height that a view has at least; with less for it the team's line comes in its place
+constexpr int kOneView = 150;    // px in height; where a view has less, the team's line comes before it
 constexpr int kTwoViews = 420;   // px in height from which two views stand one above the other
 constexpr int kArrangement = 1;  // of the kept state; another number is not taken back
 constexpr double kSideShare = 0.36;

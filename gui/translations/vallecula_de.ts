@@ -3572,14 +3572,6 @@
         <translation>Der Durchgang davor wird noch gesichert</translation>
     </message>
     <message>
-        <source>Held by the instructor: it goes on when they let it go.</source>
-        <translation>Von der Lehrperson angehalten: Es geht weiter, wenn sie den Durchgang freigibt.</translation>
-    </message>
-    <message>
-        <source>Held by you for as long as you look at the expert (G).</source>
-        <translation>Von Ihnen angehalten, solange Sie dem Experten zusehen (G).</translation>
-    </message>
-    <message>
         <source>the blade did not enter the mouth</source>
         <translation>der Spatel kam nicht in den Mund</translation>
     </message>
@@ -3598,6 +3590,14 @@
     <message>
         <source>Changed by the instructor: not counted for the course</source>
         <translation>Von der Lehrperson verändert: zählt nicht für den Kurs</translation>
+    </message>
+    <message>
+        <source>The trial is held by the instructor: it goes on when they let it go.</source>
+        <translation>Der Durchgang ist von der Lehrperson angehalten: Er geht weiter, wenn sie ihn freigibt.</translation>
+    </message>
+    <message>
+        <source>The trial is held by you for as long as you look at the expert (G).</source>
+        <translation>Der Durchgang ist von Ihnen angehalten, solange Sie dem Experten zusehen (G).</translation>
     </message>
 </context>
 <context>

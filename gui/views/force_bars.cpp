@@ -171,7 +171,8 @@ void ForceBars::paint_bar(QPainter& painter, const QRectF& place, const QString&
   painter.drawText(figures, Qt::AlignTop | Qt::AlignLeft, tr("%1 N").arg(newtons(bar.now)));
   painter.setFont(with_points(font(), kSmall));
   painter.setPen(theme::faint());
-  painter.drawText(figures, Qt::AlignBottom | Qt::AlignLeft, of_expert_ ? tr("expert") : tr("peak %1").arg(newtons(bar.peak)));
+  painter.drawText(figures, Qt::AlignBottom | Qt::AlignLeft,
+                   of_expert_ ? tr("expert") : tr("peak %1").arg(newtons(bar.peak)));
 }
 
 /// A strip on the same scale, lift first, then lever; their words with figures below it.

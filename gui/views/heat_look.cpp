@@ -16,7 +16,7 @@
 namespace vallecula::gui {
 namespace {
 
-constexpr double kClearBelow = 0.05;
+constexpr double kClearBelow = 0.01;
 constexpr double kNearer = -300.0;  // 65000ths of the depth that is drawn: under a millimetre, just before the drawn skin
 
 }  // namespace
