@@ -112,7 +112,8 @@ SourcePage::SourcePage(ImportWork& work, QWidget* parent) : QWidget(parent), wor
   all->addLayout(foot);
 
   connect(folder_, &QPushButton::clicked, this, [this] {
-    const QString folder = QFileDialog::getExistingDirectory(this, tr("Choose the folder with the CT"), folder_to_open());
+    const QString folder =
+        QFileDialog::getExistingDirectory(this, tr("Choose the folder with the CT"), folder_to_open());
     if (folder.isEmpty()) return;
     keep_opened(folder);
     look_at(folder);

@@ -72,7 +72,8 @@ void InstructorStation::show_second(const curricula::Who& who, const curricula::
 void InstructorStation::change_trainee() {
   window_.activateWindow();  // where it is asked
   if (may_change_ && !may_change_()) return;
-  const QString before = trainee_.who() ? tr("%1 is signed out then.").arg(words_of(trainee_.person())) + " " : QString();
+  const QString before =
+      trainee_.who() ? tr("%1 is signed out then.").arg(words_of(trainee_.person())) + " " : QString();
   auto* dialog = new SignInDialog(
       trainee_, SignInDialog::Whom::anybody, tr("Next trainee"),
       before + tr("Scenario, patient and device stay; the mode is practice again. Nobody signs in for somebody else."),

@@ -64,6 +64,7 @@ DistractionPanel::DistractionPanel(QWidget* parent) : QFrame(parent) {
   connect(&said_for_, &QTimer::timeout, this, [this] {
     said_->hide();
     idle_->setVisible(rows_.empty());
+    emit silent();
   });
   serve(nullptr, false);
   column_->addStretch(1);

@@ -33,6 +33,9 @@ class DistractionPanel : public QFrame {
   static constexpr int kSaidMs = 8000;
   std::vector<KeyRow> keys() const;
 
+ signals:
+  void silent();  ///< the instructor's sentence has been read
+
  private:
   struct Row {
     int distraction = 0;

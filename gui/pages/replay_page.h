@@ -110,7 +110,6 @@ class ReplayPage : public QWidget {
   std::unique_ptr<ReplayMarks> marks_, cut_marks_;
   std::unique_ptr<HeatLook> heat_look_;
   std::size_t heat_of_ = 0;     ///< frames whose pressures are drawn
-  double heat_scale_ = 1.0;     ///< kPa
   Timeline* timeline_;
   LinkedChart *force_chart_, *monitor_chart_;
   QTabWidget *charts_, *lists_;

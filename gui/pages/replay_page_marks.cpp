@@ -36,13 +36,9 @@ void ReplayPage::show_heat() {
   if (!heat_look_ || !heat_->isChecked() || shown_ < 0) return;
   ContactHeat& heat = *trial_->heat;
   const auto frame = static_cast<std::size_t>(shown_);
-  const double scale = heat_scale_kpa(heat.highest_kpa());
-  heat_look_->show(*trial_->film->frame(frame), heat.peaks_until(frame), scale);
+  heat_look_->show(*trial_->film->frame(frame), heat.peaks_until(frame));
   heat_of_ = heat.computed();
-  if (scale != heat_scale_) {
-    heat_scale_ = scale;
-    show_legend();
-  }
+  show_legend();  // the highest may have become higher
   dirty_ = true;
 }
 
@@ -60,10 +56,12 @@ void ReplayPage::show_legend() {
                 "expert's")
                  .arg(swatch(theme::device()), swatch(theme::target()), swatch(theme::bad()))
                  .arg(trial_->scenario.targets.tongue_force_n, 0, 'f', 1);
-  if (heat_->isChecked())
-    lines << tr("Highest pressure on tongue and epiglottis so far: %1 little %2 %3 %4 %5 kPa")
+  if (heat_->isChecked() && trial_)
+    lines << tr("Highest pressure on tongue and epiglottis so far: %1 little %2 %3 %4 %5 kPa and more, in every trial; at "
+                "most %6 kPa in this one")
                  .arg(swatch(heat_swatch(0.15)), swatch(heat_swatch(0.4)), swatch(heat_swatch(0.7)), swatch(heat_swatch(1.0)))
-                 .arg(heat_scale_);
+                 .arg(kHeatTopKpa)
+                 .arg(trial_->heat->highest_kpa(), 0, 'f', 1);
   legend_->setText(lines.join("<br>"));
   legend_->setVisible(!lines.isEmpty());
 }

@@ -50,6 +50,7 @@ void TrialPage::show_expert() {
                                   .arg(theme::points(13.0)));
   expert_sign_->setText(tr("Expert - your trial waits"));
   expert_sign_->show();
+  steered_->hide();  // nothing is steered meanwhile, and the sign stands there
   helps_->expert()->setText(tr("Back to my trial (G)"));
   show_banner(tr("An expert's hands at this patient, computed for it. Esc or G: back to your trial."), "");
   since_expert_.invalidate();
@@ -101,6 +102,7 @@ void TrialPage::end_expert() {
   if (!expert_wanted_) return;
   expert_wanted_ = false;
   expert_sign_->hide();
+  steered_->setVisible(session_->takes_turns());
   session_->actions().hold(engine::kActionAided, false);
   helps_->expert()->setText(tr("Expert (G)"));
   if (expert_ && !expert_->finished()) expert_.reset();  // its computing would take time from the trial

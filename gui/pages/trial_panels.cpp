@@ -23,6 +23,7 @@ namespace vallecula::gui {
 namespace {
 
 constexpr int kFewerMs = 66, kRestMs = 500;  // beside the operator's view, where the machine cannot draw all at its rate
+constexpr int kOneView = 150;    // px in height; where a view has less, the team's line comes before it
 constexpr int kTwoViews = 420;   // px in height from which two views stand one above the other
 constexpr int kArrangement = 1;  // of the kept state; another number is not taken back
 constexpr double kSideShare = 0.36;
@@ -52,6 +53,9 @@ TrialPanels::TrialPanels(QWidget* centre, QWidget* parent) : QMainWindow(parent)
   bars_ = new ForceBars(this);
   readings_ = new TrialReadings(this);
   distractions_ = new DistractionPanel(this);
+  connect(distractions_, &DistractionPanel::silent, this, [this] {
+    if (QDockWidget* view = view_behind_team()) view->raise();
+  });
   const auto framed = [this](QWidget* content, int around) {
     auto* frame = new QFrame(this);
     frame->setObjectName("panel");
@@ -147,6 +151,30 @@ void TrialPanels::fit_later() {
   if (as_at_first_) QTimer::singleShot(0, this, &TrialPanels::fit);
 }
 
+/// In a small window a sentence stands before a view for as long as it is to be read; null: the team has its own place.
+QDockWidget* TrialPanels::view_behind_team() const {
+  const auto tabbed = tabifiedDockWidgets(docks_[team]);
+  for (const Panel view : {cut, video})
+    if (docks_[view]->isVisible() && tabbed.contains(docks_[view])) return docks_[view];
+  return nullptr;
+}
+
+void TrialPanels::fit_team(int left) {
+  const bool tabbed = !tabifiedDockWidgets(docks_[team]).isEmpty();
+  arranging_ = true;
+  if (left < kOneView && !tabbed && !asks_) {
+    for (const Panel view : {cut, video})
+      if (docks_[view]->isVisible() && tabifiedDockWidgets(docks_[team]).isEmpty())
+        tabifyDockWidget(docks_[view], docks_[team]);
+    docks_[team]->raise();
+  } else if (tabbed && (left >= kOneView || asks_)) {
+    removeDockWidget(docks_[team]);
+    addDockWidget(Qt::RightDockWidgetArea, docks_[team]);
+    docks_[team]->show();
+  }
+  arranging_ = false;
+}
+
 /// The side as wide as it is at first, and as high as its texts ask for; the cut has the rest.
 void TrialPanels::fit() {
   if (!isVisible() || !as_at_first_) return;
@@ -161,13 +189,21 @@ void TrialPanels::fit() {
       heights << docks_[panel]->sizeHint().height();
       left -= heights.back();
     }
+  if (docks_[team]->isVisible() && (docks_[cut]->isVisible() || docks_[video]->isVisible())) {
+    fit_team(left);
+    if (!tabifiedDockWidgets(docks_[team]).isEmpty()) {
+      side.removeOne(docks_[team]);
+      heights.removeFirst();
+      left += docks_[team]->sizeHint().height();
+    }
+  }
   // Two views one above the other where there is room, else one behind the other's tab.
   if (docks_[cut]->isVisible() && docks_[video]->isVisible()) {
-    const bool tabbed = !tabifiedDockWidgets(docks_[cut]).isEmpty();
+    const bool tabbed = tabifiedDockWidgets(docks_[cut]).contains(docks_[video]);
     arranging_ = true;
     if (left < kTwoViews && !tabbed) {
       tabifyDockWidget(docks_[cut], docks_[video]);
-      docks_[video]->raise();
+      if (view_behind_team() == nullptr) docks_[video]->raise();
     } else if (left >= kTwoViews && tabbed) {
       splitDockWidget(docks_[cut], docks_[video], Qt::Vertical);
     }
@@ -251,7 +287,10 @@ void TrialPanels::close_trial() {
 
 void TrialPanels::say(const QString& line) {
   distractions_->say(line);
-  if (said_) return;
+  if (said_) {
+    if (view_behind_team() != nullptr) docks_[team]->raise();
+    return;
+  }
   said_ = true;
   docks_[team]->setVisible(true);
   docks_[team]->raise();

@@ -66,6 +66,8 @@ class TrialPanels : public QMainWindow {
   void arrange();
   void switch_as_at_first();
   void fit();
+  void fit_team(int left);  ///< px in height left for the views
+  QDockWidget* view_behind_team() const;
   void fit_later();
   void keep() const;
   /// Why this panel cannot be switched now, for a person; empty: it can.

@@ -30,8 +30,8 @@ void remember_recent(const std::filesystem::path& path) {
 
 QString folder_to_open() {
   const QString last = user_settings()->value(kFolderKey).toString();
-  return !last.isEmpty() && QFileInfo(last).isDir() ? last
-                                                    : QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+  if (!last.isEmpty() && QFileInfo(last).isDir()) return last;
+  return QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
 }
 
 void keep_opened(const QString& path) { user_settings()->setValue(kFolderKey, QFileInfo(path).absolutePath()); }

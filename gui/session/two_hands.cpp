@@ -111,9 +111,11 @@ std::map<std::string, double> TwoHands::settings() const {
 
 std::string TwoHands::pause() const {
   if (!guard_) return "";
-  // Whoever waits should know for whom; a device that is away as well is told once they let go.
-  if (frozen_by(Holder::instructor)) return "Held by the instructor: it goes on when they let it go.";
-  if (frozen_by(Holder::expert)) return "Held by you for as long as you look at the expert (G).";
+  // Whoever waits should know for whom.
+  if (guard_->state() == device::GuardState::paused && guard_->fault() == device::DeviceFault::frozen) {
+    if (frozen_by(Holder::instructor)) return "The trial is held by the instructor: it goes on when they let it go.";
+    if (frozen_by(Holder::expert)) return "The trial is held by you for as long as you look at the expert (G).";
+  }
   const std::string words = pause_words(guard_->state(), guard_->fault(), device_->confirms_itself());
   if (!words.empty() || !second_guard_) return words;
   const std::string of_second =

@@ -3572,14 +3572,6 @@
         <translation>Der Durchgang davor wird noch gesichert</translation>
     </message>
     <message>
-        <source>Held by the instructor: it goes on when they let it go.</source>
-        <translation>Von der Lehrperson angehalten: Es geht weiter, wenn sie den Durchgang freigibt.</translation>
-    </message>
-    <message>
-        <source>Held by you for as long as you look at the expert (G).</source>
-        <translation>Von Ihnen angehalten, solange Sie dem Experten zusehen (G).</translation>
-    </message>
-    <message>
         <source>the blade did not enter the mouth</source>
         <translation>der Spatel kam nicht in den Mund</translation>
     </message>
@@ -3598,6 +3590,14 @@
     <message>
         <source>Changed by the instructor: not counted for the course</source>
         <translation>Von der Lehrperson verändert: zählt nicht für den Kurs</translation>
+    </message>
+    <message>
+        <source>The trial is held by the instructor: it goes on when they let it go.</source>
+        <translation>Der Durchgang ist von der Lehrperson angehalten: Er geht weiter, wenn sie ihn freigibt.</translation>
+    </message>
+    <message>
+        <source>The trial is held by you for as long as you look at the expert (G).</source>
+        <translation>Der Durchgang ist von Ihnen angehalten, solange Sie dem Experten zusehen (G).</translation>
     </message>
 </context>
 <context>
@@ -7792,12 +7792,12 @@ Gerät: %3</translation>
         <translation>Weg der Spitze: %1 unter der halben Zielkraft auf die Zunge %2 bis zu ihr (%4 N) %3 darüber; in Weiß der des Experten</translation>
     </message>
     <message>
-        <source>Highest pressure on tongue and epiglottis so far: %1 little %2 %3 %4 %5 kPa</source>
-        <translation>Höchster Druck auf Zunge und Epiglottis bisher: %1 wenig %2 %3 %4 %5 kPa</translation>
-    </message>
-    <message>
         <source>Enter or a click begins %1 s before; on the timeline the moment itself is framed in yellow</source>
         <translation>Enter oder ein Klick beginnt %1 s davor; auf der Zeitleiste ist der Augenblick selbst gelb umrahmt</translation>
+    </message>
+    <message>
+        <source>Highest pressure on tongue and epiglottis so far: %1 little %2 %3 %4 %5 kPa and more, in every trial; at most %6 kPa in this one</source>
+        <translation>Höchster Druck auf Zunge und Epiglottis bisher: %1 wenig %2 %3 %4 %5 kPa und mehr, in jedem Durchgang; höchstens %6 kPa in diesem</translation>
     </message>
 </context>
 <context>

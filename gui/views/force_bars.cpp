@@ -58,7 +58,7 @@ double ForceBars::line() const { return QFontMetricsF(with_points(font(), kSmall
 
 // Two bars with their labels above, the tongue's with its parts and their words below.
 QSize ForceBars::sizeHint() const { return {420, static_cast<int>(4.2 * line() + 86.0)}; }
-QSize ForceBars::minimumSizeHint() const { return {280, static_cast<int>(4.2 * line() + 58.0)}; }
+QSize ForceBars::minimumSizeHint() const { return {280, static_cast<int>(4.2 * line() + 76.0)}; }
 
 void ForceBars::set_marks(const ForceMarks& marks) {
   tongue_.target = marks.tongue_target_n;
@@ -171,7 +171,8 @@ void ForceBars::paint_bar(QPainter& painter, const QRectF& place, const QString&
   painter.drawText(figures, Qt::AlignTop | Qt::AlignLeft, tr("%1 N").arg(newtons(bar.now)));
   painter.setFont(with_points(font(), kSmall));
   painter.setPen(theme::faint());
-  painter.drawText(figures, Qt::AlignBottom | Qt::AlignLeft, of_expert_ ? tr("expert") : tr("peak %1").arg(newtons(bar.peak)));
+  painter.drawText(figures, Qt::AlignBottom | Qt::AlignLeft,
+                   of_expert_ ? tr("expert") : tr("peak %1").arg(newtons(bar.peak)));
 }
 
 /// A strip on the same scale, lift first, then lever; their words with figures below it.

@@ -16,7 +16,7 @@
 namespace vallecula::gui {
 namespace {
 
-constexpr double kClearBelow = 0.05;
+constexpr double kClearBelow = 0.01;
 constexpr double kNearer = -300.0;  // 65000ths of the depth that is drawn: under a millimetre, just before the drawn skin
 
 }  // namespace
@@ -37,14 +37,6 @@ std::array<unsigned char, 4> heat_colour(double share) {
   const double t = (s - a.at) / (b.at - a.at);
   const auto mixed = [&](double x, double y) { return static_cast<unsigned char>(std::lround(x + t * (y - x))); };
   return {mixed(a.red, b.red), mixed(a.green, b.green), mixed(a.blue, b.blue), mixed(a.alpha, b.alpha)};
-}
-
-double heat_scale_kpa(double highest_kpa) {
-  if (!(highest_kpa > 0.0)) return 1.0;
-  const double decade = std::pow(10.0, std::floor(std::log10(highest_kpa)));
-  for (const double step : {1.0, 2.0, 5.0})
-    if (highest_kpa <= step * decade) return step * decade;
-  return 10.0 * decade;
 }
 
 HeatLook::HeatLook(const SoftBoundary& boundary) : boundary_(boundary) {
@@ -69,14 +61,14 @@ HeatLook::HeatLook(const SoftBoundary& boundary) : boundary_(boundary) {
   actor_->VisibilityOff();
 }
 
-void HeatLook::show(const engine::Snapshot& snapshot, const std::vector<float>& kpa, double scale_kpa) {
+void HeatLook::show(const engine::Snapshot& snapshot, const std::vector<float>& kpa) {
   auto* points = vtkFloatArray::SafeDownCast(surface_->GetPoints()->GetData());
   auto* colours = vtkUnsignedCharArray::SafeDownCast(surface_->GetPointData()->GetScalars());
   for (std::size_t i = 0; i < boundary_.node.size(); ++i) {
     const float* p = snapshot.soft_points.data() + 3 * static_cast<std::size_t>(boundary_.node[i]);
     const float mm[3] = {1000.0f * p[0], 1000.0f * p[1], 1000.0f * p[2]};
     points->SetTypedTuple(static_cast<vtkIdType>(i), mm);
-    colours->SetTypedTuple(static_cast<vtkIdType>(i), heat_colour(kpa[i] / scale_kpa).data());
+    colours->SetTypedTuple(static_cast<vtkIdType>(i), heat_colour(kpa[i] / kHeatTopKpa).data());
   }
   points->Modified();
   colours->Modified();

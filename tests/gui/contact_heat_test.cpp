@@ -127,13 +127,5 @@ TEST(HeatColour, GetsDarkerAndDenserWithPressure) {
   EXPECT_EQ(heat_colour(7.0), heat_colour(1.0));
 }
 
-TEST(HeatColour, ScaleEndsOnARoundNumber) {
-  EXPECT_DOUBLE_EQ(heat_scale_kpa(0.0), 1.0);
-  EXPECT_DOUBLE_EQ(heat_scale_kpa(3.1), 5.0);
-  EXPECT_DOUBLE_EQ(heat_scale_kpa(5.1), 10.0);
-  EXPECT_DOUBLE_EQ(heat_scale_kpa(17.0), 20.0);
-  EXPECT_DOUBLE_EQ(heat_scale_kpa(0.04), 0.05);
-}
-
 }  // namespace
 }  // namespace vallecula::gui

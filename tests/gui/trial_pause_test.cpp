@@ -256,6 +256,7 @@ TEST_F(TrialPauseRealTime, HeldByAPersonItStandsAndGoesOnWithoutAJump) {
   session.freeze(Holder::instructor, true);
   EXPECT_TRUE(session.frozen());
   ASSERT_TRUE(wait_for([&] { return session.pause().find("held") != std::string::npos; })) << session.pause();
+  EXPECT_NE(session.pause().find("held by the instructor"), std::string::npos) << session.pause();
   const std::int64_t at = session.latest().ticks;
   ASSERT_TRUE(wait_for([&] { return session.latest().ticks > at + 200; }));
   EXPECT_EQ(session.latest().displayed_force_n, engine::Vec3(engine::Vec3::Zero()));
@@ -312,6 +313,7 @@ TEST_F(TrialPauseRealTime, EachWhoHoldsItLetsGoForThemselvesAndAResetForNobody) 
   session.freeze(Holder::expert, true);
   session.freeze(Holder::instructor, false);
   EXPECT_TRUE(session.frozen()) << "nor does the instructor let go for the expert";
+  EXPECT_NE(session.pause().find("held by you"), std::string::npos) << session.pause();
   session.freeze(Holder::instructor, true);
   session.freeze(Holder::expert, false);
   session.reset();

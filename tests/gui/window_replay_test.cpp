@@ -27,6 +27,7 @@
 #include "gui/pages/timed_list.h"
 #include "gui/pages/timeline.h"
 #include "gui/session/user_paths.h"
+#include "gui/views/heat_look.h"
 #include "gui/views/operator_view.h"
 #include "gui/views/replay_marks.h"
 #include "tests/gui/block_patient.h"
@@ -271,6 +272,12 @@ TEST_F(WindowReplay, ColoursWhatWasPressedByHowHard) {
   };
   EXPECT_EQ(pixels_changed(0.0), 0);
   EXPECT_GT(pixels_changed(1.19), 100) << "what was pressed stays coloured once the blade is off it";
+  const auto labels = page.findChildren<QLabel*>();
+  const QString scale = QString("%1 kPa and more, in every trial; at most %2 kPa in this one")
+                            .arg(kHeatTopKpa)
+                            .arg(heat.highest_kpa(), 0, 'f', 1);
+  EXPECT_TRUE(std::any_of(labels.begin(), labels.end(), [&](const QLabel* one) { return one->text().contains(scale); }))
+      << scale.toStdString();
 }
 
 /// What an MP4 file says of its one track (ISO/IEC 14496-12: tkhd, mdhd, stsz, stts).

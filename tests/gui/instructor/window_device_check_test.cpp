@@ -130,7 +130,7 @@ class WindowDeviceCheck : public Screen {
   void move_as_asked() {
     ASSERT_TRUE(wait_asks("to the right"));
     move({0.03, 0, 0});
-    ASSERT_TRUE(wait_asks("handle up"));
+    ASSERT_TRUE(wait_asks("blade up"));
     move({0, 0.03, 0});
     ASSERT_TRUE(wait_asks("towards you"));
     move({0, 0, 0.03});
@@ -224,7 +224,7 @@ TEST_F(WindowDeviceCheck, ExchangedAxesAreToldAfterASecondTry) {
   EXPECT_TRUE(words(CheckStep::moves).contains("It went up")) << words(CheckStep::moves).toStdString();
   EXPECT_TRUE(asks("to the right")) << "a person may err once";
   move({0.03, 0, 0});
-  ASSERT_TRUE(wait_asks("handle up"));
+  ASSERT_TRUE(wait_asks("blade up"));
   move({0, 0.03, 0});
   move({0, 0.03, 0});
   ASSERT_TRUE(wait_asks("towards you"));
@@ -316,7 +316,7 @@ TEST_F(WindowDeviceCheck, TheMouseIsMovedByDragWheelAndKeysAndHasNoForceOrClutch
     wait_for([] { return false; }, 500);
   };
   drag({90, 0});
-  ASSERT_TRUE(wait_asks("handle up")) << words(CheckStep::moves).toStdString();
+  ASSERT_TRUE(wait_asks("blade up")) << words(CheckStep::moves).toStdString();
   for (int i = 0; i < 15; ++i) QTest::keyClick(pad, Qt::Key_Up);
   ASSERT_TRUE(wait_asks("towards you")) << words(CheckStep::moves).toStdString();
   for (int i = 0; i < 15; ++i) QTest::keyClick(pad, Qt::Key_PageDown);

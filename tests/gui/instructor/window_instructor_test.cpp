@@ -224,7 +224,7 @@ TEST_F(WindowInstructor, WatchesAnIntubationAndActsOnIt) {
       [&] {
         const auto now = page.findChildren<QLabel*>();
         return std::any_of(now.begin(), now.end(), [](const QLabel* label) {
-          return label->isVisible() && label->text().contains("Held by the instructor");
+          return label->isVisible() && label->text().contains("held by the instructor");
         });
       },
       5000))

@@ -389,6 +389,19 @@ TEST_F(WindowPanelsOfATube, AllPanelsFitTheSmallestWindowAndTheUsual) {
     drawn(page, 20);
     EXPECT_EQ(window.size(), size);
     keep_picture(window, "tube-first-" + std::to_string(size.width()) + ".png");
+    // Somebody speaks: beside a view where there is room for both, else before it until the sentence has been read.
+    const auto seen = [&](TrialPanels::Panel panel) {
+      return !page.panels().dock(panel)->widget()->visibleRegion().isEmpty();
+    };
+    page.say("Well seen.");
+    ASSERT_TRUE(wait_for([&] { return seen(TrialPanels::team); }, 5000));
+    drawn(page, 5);
+    EXPECT_EQ(seen(TrialPanels::cut), size.height() > 700);
+    EXPECT_GE(page.panels().dock(TrialPanels::force)->widget()->height(),
+              page.findChild<ForceBars*>()->minimumSizeHint().height());
+    keep_picture(window, "tube-said-" + std::to_string(size.width()) + ".png");
+    EXPECT_TRUE(wait_for([&] { return seen(TrialPanels::cut); }, DistractionPanel::kSaidMs + 4000));
+    page.panels().dock(TrialPanels::team)->toggleViewAction()->trigger();
     for (const auto panel : {TrialPanels::video, TrialPanels::team}) page.panels().dock(panel)->toggleViewAction()->trigger();
     page.say("Bag valve mask is ready on your right.");
     drawn(page, 20);
