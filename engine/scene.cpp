@@ -74,8 +74,8 @@ bool same_tree(const SceneDescription& a, const SceneDescription& b) {
          a.sphere_levels == b.sphere_levels;
 }
 
-std::shared_ptr<const SphereTree> sphere_tree(const SceneDescription& d, const SoftSurface& surface, const Scene* before,
-                                              const std::function<void()>& between) {
+std::shared_ptr<const SphereTree> sphere_tree(const SceneDescription& d, const SoftSurface& surface,
+                                              const Scene* before, const std::function<void()>& between) {
   if (before != nullptr && same_tree(before->description, d)) return before->shared_tree;
   if (between) between();
   FillSettings settings;
@@ -89,7 +89,8 @@ std::shared_ptr<const ToolField> tool_field(const ToolDescription& tool, const S
                                             const std::function<void()>& between) {
   if (before != nullptr) {
     const ToolDescription& other = before->description.tool;
-    if (same(other.surface, tool.surface) && other.tissue_low == tool.tissue_low && other.tissue_high == tool.tissue_high)
+    if (same(other.surface, tool.surface) && other.tissue_low == tool.tissue_low &&
+        other.tissue_high == tool.tissue_high)
       return before->shared_tool;
   }
   if (between) between();

@@ -42,9 +42,9 @@ class Scene {
   Vec3 centre = Vec3::Zero();      ///< of the tissue at rest: device poses are clamped to a ball around it
 };
 
-/// As build_scene(description), to the bit, but what `before` (may be null) made of the very same input is shared with it
-/// instead of made again: sphere tree and distance fields, nearly all of the time. `between` (may be empty) is called
-/// before each of these that is made, and may throw, to leave.
+/// As build_scene(description), to the bit, but what `before` (may be null) made of the very same input is shared with
+/// it instead of made again: sphere tree and distance fields, nearly all of the time. `between` (may be empty) is
+/// called before each of these that is made, and may throw, to leave.
 std::shared_ptr<const Scene> build_scene(const SceneDescription& description, const Scene* before,
                                          const std::function<void()>& between);
 

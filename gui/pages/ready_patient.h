@@ -1,4 +1,4 @@
-// The patient of the next trial, read, made ready for drawing and its scene built: before somebody asks for it, and kept
+// The patient of the next trial, read and made ready for drawing, and its scene: before somebody asks for it, and kept
 // for the trial after that one.
 #pragma once
 
@@ -24,9 +24,9 @@ class ReadyPatient {
                                     const std::function<void(const std::string&, double)>& progress = {});
   /// This folder is the one that is kept, as it lies on the disk now. Waits as look() does.
   bool has(const std::filesystem::path& folder, const std::function<void(const std::string&, double)>& progress = {});
-  /// The scene of this description, the same to the bit as built alone; it is the one that is kept from here on, and what
-  /// the one kept before made of the very same input is shared with it instead of made again. Any thread, as look();
-  /// `progress` is called before each long part that is made. Throws what engine::build_scene() throws, and
+  /// The scene of this description, the same to the bit as built alone; it is the one that is kept from here on, and
+  /// what the one kept before made of the very same input is shared with it instead of made again. Any thread, as
+  /// look(); `progress` is called before each long part that is made. Throws what engine::build_scene() throws, and
   /// std::runtime_error after stop().
   std::shared_ptr<const engine::Scene> scene(const engine::SceneDescription& description,
                                              const std::function<void(const std::string&, double)>& progress = {});

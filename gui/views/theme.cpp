@@ -3,6 +3,7 @@
 #include <QApplication>
 #include <QFont>
 #include <QPalette>
+#include <QStyle>
 #include <QStyleFactory>
 #include <algorithm>
 #include <array>
@@ -143,7 +144,7 @@ void apply(QApplication& application, const Look& look) {
   // Without a style sheet the others are laid under every widget of every page in a tenth of the time, and a sheet put on
   // where there is none touches only what has been seen.
   application.setStyleSheet({});
-  application.setStyle(QStyleFactory::create("Fusion"));
+  if (application.style()->objectName() != "fusion") application.setStyle(QStyleFactory::create("Fusion"));
   QPalette palette;
   palette.setColor(QPalette::Window, ground());
   palette.setColor(QPalette::WindowText, text());

@@ -33,8 +33,8 @@ class StallWatch {
     const double waiting = asked_at_ == 0 ? 0.0 : 1e-6 * static_cast<double>(now() - asked_at_);
     return std::max(1e-6 * static_cast<double>(longest_.exchange(0)), waiting);
   }
-  /// Likewise the most that the window's thread itself worked between a question and its answer, ms: on a crowded machine
-  /// the rest of the time it stood in line for a processor.
+  /// Likewise the most that the window's thread itself worked between a question and its answer, ms: on a crowded
+  /// machine the rest of the time it stood in line for a processor.
   double take_most_work_ms() { return 1e-6 * static_cast<double>(most_work_.exchange(0)); }
 
  private:
