@@ -12,7 +12,10 @@
 #include <semaphore.h>
 #include <sys/mman.h>
 #include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/syscall.h>
 #include <time.h>
+#include <unistd.h>
 
 #include "engine/haptics/servo.h"
 #include "engine/haptics/snapshots.h"
@@ -25,6 +28,7 @@ constexpr std::size_t kRingSize = 8192;           // records: 8 s
 constexpr std::int64_t kPublishEverySteps = 8;    // snapshots at 125 Hz: twice what any screen shows
 constexpr std::int64_t kGiveUpNs = 5'000'000;     // further behind than this the clock is set anew instead of caught up
 constexpr std::int64_t kMissNs = 1'000'000;
+constexpr std::uint64_t kShortTurnNs = 100'000;  // the least that Linux takes
 constexpr int kBins = 2000, kBinNs = 10'000;      // step times: 10 us bins up to 20 ms
 
 std::int64_t now_ns() {
@@ -56,14 +60,33 @@ class FaultRing {
   bool frozen_ = false;
 };
 
+/// Of a thread that real-time priority is refused: it runs for short pieces and is to be let in at once when it wakes.
+/// Linux from 6.12 on takes sched_runtime as the length of a piece by which it orders ordinary threads (sched_setattr(2));
+/// before that the call changes nothing.
+void ask_for_short_turns() {
+  struct {
+    std::uint32_t size, policy;
+    std::uint64_t flags;
+    std::int32_t nice;
+    std::uint32_t priority;
+    std::uint64_t runtime_ns, deadline_ns, period_ns;
+  } attributes{};
+  attributes.size = sizeof attributes;
+  attributes.policy = SCHED_OTHER;
+  attributes.nice = getpriority(PRIO_PROCESS, static_cast<id_t>(syscall(SYS_gettid)));
+  attributes.runtime_ns = kShortTurnNs;
+  syscall(SYS_sched_setattr, 0, &attributes, 0U);
+}
+
 /// Real-time priority and an eager timer where the system grants them; says what was got.
 std::string raise_this_thread(int priority) {
   prctl(PR_SET_TIMERSLACK, 1UL, 0, 0, 0);
   sched_param param{};
   param.sched_priority = priority;
-  return pthread_setschedparam(pthread_self(), SCHED_FIFO, &param) == 0
-             ? "real-time priority " + std::to_string(priority)
-             : "ordinary priority (real-time priority was not granted; ticks may come late)";
+  if (pthread_setschedparam(pthread_self(), SCHED_FIFO, &param) == 0)
+    return "real-time priority " + std::to_string(priority);
+  ask_for_short_turns();
+  return "ordinary priority (real-time priority was not granted; ticks may come late)";
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ const char* const kCount = "LP_NUM_THREADS";
 
 void limit_drawing_threads() {
   if (qEnvironmentVariableIsSet(kCount)) return;
-  qputenv(kCount, QByteArray::number(std::clamp(QThread::idealThreadCount(), 1, kMost)));
+  qputenv(kCount, QByteArray::number(std::clamp(QThread::idealThreadCount() / 2, 1, kMost)));
 }
 
 void put_drawing_threads_behind() {

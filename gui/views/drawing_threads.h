@@ -3,7 +3,9 @@
 
 namespace vallecula::gui {
 
-/// Before OpenGL starts: as many as there are cores, at most four; LP_NUM_THREADS, where it is set, is kept.
+/// Before OpenGL starts: one for every two cores, at most four; LP_NUM_THREADS, where it is set, is kept. On two cores a
+/// second one draws no more frames beside a running trial, and twice as many ticks come late where the haptic threads
+/// have no real-time priority.
 void limit_drawing_threads();
 
 /// Once OpenGL has started: they give way to every other thread that has work.
