@@ -14,7 +14,6 @@
 #include "pipeline/manikin/manikin_data.h"
 #include "pipeline/manikin/shapes.h"
 #include "tests/gui/arc_patient.h"
-#include "tests/gui/program.h"
 
 namespace vallecula::gui::test {
 namespace {
@@ -156,26 +155,21 @@ TEST(AirwayCourse, RefusesAPatientWithoutAnAirwayBelowTheCords) {
 class AirwayCourseManikin : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
-    box_ = new Sandbox;
-    package_ = new pipeline::PatientPackage(
-        pipeline::read_package(make_manikin_patient({kWeightKg, kSeed}, box_->folder())));
+    package_ = new pipeline::PatientPackage(pipeline::read_package(builtin_patient({kWeightKg, kSeed})));
     found_ = new PatientAirway(airway_of(*package_));
   }
   static void TearDownTestSuite() {
     delete found_;
     delete package_;
-    delete box_;
   }
   static constexpr double kWeightKg = 3.2, kWall = 0.12;
   static constexpr unsigned kSeed = 1;
-  static Sandbox* box_;
   static pipeline::PatientPackage* package_;
   static PatientAirway* found_;
   const pipeline::Manikin manikin_{kWeightKg, kSeed};
   const pipeline::manikin::Variation variation_ = manikin_.data().body.variation();
   const double scale_ = manikin_.scale();
 };
-Sandbox* AirwayCourseManikin::box_ = nullptr;
 pipeline::PatientPackage* AirwayCourseManikin::package_ = nullptr;
 PatientAirway* AirwayCourseManikin::found_ = nullptr;
 

@@ -54,8 +54,11 @@ TEST_F(Interruption, AManikinLeavesNothing) {
 }
 
 TEST_F(Interruption, AnImportLeavesNothing) {
-  ASSERT_EQ(box_.run({"manikin", "--out", (box_ / "ct").string(), "--weight", "0.8"}).exit_code, 0);
-  const std::vector<std::string> arguments = {"import", (box_ / "ct").string(), "--out", (box_ / "a.patient").string()};
+  ASSERT_EQ(box_.run({"manikin", "--out", (box_ / "ct").string(), "--weight", "0.6", "--spacing", "0.6", "--slice", "1"})
+                .exit_code,
+            0);
+  const std::vector<std::string> arguments = {"import", (box_ / "ct").string(), "--out", (box_ / "a.patient").string(),
+                                              "--tets", "1000"};
   expect_clean_end(arguments, "read", SIGTERM);
   expect_clean_end(arguments, "segment: airway", SIGINT);
   expect_clean_end(arguments, "surfaces: face", SIGINT);

@@ -11,6 +11,7 @@
 
 #include "curricula/score/figures.h"
 #include "tests/gui/block_patient.h"
+#include "tests/gui/coarse_infant.h"
 #include "tests/gui/program.h"
 
 namespace vallecula::gui::test {
@@ -77,11 +78,7 @@ std::map<std::string, Figures> play(const Sandbox& box, const fs::path& patient)
 TEST(ScriptedFaults, EachIsToldByItsOwnFigure) {
   const Sandbox box;
   write_text(box / "hands.yaml", kCurriculum);
-  ASSERT_EQ(box.run({"manikin", "--out", (box / "ct").string(), "--weight", "3.2", "--seed", "1"}).exit_code, 0);
-  const fs::path patient = box / "infant.patient";
-  const Outcome import = box.run({"import", (box / "ct").string(), "--out", patient.string(), "--tets", "1000"});
-  ASSERT_EQ(import.exit_code, 0) << import.err;
-  std::map<std::string, Figures> hands = play(box, patient);
+  std::map<std::string, Figures> hands = play(box, coarse_infant());
   ASSERT_EQ(hands.size(), 2 + std::size(kFaults));
 
   std::printf("%-24s", "");

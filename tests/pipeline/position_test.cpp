@@ -119,8 +119,7 @@ void check_mouth_is_open(const Closed& in) {
   EXPECT_LT(g.origin[2] + box.low[2] * g.spacing[2], in.after.airway.glottis.centre[2] - 20.0);
 }
 
-ManikinScan closed_scan() {
-  ManikinOptions options;
+ManikinScan closed_scan(ManikinOptions options = {}) {
   options.seed = 0;
   auto scan = scan_manikin(options);
   close_mouth(scan);
@@ -237,7 +236,10 @@ void write_nrrd(const Hounsfield& hu, const std::filesystem::path& file) {
 TEST(Position, CancelledHalfWayLeavesWhatWasMeasured) {
   const auto file =
       std::filesystem::temp_directory_path() / ("vallecula-position-" + std::to_string(::getpid()) + ".nrrd");
-  write_nrrd(closed_scan().ct, file);
+  ManikinOptions coarse;
+  coarse.in_plane_mm = 0.6;
+  coarse.slice_mm = 1.0;
+  write_nrrd(closed_scan(coarse).ct, file);
   ImportOptions options;
   options.series = file;
   double cancel_at = 2.0;
