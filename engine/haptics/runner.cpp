@@ -64,6 +64,7 @@ class FaultRing {
 /// Linux from 6.12 on takes sched_runtime as the length of a piece by which it orders ordinary threads (sched_setattr(2));
 /// before that the call changes nothing.
 void ask_for_short_turns() {
+  if (sched_getscheduler(0) != SCHED_OTHER) return;  // started as batch or idle on purpose
   struct {
     std::uint32_t size, policy;
     std::uint64_t flags;

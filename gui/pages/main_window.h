@@ -175,7 +175,8 @@ class MainWindow : public QMainWindow {
   std::filesystem::path ready_package_;  ///< to be made ready; empty: there is none yet
   std::optional<Choice> ready_wanted_;   ///< for it; none: no scenario is chosen
   std::string ready_asked_;              ///< what is made ready, or was last
-  std::atomic<bool> ready_left_{false};
+  std::filesystem::path ready_asked_of_;  ///< the patient that was chosen for it; empty: the scenario's own
+  std::atomic<bool> ready_left_{false}, ready_patient_left_{false};  ///< something else is wanted; of another patient
   int courses_asked_ = 0;
   QWidget* first_;  ///< home or the course: where one goes back to
   std::vector<curricula::Curriculum> opened_courses_;  ///< from elsewhere than the folders of courses

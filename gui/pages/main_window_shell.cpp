@@ -41,8 +41,9 @@ std::vector<std::filesystem::path> local_files(const QMimeData& data) {
   return paths;
 }
 
-// Of what is made ready before it is asked for: the window goes first. Not less, for whoever then asks waits for it, and
-// no thread may raise itself again: with 10, on a machine with ten other jobs, the wait was three times a trial's making.
+// Of what is made ready before it is asked for: the window goes first. Not less, for whoever then asks waits for it,
+// and no thread may raise itself again: with 10, on a machine with ten other jobs, the wait was three times a trial's
+// making.
 constexpr int kReadyNice = 2;
 
 /// All that a scene is made of, as it is chosen; whatever is drawn for the attempt comes later.
@@ -110,7 +111,8 @@ void MainWindow::connect_menu() {
   connect(menu_, &MainMenu::open_wanted, this, [this] {
     const QString file = QFileDialog::getOpenFileName(
         this, tr("Open a trial, a patient's patient.yaml, a course or a CT's file"), folder_to_open(),
-        tr("What can be opened (*.vtrial *.yaml *.yml *.dcm *.ima *.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd);;All files (*)"));
+        tr("What can be opened (*.vtrial *.yaml *.yml *.dcm *.ima *.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd);;All files "
+           "(*)"));
     if (file.isEmpty()) return;
     keep_opened(file);
     open_files({file.toStdString()});
@@ -129,9 +131,9 @@ void MainWindow::connect_menu() {
   });
   connect(menu_, &MainMenu::text_wanted, this, [](int steps) {
     LookSettings look = look_settings();
-    look.text_scale = steps == 0 ? 1.0
-                                 : std::clamp(look.text_scale + kTextStep * steps, theme::kLeastTextScale,
-                                              theme::kMostTextScale);
+    look.text_scale =
+        steps == 0 ? 1.0
+                   : std::clamp(look.text_scale + kTextStep * steps, theme::kLeastTextScale, theme::kMostTextScale);
     keep_look(look);
     apply_look(look);
   });
@@ -181,19 +183,22 @@ void MainWindow::make_ready() {
     return;
   }
   const std::string asked = ready_asked_ = ready_wanted_ ? made_of(*ready_wanted_) : std::string();
-  ready_left_ = false;
+  ready_asked_of_ = ready_wanted_ ? ready_wanted_->patient : std::filesystem::path();
+  ready_left_ = ready_patient_left_ = false;
   const auto done = [this, asked, package = ready_package_] {
-    if (package != ready_package_ || (ready_wanted_ && made_of(*ready_wanted_) != asked)) make_ready();
+    if (ready_left_ || package != ready_package_ || (ready_wanted_ && made_of(*ready_wanted_) != asked)) make_ready();
   };
   readier_ = run_in_background<std::shared_ptr<PatientLook>>(
       this,
       [this, package = ready_package_, next = ready_wanted_] {
         take_low_priority(kReadyNice);
-        const auto go_on = [this](const std::string&, double) {
-          if (ready_left_) throw std::runtime_error("something else was chosen");
+        const auto unless = [](const std::atomic<bool>& left) {
+          return [&left](const std::string&, double) {
+            if (left) throw std::runtime_error("something else was chosen");
+          };
         };
-        auto look = ready_->look(package, go_on);
-        if (next) ready_->scene(scene_from_package(look->package, scenario_as_chosen(*next)), go_on);
+        auto look = ready_->look(package, unless(ready_patient_left_));
+        if (next) ready_->scene(scene_from_package(look->package, scenario_as_chosen(*next)), unless(ready_left_));
         return look;
       },
       [done](const std::shared_ptr<PatientLook>&) { done(); },
@@ -201,7 +206,9 @@ void MainWindow::make_ready() {
 }
 
 void MainWindow::leave_unwanted(const Choice& wanted) {
-  if (made_of(wanted) != ready_asked_) ready_left_ = true;
+  if (made_of(wanted) == ready_asked_) return;
+  ready_left_ = true;
+  ready_patient_left_ = wanted.patient != ready_asked_of_;  // another scenario of the same patient needs the same look
 }
 
 void MainWindow::remember(const std::filesystem::path& path) {

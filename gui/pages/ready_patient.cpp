@@ -26,21 +26,21 @@ std::string state_of(const fs::path& folder) {
 }  // namespace
 
 std::unique_lock<std::timed_mutex> ReadyPatient::waited_for(
-    const std::function<void(const std::string&, double)>& progress) {
+    const char* stage, const std::function<void(const std::string&, double)>& progress) {
   std::unique_lock lock(mutex_, std::defer_lock);
   while (!lock.try_lock_for(std::chrono::milliseconds(50)))
-    if (progress) progress("Reading the patient", 0.0);
+    if (progress) progress(stage, 0.0);
   return lock;
 }
 
 bool ReadyPatient::has(const fs::path& folder, const std::function<void(const std::string&, double)>& progress) {
-  const auto lock = waited_for(progress);
+  const auto lock = waited_for("Reading the patient", progress);
   return look_ && kept_ == state_of(folder);
 }
 
 std::shared_ptr<PatientLook> ReadyPatient::look(const fs::path& folder,
                                                 const std::function<void(const std::string&, double)>& progress) {
-  const auto lock = waited_for(progress);
+  const auto lock = waited_for("Reading the patient", progress);
   const std::string state = state_of(folder);
   if (look_ && kept_ == state) return look_;
   const auto report = [&](const std::string& stage, double fraction) { go_on(progress, stage, fraction); };
@@ -57,16 +57,16 @@ std::shared_ptr<PatientLook> ReadyPatient::look(const fs::path& folder,
 
 std::shared_ptr<const engine::Scene> ReadyPatient::scene(
     const engine::SceneDescription& description, const std::function<void(const std::string&, double)>& progress) {
-  const auto lock = waited_for(progress);
+  const auto lock = waited_for("Building the scene", progress);
   constexpr double kParts = 3.0;
   double made = 0.0;
-  scene_ = engine::build_scene(description, scene_.get(),
-                               [&] { go_on(progress, "Building the scene", made++ / kParts); });
+  scene_ =
+      engine::build_scene(description, scene_.get(), [&] { go_on(progress, "Building the scene", made++ / kParts); });
   return scene_;
 }
 
 std::shared_ptr<const engine::Scene> ReadyPatient::kept_scene() {
-  const auto lock = waited_for({});
+  const auto lock = waited_for("", {});
   return scene_;
 }
 

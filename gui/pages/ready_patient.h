@@ -35,7 +35,7 @@ class ReadyPatient {
   void stop() { stopped_ = true; }
 
  private:
-  std::unique_lock<std::timed_mutex> waited_for(const std::function<void(const std::string&, double)>& progress);
+  std::unique_lock<std::timed_mutex> waited_for(const char* stage, const std::function<void(const std::string&, double)>& progress);
   /// Tells of the progress, unless there is to be none any more.
   void go_on(const std::function<void(const std::string&, double)>& progress, const std::string& stage,
              double fraction) const;

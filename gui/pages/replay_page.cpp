@@ -313,7 +313,7 @@ void ReplayPage::show_monitor(bool jumped) {
 void ReplayPage::draw_views(bool all) {
   if (!dirty_) return;
   operator_view_->draw();
-  // While it plays the cut is drawn at a lower rate, as in a trial; then once more when it stands.
+  // While it plays the cut is drawn at a lower rate; then once more when it stands.
   if (all || since_cut_.elapsed() >= kCutMs) {
     sagittal_view_->draw();
     since_cut_.restart();

@@ -20,7 +20,7 @@
 namespace vallecula::gui {
 namespace {
 
-// 22 frames a second are enough for the eye and leave the haptic threads their cores; the cut changes slower.
+// What the quality governor keeps to (views/quality).
 constexpr int kFrameMs = 33;
 
 }  // namespace

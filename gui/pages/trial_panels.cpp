@@ -4,8 +4,8 @@
 #include <QDockWidget>
 #include <QKeyEvent>
 #include <QMenu>
-#include <QSettings>
 #include <QScrollArea>
+#include <QSettings>
 #include <QTimer>
 #include <QVBoxLayout>
 
@@ -22,7 +22,7 @@
 namespace vallecula::gui {
 namespace {
 
-constexpr int kFewerMs = 66, kRestMs = 500;  // beside the operator's view, where the machine cannot draw all at its rate
+constexpr int kRestMs = 500;
 constexpr int kOneView = 150;    // px in height; where a view has less, the team's line comes before it
 constexpr int kTwoViews = 420;   // px in height from which two views stand one above the other
 constexpr int kArrangement = 1;  // of the kept state; another number is not taken back
@@ -120,7 +120,8 @@ void TrialPanels::arrange() {
   arranging_ = true;
   addDockWidget(Qt::TopDockWidgetArea, docks_[monitor]);
   for (const Panel panel : {team, cut, video, force, readings}) addDockWidget(Qt::RightDockWidgetArea, docks_[panel]);
-  tabifyDockWidget(docks_[cut], docks_[video]);  // no window grows for the second view; fit() parts them where there is room
+  tabifyDockWidget(docks_[cut],
+                   docks_[video]);  // no window grows for the second view; fit() parts them where there is room
   for (QDockWidget* dock : docks_) dock->setFloating(false);
   arranging_ = false;
   as_at_first_ = true;
@@ -297,26 +298,29 @@ void TrialPanels::say(const QString& line) {
   fit_later();
 }
 
-bool TrialPanels::due(const QWidget& view, QElapsedTimer& since, int every_ms) {
-  // A view behind another's tab is not drawn.
-  if (view.visibleRegion().isEmpty()) return false;
-  if (since.isValid() && since.elapsed() < every_ms) return false;
-  since.restart();
-  return true;
-}
+namespace {
+
+/// A view behind another's tab is not drawn.
+bool can_be_seen(const QWidget& view) { return !view.visibleRegion().isEmpty(); }
+
+}  // namespace
 
 void TrialPanels::draw_at_rest() {
-  if (due(*sagittal_view_, since_sagittal_, kRestMs)) sagittal_view_->draw();
-  if (due(*video_view_, since_video_, kRestMs)) video_view_->draw();
+  if (since_rest_.isValid() && since_rest_.elapsed() < kRestMs) return;
+  since_rest_.start();
+  if (can_be_seen(*sagittal_view_)) sagittal_view_->draw();
+  if (can_be_seen(*video_view_)) video_view_->draw();
 }
 
 void TrialPanels::show_pictures(const engine::Snapshot& snapshot, double sight_percent) {
-  const int every_ms = GlView::governor().step() == 0 ? 0 : kFewerMs;
-  if (due(*sagittal_view_, since_sagittal_, every_ms)) {
+  const bool cut = can_be_seen(*sagittal_view_), video = can_be_seen(*video_view_);
+  cut_next_ = !cut_next_;
+  const bool in_turn = cut && video && GlView::governor().least();  // nothing else is left to be given up
+  if (cut && !(in_turn && !cut_next_)) {
     sagittal_view_->update_from(snapshot, sight_percent);
     sagittal_view_->draw();
   }
-  if (due(*video_view_, since_video_, every_ms)) {
+  if (video && !(in_turn && cut_next_)) {
     video_view_->update_from(snapshot);
     video_view_->draw();
   }

@@ -36,7 +36,7 @@ class TrialPanels : public QMainWindow {
   void open(TrialSession& session, const std::shared_ptr<PatientLook>& look);
   /// Before the start: draws the patient at rest now and then.
   void draw_at_rest();
-  /// To be called for every frame; the cut is drawn at a lower rate, the video's picture at half.
+  /// To be called for every frame; where the machine draws with the least it can, cut and video take turns.
   void show_snapshot(const engine::Snapshot& snapshot, double sight_percent, double paused_s);
   /// Pictures and forces of an expert's hands; the trial's own clock, figures and peaks stay as they are.
   void show_expert(const engine::Snapshot& snapshot, double sight_percent);
@@ -74,7 +74,6 @@ class TrialPanels : public QMainWindow {
   QString refusal(Panel panel) const;
   bool held_open(Panel panel) const;
   void show_what_is_wanted();
-  static bool due(const QWidget& view, QElapsedTimer& since, int every_ms);
 
   MonitorPanel* monitor_;
   SagittalView* sagittal_view_;
@@ -87,7 +86,8 @@ class TrialPanels : public QMainWindow {
   QMenu* menu_;
   curricula::Assistance allowed_;
   bool has_infant_ = false, asks_ = false, said_ = false, arranging_ = false, as_at_first_ = true;
-  QElapsedTimer since_sagittal_, since_video_;
+  QElapsedTimer since_rest_;
+  bool cut_next_ = false;
 };
 
 }  // namespace vallecula::gui

@@ -99,6 +99,7 @@ TrialSession::Impl::Impl(const TrialSetup& given)
   hands = std::make_unique<TwoHands>(held, package, scenario, description);
   for (const Tidied& told : tidy_records()) notices.push_back(told.whole());
   scene = setup.build_scene ? setup.build_scene(description) : engine::build_scene(description);
+  setup.build_scene = {};  // what it holds of its caller is not kept
   make_attempt(false);
 }
 

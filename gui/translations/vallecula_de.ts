@@ -4033,6 +4033,10 @@
         <source>Drawn with less to stay fluent: %1</source>
         <translation>Einfacher gezeichnet, um flüssig zu bleiben: %1</translation>
     </message>
+    <message>
+        <source>cut and video in turn</source>
+        <translation>Schnitt und Video im Wechsel</translation>
+    </message>
 </context>
 <context>
     <name>RatingWords</name>

@@ -10,8 +10,8 @@
 namespace vallecula::gui {
 namespace {
 
-constexpr int kMost = 4;    // more gain little for a view of half a million pixels
-constexpr int kNice = 10;   // a tenth of the weight of a thread that is left alone: late ticks stay as without drawing
+constexpr int kMost = 4;   // more gain little for a view of half a million pixels
+constexpr int kNice = 10;  // a tenth of the weight of a thread that is left alone: late ticks stay as without drawing
 const char* const kCount = "LP_NUM_THREADS";
 
 }  // namespace

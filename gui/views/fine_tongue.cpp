@@ -161,8 +161,8 @@ std::optional<pipeline::Surface> segmented_tongue(const pipeline::PatientPackage
   fair->SetPassBand(kPassBand);
   fair->NormalizeCoordinatesOn();
   fair->Update();
-  if (!fits(package.tongue, fair->GetOutput())) return std::nullopt;
   const auto drawn = with_fewer_triangles(fair->GetOutput(), kTongueTriangles);
+  if (!fits(package.tongue, drawn)) return std::nullopt;
   pipeline::Surface tongue;
   tongue.points.resize(static_cast<std::size_t>(drawn->GetNumberOfPoints()));
   for (std::size_t i = 0; i < tongue.points.size(); ++i)

@@ -7,7 +7,7 @@
 #include <vtkInteractorStyleTrackballCamera.h>
 #include <vtkUnsignedCharArray.h>
 
-#include <QEvent>
+#include <QMouseEvent>
 #include <QPainter>
 #include <QSurfaceFormat>
 #include <algorithm>
@@ -89,12 +89,13 @@ GlView::GlView(QWidget* parent)
   interactor_->SetRenderWindow(window_);
   interactor_->SetInteractorStyle(vtkSmartPointer<vtkInteractorStyleTrackballCamera>::New());
   interactor_->Initialize();
+  interactor_->EnableRenderOff();  // it moves the camera; whoever hears camera_moved() draws
   setFocusPolicy(Qt::NoFocus);
   setAttribute(Qt::WA_OpaquePaintEvent);  // every pixel is the picture's
 }
 
 GlView::~GlView() {
-  if (!isValid()) return;
+  if (!context_) return;
   make_current();
   window_->Finalize();
   context_->doneCurrent();
@@ -103,12 +104,14 @@ GlView::~GlView() {
 
 void GlView::begin_opengl() {
   if (context_) return;
-  context_ = std::make_unique<QOpenGLContext>();
-  context_->create();
-  surface_ = std::make_unique<QOffscreenSurface>();
-  surface_->setFormat(context_->format());
-  surface_->create();
-  if (!isValid() || !context_->makeCurrent(surface_.get())) return;
+  auto context = std::make_unique<QOpenGLContext>();
+  auto surface = std::make_unique<QOffscreenSurface>();
+  if (!context->create()) return;
+  surface->setFormat(context->format());
+  surface->create();
+  if (!surface->isValid() || !context->makeCurrent(surface.get())) return;
+  surface_ = std::move(surface);
+  context_ = std::move(context);
   window_->SetOwnContext(0);
   window_->SetMapped(1);
   window_->SetIsDirect(1);
@@ -120,12 +123,13 @@ void GlView::begin_opengl() {
 }
 
 void GlView::make_current() {
-  if (isValid() && QOpenGLContext::currentContext() != context_.get()) context_->makeCurrent(surface_.get());
+  if (context_ && QOpenGLContext::currentContext() != context_.get()) context_->makeCurrent(surface_.get());
 }
 
 /// VTK draws as many pixels as the view has on the screen, or the share of them that the quality asks for.
 void GlView::fit() {
-  const double scale = resolution_ * devicePixelRatioF();
+  if (!dragging_) scale_ = resolution_ * devicePixelRatioF();  // the trackball compares places of two moments
+  const double scale = scale_;
   const int wide = std::max(1, static_cast<int>(std::lround(scale * width())));
   const int high = std::max(1, static_cast<int>(std::lround(scale * height())));
   window_->SetScreenSize(wide, high);
@@ -242,6 +246,7 @@ bool GlView::event(QEvent* event) {
     case QEvent::MouseMove:
     case QEvent::Wheel:
       if (!mouse_camera_) break;
+      if (event->type() != QEvent::Wheel) dragging_ = static_cast<QMouseEvent*>(event)->buttons() != Qt::NoButton;
       adapter_->ProcessEvent(event, interactor_);
       event->accept();
       emit camera_moved();

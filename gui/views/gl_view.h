@@ -1,6 +1,6 @@
-// A VTK view inside a Qt window: VTK draws into a buffer of its own, and Qt paints that as a picture. So the window stays
-// one of Qt's own drawing, which without a graphics card costs a tenth of having OpenGL compose it. VTK's own mouse
-// handling is off unless asked for: the mouse belongs to the blade.
+// A VTK view inside a Qt window: VTK draws into a buffer of its own, and Qt paints that as a picture. So the window
+// stays one of Qt's own drawing, which without a graphics card costs a tenth of having OpenGL compose it. VTK's own
+// mouse handling is off unless asked for: the mouse belongs to the blade.
 #pragma once
 
 #include <vtkGenericOpenGLRenderWindow.h>
@@ -41,7 +41,7 @@ class GlView : public QWidget {
   /// What was drawn last, as large as it is on the screen.
   QImage last_picture();
   /// Whether OpenGL is there; asked before the view was ever shown, it is not yet.
-  bool isValid() const { return context_ && context_->isValid(); }
+  bool isValid() const { return context_ != nullptr; }
   double last_draw_ms() const { return last_draw_ms_; }
   /// Draws these beside what is shown, until another patient is.
   void add_marks(const std::vector<vtkSmartPointer<vtkProp>>& marks);
@@ -84,8 +84,9 @@ class GlView : public QWidget {
   std::unique_ptr<QVTKInteractorAdapter> adapter_;
   QImage pixels_;  ///< as VTK drew them
   bool drawn_ = false, fetched_ = false;
-  bool mouse_camera_ = false;
-  double resolution_ = 1.0;  ///< pixels drawn per pixel of the screen, a side
+  bool mouse_camera_ = false, dragging_ = false;
+  double resolution_ = 1.0;  ///< pixels drawn per pixel of the screen, a side, from the next frame on
+  double scale_ = 1.0;       ///< pixels drawn per one of Qt's, as the window has it now
   double last_draw_ms_ = 0.0;
   Quality used_;
 };

@@ -60,6 +60,7 @@ QString QualityGovernor::reduced() const {
   if (now.coarser > 0) left_out << QCoreApplication::translate("QualityGovernor", "fine tongue");
   if (now.resolution < 1.0)
     left_out << QCoreApplication::translate("QualityGovernor", "resolution (%1 %)").arg(static_cast<int>(100.0 * now.resolution + 0.5));
+  if (least()) left_out << QCoreApplication::translate("QualityGovernor", "cut and video in turn");
   return left_out.isEmpty() ? QString() : QCoreApplication::translate("QualityGovernor", "Drawn with less to stay fluent: %1").arg(left_out.join(", "));
 }
 

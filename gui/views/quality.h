@@ -1,5 +1,5 @@
-// How finely the views are drawn, so that a slow machine keeps its frame rate: effects go first, then the resolution
-// inside the view, then the frame rate.
+// How finely the views are drawn, so that a slow machine keeps its frame rate: the resolution inside the view goes first,
+// then effects, then the frame rate.
 #pragma once
 
 #include <QString>
@@ -44,6 +44,7 @@ class QualityGovernor {
   /// cost less than kBusyMost over kBusyLeast, so the two do not chase each other.
   bool frame(double now_s, double busy_s);
   int step() const { return step_; }
+  bool least() const { return step_ + 1 == static_cast<int>(kQualities.size()); }
   const Quality& quality() const { return kQualities[static_cast<std::size_t>(step_)]; }
   /// What is left out, in words for the status line; empty where nothing is.
   QString reduced() const;

@@ -126,7 +126,8 @@ TrialReadings::TrialReadings(QWidget* parent) : QWidget(parent) {
   caption(tr("Picture"), 7, 0);
   drawing_ = new QLabel(this);
   grid->addWidget(drawing_, 7, 1);
-  for (QLabel* figure : {state_, loop_, steps_, drawing_, tube_})  // a narrow panel cuts them, and is not widened by them
+  for (QLabel* figure :
+       {state_, loop_, steps_, drawing_, tube_})  // a narrow panel cuts them, and is not widened by them
     figure->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   grid->setColumnStretch(1, 1);
   grid->setColumnMinimumWidth(0, 100);
@@ -201,6 +202,7 @@ void TrialReadings::show_drawing(double frames_per_second, const QString& reduce
   const QString what =
       tr("Frames drawn a second, and what was left out of the picture so that hand and picture keep their time.");
   drawing_->setToolTip(reduced.isEmpty() ? what : what + "\n" + reduced);
+  drawing_->setAccessibleDescription(drawing_->toolTip());
 }
 
 }  // namespace vallecula::gui

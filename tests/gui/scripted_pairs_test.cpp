@@ -1,17 +1,14 @@
-// Every outcome of an intubation, by a scripted pair of hands on an imported manikin: its tongue is a coarse mesh here,
-// the shipped one with VALLECULA_SLOW (on that, WindowTube and DemoRealTime have the expert's hands).
+// Every outcome of an intubation, by a scripted pair of hands on the built-in infant.
 #include <gtest/gtest.h>
 
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
-#include <cstdlib>
 #include <map>
 
 #include "curricula/trial_log.h"
 #include "gui/session/builtin_patient.h"
 #include "tests/gui/block_patient.h"
-#include "tests/gui/coarse_infant.h"
 #include "tests/gui/program.h"
 
 namespace vallecula::gui::test {
@@ -23,7 +20,7 @@ class ScriptedPairs : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
     box_ = new Sandbox;
-    patient_ = new fs::path(std::getenv("VALLECULA_SLOW") != nullptr ? builtin_patient({3.2, 1}) : coarse_infant());
+    patient_ = new fs::path(builtin_patient({3.2, 1}));
     write_text(*box_ / "tubes.yaml", curriculum());
   }
   static void TearDownTestSuite() {
@@ -70,7 +67,7 @@ TEST_F(ScriptedPairs, TheExpertsTubeLiesWellIsConfirmedAndReplaysToTheBit) {
   const curricula::TrialLog log = curricula::read_trial_log(*box_ / "usual-expert");
   EXPECT_TRUE(log.ticks.back().intubation.detector_yellow);
   EXPECT_EQ(log.ticks.back().intubation.in_hand, curricula::LoggedInHand::tube) << "the stylet is out";
-  const Outcome verified = box_->run({"replay", (*box_ / "usual-expert").string(), "--verify"});
+  const Outcome verified = box_->run({"replay", (*box_ / "usual-expert").string(), "--verify", "--patient", patient_->string()});
   EXPECT_EQ(verified.exit_code, 0) << verified.err;
 }
 

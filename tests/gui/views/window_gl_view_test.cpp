@@ -1,0 +1,111 @@
+// A view as a widget: what Qt paints is what VTK drew, wherever the view stands and however large it is.
+#include "gui/views/gl_view.h"
+
+#include <QHBoxLayout>
+#include <QMouseEvent>
+
+#include "gui/views/operator_view.h"
+#include "tests/gui/picture_difference.h"
+#include "tests/gui/window_patient.h"
+#include "tests/gui/window_screen.h"
+
+namespace vallecula::gui::window_test {
+namespace {
+
+constexpr int kWidth = 320, kHeight = 240;
+constexpr int kFewColours = 40;
+
+class WindowGlView : public Screen {
+ protected:
+  ~WindowGlView() override {
+    GlView::governor().hold(0);
+    GlView::governor().set_mode(QualityGovernor::Mode::automatic);
+  }
+  static void show_mouth(OperatorView& view) {
+    static const pipeline::PatientPackage patient = coarse_patient();
+    view.resize(kWidth, kHeight);
+    view.show_patient(make_patient_look(patient), plain_blade(), nullptr);
+    view.set_zoom(OperatorView::Zoom::mouth);
+    view.update_from(lifted_snapshot(patient, 0.7, 3.0));
+    view.settle();
+  }
+  static QImage painted(QWidget& widget) { return widget.grab().toImage().convertToFormat(QImage::Format_RGB32); }
+  static void expect_alike(const QImage& a, const QImage& b, const char* when) {
+    ASSERT_EQ(a.size(), b.size()) << when;
+    EXPECT_GT(colours_in(a), kFewColours) << when << ": nothing is on it";
+    EXPECT_LT(picture_difference(a, b).mean_grey, 0.5) << when;  // another pose or patient is off by more than 2
+  }
+};
+
+TEST_F(WindowGlView, PaintsWhatWasDrawnUprightAndWholeAtItsSize) {
+  GlView::governor().hold(0);
+  OperatorView view;
+  show_mouth(view);
+  view.show();
+  view.draw();
+  expect_alike(painted(view), view.last_picture(), "first");
+  // Not upside down and not another place: a lower half of skin and a bright blade above.
+  EXPECT_GT(picture_difference(painted(view), view.last_picture().mirrored()).mean_grey, 2.0);
+  view.resize(kWidth + 111, kHeight + 57);
+  QApplication::processEvents();
+  expect_alike(painted(view), view.last_picture(), "enlarged, without being told to draw");
+  EXPECT_EQ(view.last_picture().size(), QSize(kWidth + 111, kHeight + 57));
+}
+
+TEST_F(WindowGlView, AStillNeedsNoScreen) {
+  GlView::governor().hold(0);
+  OperatorView hidden, shown;
+  show_mouth(hidden);
+  show_mouth(shown);
+  shown.show();
+  QApplication::processEvents();
+  expect_alike(hidden.picture(), shown.picture(), "never shown");
+}
+
+TEST_F(WindowGlView, StaysWhenItIsTakenToAnotherWindow) {
+  GlView::governor().hold(0);
+  QWidget window, other;
+  auto* row = new QHBoxLayout(&window);
+  auto* view = new OperatorView(&window);
+  row->addWidget(view);
+  show_mouth(*view);
+  window.resize(kWidth, kHeight);
+  window.show();
+  QApplication::processEvents();
+  view->draw();
+  const QImage before = painted(*view);
+  (new QHBoxLayout(&other))->addWidget(view);  // as a dock that is torn off
+  other.resize(kWidth, kHeight);
+  other.show();
+  QApplication::processEvents();
+  view->draw();
+  expect_alike(before, painted(*view), "in its new window");
+}
+
+TEST_F(WindowGlView, TheMouseTurnsAFreeCameraAlikeAtEveryResolution) {
+  QImage turned[2];
+  for (const int step : {0, static_cast<int>(kQualities.size()) - 1}) {
+    GlView::governor().hold(step);
+    OperatorView view;
+    show_mouth(view);
+    view.show();
+    view.set_free_camera(true);
+    view.draw();
+    QApplication::processEvents();
+    const QImage before = view.picture();
+    const auto send = [&](QEvent::Type type, const QPoint& at, Qt::MouseButton button, Qt::MouseButtons held) {
+      QMouseEvent event(type, at, view.mapToGlobal(at), button, held, Qt::NoModifier);
+      QApplication::sendEvent(&view, &event);
+    };
+    send(QEvent::MouseButtonPress, {100, 100}, Qt::LeftButton, Qt::LeftButton);
+    send(QEvent::MouseMove, {140, 90}, Qt::NoButton, Qt::LeftButton);
+    send(QEvent::MouseButtonRelease, {140, 90}, Qt::LeftButton, Qt::NoButton);
+    turned[step == 0 ? 0 : 1] = view.picture();
+    EXPECT_GT(picture_difference(before, turned[step == 0 ? 0 : 1]).mean_grey, 2.0) << "it turned";
+  }
+  // A hand's way on the screen turns by so much, however many pixels are drawn (VTK's trackball counts whole ones).
+  EXPECT_LT(picture_difference(turned[0], turned[1]).mean_grey, 2.0);
+}
+
+}  // namespace
+}  // namespace vallecula::gui::window_test
