@@ -84,7 +84,7 @@ ResultPage::ResultPage(QWidget* parent) : QWidget(parent) {
 
   auto* head = new QHBoxLayout;
   head->addWidget(title_, 1);
-  head->addWidget(verdict_);
+  head->addWidget(verdict_, 0, Qt::AlignVCenter);
   auto* figures_panel = new QFrame(this);
   figures_panel->setObjectName("panel");
   figures_ = new QGridLayout(figures_panel);

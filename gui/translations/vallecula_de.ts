@@ -1057,7 +1057,7 @@
     </message>
     <message>
         <source>no attempt</source>
-        <translation>kein Intubationsversuch</translation>
+        <translation>kein Versuch</translation>
     </message>
     <message>
         <source>Peak force on the tongue</source>

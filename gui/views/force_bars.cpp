@@ -12,8 +12,8 @@
 namespace vallecula::gui {
 namespace {
 
-constexpr double kSmall = 8.0;         // points
-constexpr double kBetweenWords = 6.0;  // px
+constexpr double kSmall = 8.0, kName = 10.5;  // points
+constexpr double kBetweenWords = 6.0;         // px
 
 QString newtons(double force_n) { return QString::number(force_n, 'f', 1); }
 
@@ -115,7 +115,9 @@ void ForceBars::clear() {
 double ForceBars::share_of_track(double newton) const { return std::clamp(newton / scale_, 0.0, 1.0); }
 
 QRectF ForceBars::track_of(const QRectF& place) const {
-  const double label = theme::points(64.0), figures = theme::points(72.0);
+  const QFontMetricsF type(with_points(font(), kName));
+  const double longest = std::max(type.horizontalAdvance(tr("Tongue")), type.horizontalAdvance(tr("Gum")));
+  const double label = std::max(theme::points(64.0), longest + 10.0), figures = theme::points(72.0);
   return place.adjusted(label, line() + 3.0, -figures, -4.0);
 }
 
@@ -123,7 +125,7 @@ void ForceBars::paint_bar(QPainter& painter, const QRectF& place, const QString&
                           bool with_limit) const {
   const QRectF track = track_of(place);
   const auto at = [&](double newton) { return track.left() + track.width() * share_of_track(newton); };
-  painter.setFont(with_points(font(), 10.5));
+  painter.setFont(with_points(font(), kName));
   painter.setPen(theme::text());
   painter.drawText(QRectF(place.left(), track.top(), track.left() - place.left() - 8.0, track.height()),
                    Qt::AlignVCenter | Qt::AlignLeft, name);

@@ -416,7 +416,10 @@ TEST_F(WindowInstructor, ATrialThatBeganMeanwhileStaysItsTrainees) {
   ASSERT_TRUE(window_->trial_page().running());
   QTest::keyClicks(asks->findChild<QLineEdit*>(), "1234");
   QTest::keyClick(asks->findChild<QLineEdit*>(), Qt::Key_Return);
-  ASSERT_TRUE(wait_for([] { return QApplication::activeModalWidget() == nullptr; }, 10000));
+  QMessageBox* box = nullptr;
+  ASSERT_TRUE(wait_for([&] { return (box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget())) != nullptr; },
+                       10000));
+  box->button(QMessageBox::Ok)->click();
   EXPECT_EQ(desk().person().name, "Emu");
   EXPECT_TRUE(window_->trial_page().running());
   EXPECT_TRUE(told.contains("A trial runs")) << told.toStdString();
