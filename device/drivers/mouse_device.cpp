@@ -27,7 +27,8 @@ MouseDevice::MouseDevice(const MouseSettings& settings) : settings_(settings), h
   require_positive(settings.lift_speed_m_s, "lift_speed_m_s");
   require_positive(settings.lift_range_m, "lift_range_m");
   require_positive(settings.lift_levels_rad_m, "lift_levels_rad_m");
-  require_positive(settings.lift_force_n, "lift_force_n");
+  require_positive(settings.lift_force_share, "lift_force_share");
+  require_positive(settings.feel_age_s, "feel_age_s");
   require_positive(settings.workspace_m, "workspace_m");
 }
 
@@ -88,9 +89,10 @@ void MouseDevice::set_lift(double direction) noexcept {
   handed_.publish(target_);
 }
 
-void MouseDevice::feel(double force_n) noexcept {
-  if (!std::isfinite(force_n)) return;
-  target_.lift_share = std::clamp(1.0 - force_n / settings_.lift_force_n, 0.0, 1.0);
+void MouseDevice::feel(double force_n, double device_limit_n) noexcept {
+  if (!std::isfinite(force_n) || !std::isfinite(device_limit_n) || !(device_limit_n > 0.0)) return;
+  target_.lift_share = std::clamp(1.0 - force_n / (settings_.lift_force_share * device_limit_n), 0.0, 1.0);
+  if (++target_.felt == 0) target_.felt = 1;  // after years of frames
   handed_.publish(target_);
 }
 
@@ -117,8 +119,12 @@ DeviceReading MouseDevice::read(double time_s) noexcept {
                turn = settings_.max_turn_rad_s * step_s;
   limited_.rotation_wxyz =
       angle > turn ? slerp(limited_.rotation_wxyz, target.rotation_wxyz, turn / angle) : target.rotation_wxyz;
+  since_felt_s_ = target.felt == felt_ ? since_felt_s_ + step_s : 0.0;
+  felt_ = target.felt;
+  const bool old = felt_ != 0 && since_felt_s_ > settings_.feel_age_s;
+  const double lifting = old ? 0.0 : target.lift_share;
   const double lift_speed =
-      target.lift_direction * settings_.lift_speed_m_s * (target.lift_direction > 0.0 ? target.lift_share : 1.0);
+      target.lift_direction * settings_.lift_speed_m_s * (target.lift_direction > 0.0 ? lifting : 1.0);
   lift_ = std::clamp(lift_ + lift_speed * step_s, 0.0, settings_.lift_range_m);
 
   const double share = 1.0 - std::exp(-step_s / settings_.smoothing_s);

@@ -17,8 +17,11 @@ struct MouseSettings {
   /// ANATOMY: the blade comes level as it rises, by 10 degrees in 14 mm as in the scripted expert's lift. Raised as it
   /// lies its outer end presses on the gum long before the glottis is seen.
   double lift_levels_rad_m = 12.0;
-  double lift_force_n = 6.0;  ///< the key lifts no further against this (assumed: three quarters of the usual limit)
-  double workspace_m = 0.20;      ///< the target stays this near to where the tool was placed
+  double lift_force_share = 0.75;  ///< of the device limit: the key lifts no further against it (assumed)
+  /// Without a force told for so long the key lifts no further: the window stands, and what it told last is old. Some
+  /// frames of a slow machine.
+  double feel_age_s = 0.3;
+  double workspace_m = 0.20;  ///< the target stays this near to where the tool was placed
 };
 
 /// Setters: one thread, the window's. read, write: one thread, the servo's. Both wait-free. Shows no force: the window
@@ -45,8 +48,10 @@ class MouseDevice final : public HapticDevice {
   /// Lift along the handle (tool +z), the blade coming level: +1 while the lift key is held, -1 while the lower key is,
   /// 0 when both are free; the tool then stays lifted as far as it came.
   void set_lift(double direction) noexcept;
-  /// The force on the blade, N: a hand would feel it, so the key lifts the slower the harder the tissue pulls.
-  void feel(double force_n) noexcept;
+  /// The force on the blade and the device limit, N: a hand would feel it, so the key lifts the slower the harder the
+  /// tissue pulls. Told once, it is to be told again within feel_age_s for as long as the key shall lift; never told,
+  /// there is no tissue, and the key lifts at its full speed. Ignored unless finite, and the limit positive.
+  void feel(double force_n, double device_limit_n) noexcept;
   void set_buttons(std::uint32_t buttons) noexcept;
 
   // --- the servo's thread --------------------------------------------------------------------------------------------
@@ -64,6 +69,7 @@ class MouseDevice final : public HapticDevice {
     std::array<double, 3> position_m{0, 0, 0};
     std::array<double, 4> rotation_wxyz{1, 0, 0, 0};
     double lift_direction = 0.0, lift_share = 1.0;
+    std::uint32_t felt = 0;  ///< counts feel(); 0: nobody tells forces
     std::uint32_t buttons = 0;
     std::uint32_t placement = 0;  ///< counts place(): the servo then jumps instead of following
   };
@@ -81,8 +87,8 @@ class MouseDevice final : public HapticDevice {
   // Servo's side.
   Stage limited_, smooth_, out_;  ///< follows the target at bounded speed; then two low-passes
   double lift_ = 0.0, smooth_lift_ = 0.0;
-  std::uint32_t placement_ = 0;
-  double now_s_ = 0.0;
+  std::uint32_t placement_ = 0, felt_ = 0;
+  double now_s_ = 0.0, since_felt_s_ = 0.0;
   bool started_ = false;
   std::atomic<double> lift_shown_{0.0};
 };

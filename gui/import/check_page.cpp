@@ -19,6 +19,7 @@
 #include "gui/import/structure_panel.h"
 #include "gui/import/window_message.h"
 #include "gui/import/work_strip.h"
+#include "gui/session/recent_files.h"
 #include "gui/session/words_from_below.h"
 #include "gui/views/label_view.h"
 #include "gui/views/slice_view.h"
@@ -209,9 +210,11 @@ QWidget* CheckPage::make_side() {
   all->addLayout(slicer);
   const auto choose = [this](const std::string& structure) {
     const QString file = QFileDialog::getOpenFileName(
-        this, tr("Choose a label map"), {},
+        this, tr("Choose a label map"), folder_to_open(),
         tr("Label maps and landmarks (*.nrrd *.nii *.nii.gz *.dcm *.mrk.json);;All files (*)"));
-    if (!file.isEmpty()) load(file.toStdString(), structure);
+    if (file.isEmpty()) return;
+    keep_opened(file);
+    load(file.toStdString(), structure);
   };
   connect(structures_, &StructurePanel::load_wanted, this,
           [choose](const QString& structure) { choose(structure.toStdString()); });

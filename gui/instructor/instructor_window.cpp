@@ -252,8 +252,15 @@ void InstructorWindow::show_state() {
   events_->setVisible(told);
   if (!told) tabs_->setCurrentWidget(checklist_);
   tabs_->setTabEnabled(tabs_->indexOf(readings_), told);
-  controls_->allow({session_ != nullptr, running, running && !session_->pause().empty(), infant,
-                    infant && !session_->scene().intubation->glottis.relaxed, assessed, told});
+  InstructorControls::Trial now;
+  now.open = session_ != nullptr;
+  now.running = running;
+  now.stands = running && !session_->pause().empty();
+  now.vital_signs = infant;
+  now.spasm = infant && !session_->scene().intubation->glottis.relaxed;
+  now.assessment = assessed;
+  now.instructor = told;
+  controls_->allow(now);
   controls_->show_frozen(frozen);
 }
 

@@ -17,8 +17,12 @@ namespace vallecula::gui {
 using curricula::Person;
 
 SignInDialog::SignInDialog(RecordsDesk& desk, Whom whom, const QString& title, const QString& say, long long after,
-                           QWidget* parent)
-    : AskPerson(parent, title, say, tr("Sign in")), desk_(desk), whom_(whom), after_(after) {
+                           QWidget* parent, MayChange may_change)
+    : AskPerson(parent, title, say, tr("Sign in")),
+      desk_(desk),
+      whom_(whom),
+      after_(after),
+      may_change_(std::move(may_change)) {
   name_ = new QComboBox(this);
   name_->setAccessibleName(tr("Name"));
   name_->setToolTip(tr("Up and Down change it from the PIN's field too"));
@@ -31,13 +35,12 @@ SignInDialog::SignInDialog(RecordsDesk& desk, Whom whom, const QString& title, c
     QPushButton* nobody = other_button(tr("Go on as nob&ody"));
     nobody->setToolTip(tr("Trials then belong to nobody"));
     connect(nobody, &QPushButton::clicked, this, [this] {
-      emit changes();
-      accept();
+      if (begins_change()) accept();
     });
     QPushButton* somebody = other_button(tr("Somebody ne&w ..."));
     somebody->setToolTip(tr("Registers a trainee, who is signed in then"));
     connect(somebody, &QPushButton::clicked, this, [this] {
-      emit changes();
+      if (!begins_change()) return;
       accept();
       emit new_trainee_wanted();
     });
@@ -84,6 +87,15 @@ bool SignInDialog::eventFilter(QObject* watched, QEvent* event) {
   return QDialog::eventFilter(watched, event);
 }
 
+bool SignInDialog::begins_change() {
+  if (may_change_ && !may_change_()) {
+    reject();
+    return false;
+  }
+  emit changes();
+  return true;
+}
+
 void SignInDialog::take() {
   const auto chosen = static_cast<std::size_t>(name_->currentIndex());
   if (chosen >= people_.size()) return;
@@ -100,7 +112,7 @@ void SignInDialog::take() {
         pin_->clear();
         pin_->setFocus();
         if (answer.who) {
-          emit changes();
+          if (!begins_change()) return;
           desk_.sign_in(*answer.who, person);
           accept();
         } else if (answer.wait_s > 0.0) {

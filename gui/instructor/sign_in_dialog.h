@@ -1,6 +1,7 @@
 // Somebody signs in quickly: a name, a PIN, Enter.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "gui/records_pages/ask_person.h"
@@ -15,13 +16,15 @@ namespace vallecula::gui {
 class SignInDialog : public AskPerson {
   Q_OBJECT
  public:
+  /// Whether whoever is signed in may be signed out now; asked once somebody else is to come, false: nobody is changed.
+  using MayChange = std::function<bool()>;
   enum class Whom { anybody, instructors };
   /// `after`: who was signed in; the one after them in the list is chosen first. 0: nobody was.
   SignInDialog(RecordsDesk& desk, Whom whom, const QString& title, const QString& say, long long after,
-               QWidget* parent);
+               QWidget* parent, MayChange may_change = {});
 
  signals:
-  void changes();             ///< the PIN is right, or nobody wants to sign in: whoever was signed in goes now
+  void changes();             ///< somebody else comes, or nobody, and may: whoever was signed in goes now
   void new_trainee_wanted();  ///< accepted with nobody signed in: somebody is to be registered
 
  protected:
@@ -30,10 +33,12 @@ class SignInDialog : public AskPerson {
  private:
   void ask_names();
   void take();
+  bool begins_change();  ///< false: it may not be made, and the dialog is gone as by Cancel
 
   RecordsDesk& desk_;
   const Whom whom_;
   const long long after_;
+  const MayChange may_change_;
   std::vector<curricula::Person> people_;
   QComboBox* name_;
   QLineEdit* pin_;

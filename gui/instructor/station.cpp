@@ -69,15 +69,23 @@ void InstructorStation::show_second(const curricula::Who& who, const curricula::
   second_->show_beside(&window_);
 }
 
+/// Asked when the change is made, not before: who cancels has lost nothing, and a trial may have begun meanwhile.
+bool InstructorStation::may_change() {
+  if (!next_->isEnabled()) {
+    emit told(tr("A trial runs: whoever began it stays signed in until it is over."));
+    return false;
+  }
+  return !may_change_ || may_change_();
+}
+
 void InstructorStation::change_trainee() {
   window_.activateWindow();  // where it is asked
-  if (may_change_ && !may_change_()) return;
   const QString before =
       trainee_.who() ? tr("%1 is signed out then.").arg(words_of(trainee_.person())) + " " : QString();
   auto* dialog = new SignInDialog(
       trainee_, SignInDialog::Whom::anybody, tr("Next trainee"),
       before + tr("Scenario, patient and device stay; the mode is practice again. Nobody signs in for somebody else."),
-      trainee_.person().id, &window_);
+      trainee_.person().id, &window_, [this] { return may_change(); });
   connect(dialog, &SignInDialog::changes, this, [this] {
     trainee_.sign_out();
     emit next_trainee_begins();

@@ -34,7 +34,7 @@ class InstructorStation : public QObject {
   /// Checks of these devices what was not checked in this session, one after the other; then goes on with `then`,
   /// whatever came of it.
   void check_before(QStringList devices, const std::function<void()>& then);
-  /// Asked before the present trainee is signed out; false: something of theirs is to be finished first.
+  /// Asked as the present trainee is to be signed out for another; false: something of theirs is to be finished first.
   void set_may_change(std::function<bool()> may_change) { may_change_ = std::move(may_change); }
   /// Instead of the devices there are.
   void set_device_maker(DeviceCheck::Maker maker) { maker_ = std::move(maker); }
@@ -49,6 +49,7 @@ class InstructorStation : public QObject {
   void open();
   void show_second(const curricula::Who& who, const curricula::Person& person);
   void change_trainee();
+  bool may_change();
 
   QMainWindow& window_;
   RecordsDesk& trainee_;

@@ -84,8 +84,8 @@ bool BladeControl::key(QKeyEvent* event, bool pressed) {
   return event->key() != Qt::Key_Shift;
 }
 
-void BladeControl::feel(double force_n) {
-  if (device_ != nullptr) device_->feel(force_n);
+void BladeControl::feel(double force_n, double device_limit_n) {
+  if (device_ != nullptr) device_->feel(force_n, device_limit_n);
 }
 
 void BladeControl::advance(double seconds) {

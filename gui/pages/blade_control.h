@@ -29,8 +29,9 @@ class BladeControl : public QObject {
   void set_tool(Tool tool);
   /// Moves what held keys move; to be called once a frame with the time since the last one.
   void advance(double seconds);
-  /// The force on the blade, N, as the window shows it; the lift follows it.
-  void feel(double force_n);
+  /// The force on the blade as the window shows it, and the device limit, N; the lift follows it. Once a frame: the
+  /// lift stops where it is not told again.
+  void feel(double force_n, double device_limit_n);
   /// True when the key is one of the blade's.
   bool key(QKeyEvent* event, bool pressed);
   void release_all();

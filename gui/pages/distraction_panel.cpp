@@ -61,6 +61,7 @@ DistractionPanel::DistractionPanel(QWidget* parent) : QFrame(parent) {
   said_->hide();
   column_->addWidget(said_);
   said_for_.setSingleShot(true);
+  said_for_.setInterval(kSaidMs);
   connect(&said_for_, &QTimer::timeout, this, [this] {
     said_->hide();
     idle_->setVisible(rows_.empty());
@@ -109,7 +110,7 @@ void DistractionPanel::say(const QString& line) {
   said_->setText(headed(tr("Instructor"), theme::target(), line));
   said_->show();
   idle_->hide();
-  said_for_.start(kSaidMs);
+  said_for_.start();
 }
 
 std::vector<KeyRow> DistractionPanel::keys() const {

@@ -31,6 +31,7 @@ class DistractionPanel : public QFrame {
   /// An instructor's sentence, for kSaidMs, below whatever waits for an answer; the next one takes its place.
   void say(const QString& line);
   static constexpr int kSaidMs = 8000;
+  void set_said_for(int ms) { said_for_.setInterval(ms); }  ///< kSaidMs unless set
   std::vector<KeyRow> keys() const;
 
  signals:

@@ -44,6 +44,7 @@ ResultPage::ResultPage(QWidget* parent) : QWidget(parent) {
   setFocusPolicy(Qt::StrongFocus);
   title_ = new QLabel(this);
   title_->setObjectName("title");
+  title_->setWordWrap(true);  // beside a verdict that is a sentence
   verdict_ = new QLabel(this);
   verdict_->setAlignment(Qt::AlignCenter);
   verdict_->setMinimumWidth(150);
@@ -83,7 +84,7 @@ ResultPage::ResultPage(QWidget* parent) : QWidget(parent) {
 
   auto* head = new QHBoxLayout;
   head->addWidget(title_, 1);
-  head->addWidget(verdict_);
+  head->addWidget(verdict_, 0, Qt::AlignVCenter);
   auto* figures_panel = new QFrame(this);
   figures_panel->setObjectName("panel");
   figures_ = new QGridLayout(figures_panel);
@@ -147,8 +148,9 @@ void ResultPage::show_outcome(const TrialOutcome& outcome, const curricula::Scen
   verdict_->setText(aside ? in_words(verdict(score)) : score.passed ? tr("PASSED") : tr("NOT PASSED"));
   verdict_->setStyleSheet(
       QString(
-          "background: %1; color: white; font-size: 14pt; font-weight: bold; padding: 6px 14px; border-radius: 6px;")
-          .arg((aside ? theme::accent() : score.passed ? theme::within() : theme::bad()).name()));
+          "background: %1; color: white; font-size: %2pt; font-weight: bold; padding: 6px 14px; border-radius: 6px;")
+          .arg((aside ? theme::accent() : score.passed ? theme::within() : theme::bad()).name())
+          .arg(theme::points(aside ? 11.0 : 14.0)));  // why it does not count is a sentence
   outcome_->setVisible(score.intubation.has_value());
   if (score.intubation) outcome_->setText(in_words(curricula::outcome_in_words(*score.intubation)) + ".");
   const QString locked = in_words(replay_refusal(scenario));

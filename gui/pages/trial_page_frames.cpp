@@ -101,7 +101,7 @@ void TrialPage::draw_frame() {
     } else {
       control_->advance(seconds);
       const engine::Snapshot& snapshot = session_->latest();
-      control_->feel(snapshot.model_force_n.norm());
+      control_->feel(snapshot.model_force_n.norm(), session_->scene().haptics.device_limit_n);
       show_running(snapshot);
       ++frames_;
       emit frame(snapshot);

@@ -8,6 +8,8 @@
 #include <QSettings>
 #include <QTimer>
 #include <QVBoxLayout>
+#include <algorithm>
+#include <utility>
 
 #include "gui/pages/distraction_panel.h"
 #include "gui/session/package_parts.h"
@@ -53,9 +55,7 @@ TrialPanels::TrialPanels(QWidget* centre, QWidget* parent) : QMainWindow(parent)
   bars_ = new ForceBars(this);
   readings_ = new TrialReadings(this);
   distractions_ = new DistractionPanel(this);
-  connect(distractions_, &DistractionPanel::silent, this, [this] {
-    if (QDockWidget* view = view_behind_team()) view->raise();
-  });
+  connect(distractions_, &DistractionPanel::silent, this, &TrialPanels::put_back);
   const auto framed = [this](QWidget* content, int around) {
     auto* frame = new QFrame(this);
     frame->setObjectName("panel");
@@ -152,28 +152,43 @@ void TrialPanels::fit_later() {
   if (as_at_first_) QTimer::singleShot(0, this, &TrialPanels::fit);
 }
 
-/// In a small window a sentence stands before a view for as long as it is to be read; null: the team has its own place.
-QDockWidget* TrialPanels::view_behind_team() const {
+/// A panel behind another's tab is not.
+bool TrialPanels::in_front(Panel panel) const { return !docks_[panel]->widget()->visibleRegion().isEmpty(); }
+
+bool TrialPanels::team_shares_place() const {
+  const auto tabbed = tabifiedDockWidgets(docks_[team]);
+  return std::any_of(tabbed.begin(), tabbed.end(), [](const QDockWidget* view) { return view->isVisible(); });
+}
+
+/// In a small window a sentence stands before a view for as long as it is to be read.
+void TrialPanels::raise_team() {
   const auto tabbed = tabifiedDockWidgets(docks_[team]);
   for (const Panel view : {cut, video})
-    if (docks_[view]->isVisible() && tabbed.contains(docks_[view])) return docks_[view];
-  return nullptr;
+    if (in_front(view) && tabbed.contains(docks_[view])) behind_team_ = docks_[view];
+  docks_[team]->setVisible(true);
+  docks_[team]->raise();
+}
+
+/// Only where the team still stands in front: whoever closed it, or looks at another view meanwhile, keeps what is there.
+void TrialPanels::put_back() {
+  QDockWidget* view = std::exchange(behind_team_, nullptr);
+  if (view != nullptr && in_front(team) && tabifiedDockWidgets(docks_[team]).contains(view)) view->raise();
 }
 
 void TrialPanels::fit_team(int left) {
   const bool tabbed = !tabifiedDockWidgets(docks_[team]).isEmpty();
-  arranging_ = true;
   if (left < kOneView && !tabbed && !asks_) {
-    for (const Panel view : {cut, video})
-      if (docks_[view]->isVisible() && tabifiedDockWidgets(docks_[team]).isEmpty())
-        tabifyDockWidget(docks_[view], docks_[team]);
+    const Panel view = in_front(video) && !in_front(cut) ? video : docks_[cut]->isVisible() ? cut : video;
+    arranging_ = true;
+    tabifyDockWidget(docks_[view], docks_[team]);
+    arranging_ = false;
+    behind_team_ = docks_[view];
     docks_[team]->raise();
   } else if (tabbed && (left >= kOneView || asks_)) {
-    removeDockWidget(docks_[team]);
-    addDockWidget(Qt::RightDockWidgetArea, docks_[team]);
-    docks_[team]->show();
+    QDockWidget* view = in_front(video) ? docks_[video] : in_front(cut) ? docks_[cut] : behind_team_;
+    arrange();  // the team on top again
+    if (view != nullptr) view->raise();
   }
-  arranging_ = false;
 }
 
 /// The side as wide as it is at first, and as high as its texts ask for; the cut has the rest.
@@ -204,7 +219,7 @@ void TrialPanels::fit() {
     arranging_ = true;
     if (left < kTwoViews && !tabbed) {
       tabifyDockWidget(docks_[cut], docks_[video]);
-      if (view_behind_team() == nullptr) docks_[video]->raise();
+      if (!team_shares_place()) docks_[video]->raise();
     } else if (left >= kTwoViews && tabbed) {
       splitDockWidget(docks_[cut], docks_[video], Qt::Vertical);
     }
@@ -213,7 +228,7 @@ void TrialPanels::fit() {
   for (const Panel panel : {cut, video})
     if (docks_[panel]->isVisible()) {
       side << docks_[panel];
-      heights << std::max(150, left / 2);
+      heights << std::max(kOneView, left / 2);
     }
   resizeDocks(side, heights, Qt::Vertical);
 }
@@ -283,18 +298,18 @@ void TrialPanels::open(TrialSession& session, const std::shared_ptr<PatientLook>
 
 void TrialPanels::close_trial() {
   keep();
+  put_back();
   distractions_->serve(nullptr, false);
 }
 
 void TrialPanels::say(const QString& line) {
   distractions_->say(line);
   if (said_) {
-    if (view_behind_team() != nullptr) docks_[team]->raise();
+    if (docks_[team]->isVisible() && team_shares_place()) raise_team();
     return;
   }
   said_ = true;
-  docks_[team]->setVisible(true);
-  docks_[team]->raise();
+  raise_team();
   fit_later();
 }
 

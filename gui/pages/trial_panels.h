@@ -67,7 +67,10 @@ class TrialPanels : public QMainWindow {
   void switch_as_at_first();
   void fit();
   void fit_team(int left);  ///< px in height left for the views
-  QDockWidget* view_behind_team() const;
+  bool in_front(Panel panel) const;
+  bool team_shares_place() const;
+  void raise_team();
+  void put_back();  ///< the view the team was raised before
   void fit_later();
   void keep() const;
   /// Why this panel cannot be switched now, for a person; empty: it can.
@@ -84,6 +87,7 @@ class TrialPanels : public QMainWindow {
   std::array<QDockWidget*, kPanels> docks_{};
   std::array<bool, kPanels> wanted_{};
   QMenu* menu_;
+  QDockWidget* behind_team_ = nullptr;  ///< the view that was in front when the team was raised before it
   curricula::Assistance allowed_;
   bool has_infant_ = false, asks_ = false, said_ = false, arranging_ = false, as_at_first_ = true;
   QElapsedTimer since_rest_;

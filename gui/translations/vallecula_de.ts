@@ -1057,7 +1057,7 @@
     </message>
     <message>
         <source>no attempt</source>
-        <translation>kein Intubationsversuch</translation>
+        <translation>kein Versuch</translation>
     </message>
     <message>
         <source>Peak force on the tongue</source>
@@ -5876,32 +5876,40 @@ Nichts kann kaputtgehen, und jeder Versuch ist ein neuer. Bevor es beginnt, sagt
         <translation>Zahnleiste</translation>
     </message>
     <message>
-        <source>Model force of the tissue on the blade, in newton.
-target: what to train for, %1 N on the tongue and %2 N on the gum; a trial passes with at most %3 s above the tongue&apos;s.
-pass: a peak above %4 N on the tongue or %5 N on the gum does not pass.
-device: it can show %6 N. White line: the highest so far.
-Below the tongue&apos;s bar: what your hand lifts of the load along the handle, and what is levered on the upper jaw (hatched).</source>
-        <translation>Modellkraft des Gewebes auf den Spatel, in Newton.
-Ziel: worauf geübt wird, %1 N auf die Zunge und %2 N auf die Zahnleiste; bestanden wird mit höchstens %3 s über dem der Zunge.
-besteht: Eine Spitze über %4 N auf die Zunge oder %5 N auf die Zahnleiste besteht nicht.
-Gerät: Es kann %6 N zeigen. Weiße Linie: das Höchste bisher.
-Unter dem Balken der Zunge: was Ihre Hand von der Last längs des Griffs hebt und was am Oberkiefer gehebelt wird (schraffiert).</translation>
-    </message>
-    <message>
         <source>An expert&apos;s: tongue %1 N, gum %2 N, lift %3 N, lever %4 N</source>
         <translation>Von Expertenhand: Zunge %1 N, Zahnleiste %2 N, Heben %3 N, Hebeln %4 N</translation>
     </message>
     <message>
-        <source>pass %1</source>
-        <translation>besteht %1</translation>
-    </message>
-    <message>
-        <source>device %1</source>
-        <translation>Gerät %1</translation>
-    </message>
-    <message>
         <source>expert</source>
         <translation>Experte</translation>
+    </message>
+    <message>
+        <source>Model force of the tissue on the blade, in newton. White line: the highest so far.</source>
+        <translation>Modellkraft des Gewebes auf den Spatel, in Newton. Weiße Linie: das Höchste bisher.</translation>
+    </message>
+    <message>
+        <source>Target: what to train for, %1 N on the tongue and %2 N on the gum; a trial passes with at most %3 s above the tongue&apos;s.</source>
+        <translation>Ziel: worauf geübt wird, %1 N auf die Zunge und %2 N auf die Zahnleiste; bestanden wird mit höchstens %3 s über dem der Zunge.</translation>
+    </message>
+    <message>
+        <source>Pass limit: a peak above %1 N on the tongue or %2 N on the gum does not pass.</source>
+        <translation>Bestehensgrenze: Eine Spitze über %1 N auf die Zunge oder %2 N auf die Zahnleiste besteht nicht.</translation>
+    </message>
+    <message>
+        <source>Device limit: the device can show %1 N.</source>
+        <translation>Gerätegrenze: Das Gerät kann %1 N zeigen.</translation>
+    </message>
+    <message>
+        <source>Below the tongue&apos;s bar: what your hand lifts of the load along the handle, and what is levered on the upper jaw (hatched).</source>
+        <translation>Unter dem Balken der Zunge: was Ihre Hand von der Last längs des Griffs hebt und was am Oberkiefer gehebelt wird (schraffiert).</translation>
+    </message>
+    <message>
+        <source>pass limit %1</source>
+        <translation>Bestehensgrenze %1</translation>
+    </message>
+    <message>
+        <source>device limit %1</source>
+        <translation>Gerätegrenze %1</translation>
     </message>
 </context>
 <context>
@@ -6480,6 +6488,10 @@ Gerät: %3</translation>
     <message>
         <source>%1 is signed out then.</source>
         <translation>%1 wird dann abgemeldet.</translation>
+    </message>
+    <message>
+        <source>A trial runs: whoever began it stays signed in until it is over.</source>
+        <translation>Ein Durchgang läuft: Wer ihn begonnen hat, bleibt angemeldet, bis er vorbei ist.</translation>
     </message>
 </context>
 <context>

@@ -3,6 +3,8 @@
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <vector>
 
 #include "curricula/score/handle_loads.h"
 #include "gui/views/theme.h"
@@ -10,7 +12,8 @@
 namespace vallecula::gui {
 namespace {
 
-constexpr double kSmall = 8.0;  // points
+constexpr double kSmall = 8.0, kName = 10.5;  // points
+constexpr double kBetweenWords = 6.0;         // px
 
 QString newtons(double force_n) { return QString::number(force_n, 'f', 1); }
 
@@ -68,16 +71,17 @@ void ForceBars::set_marks(const ForceMarks& marks) {
   device_limit_ = marks.device_limit_n;
   scale_ = std::max(
       1.0, std::ceil(1.2 * std::max({device_limit_, tongue_.target, gum_.target, tongue_.pass, gum_.pass})));
-  const QString of_device = device_limit_ > 0.0 ? newtons(device_limit_) : QString("-");
-  setToolTip(tr("Model force of the tissue on the blade, in newton.\n"
-                "target: what to train for, %1 N on the tongue and %2 N on the gum; a trial passes with at most %3 s "
-                "above the tongue's.\n"
-                "pass: a peak above %4 N on the tongue or %5 N on the gum does not pass.\n"
-                "device: it can show %6 N. White line: the highest so far.\n"
-                "Below the tongue's bar: what your hand lifts of the load along the handle, and what is levered on the "
-                "upper jaw (hatched).")
-                 .arg(newtons(tongue_.target), newtons(gum_.target), newtons(marks.over_target_s),
-                      newtons(tongue_.pass), newtons(gum_.pass), of_device));
+  QStringList lines{
+      tr("Model force of the tissue on the blade, in newton. White line: the highest so far."),
+      tr("Target: what to train for, %1 N on the tongue and %2 N on the gum; a trial passes with at most %3 s above the "
+         "tongue's.")
+          .arg(newtons(tongue_.target), newtons(gum_.target), newtons(marks.over_target_s)),
+      tr("Pass limit: a peak above %1 N on the tongue or %2 N on the gum does not pass.")
+          .arg(newtons(tongue_.pass), newtons(gum_.pass))};
+  if (device_limit_ > 0.0) lines << tr("Device limit: the device can show %1 N.").arg(newtons(device_limit_));
+  lines << tr("Below the tongue's bar: what your hand lifts of the load along the handle, and what is levered on the "
+              "upper jaw (hatched).");
+  setToolTip(lines.join('\n'));
   clear();
 }
 
@@ -111,7 +115,9 @@ void ForceBars::clear() {
 double ForceBars::share_of_track(double newton) const { return std::clamp(newton / scale_, 0.0, 1.0); }
 
 QRectF ForceBars::track_of(const QRectF& place) const {
-  const double label = theme::points(64.0), figures = theme::points(72.0);
+  const QFontMetricsF type(with_points(font(), kName));
+  const double longest = std::max(type.horizontalAdvance(tr("Tongue")), type.horizontalAdvance(tr("Gum")));
+  const double label = std::max(theme::points(64.0), longest + 10.0), figures = theme::points(72.0);
   return place.adjusted(label, line() + 3.0, -figures, -4.0);
 }
 
@@ -119,7 +125,7 @@ void ForceBars::paint_bar(QPainter& painter, const QRectF& place, const QString&
                           bool with_limit) const {
   const QRectF track = track_of(place);
   const auto at = [&](double newton) { return track.left() + track.width() * share_of_track(newton); };
-  painter.setFont(with_points(font(), 10.5));
+  painter.setFont(with_points(font(), kName));
   painter.setPen(theme::text());
   painter.drawText(QRectF(place.left(), track.top(), track.left() - place.left() - 8.0, track.height()),
                    Qt::AlignVCenter | Qt::AlignLeft, name);
@@ -142,24 +148,41 @@ void ForceBars::paint_bar(QPainter& painter, const QRectF& place, const QString&
   }
 
   painter.setFont(with_points(font(), kSmall));
-  // Their words stand in one line: the target's before its mark, the others after theirs, each after the one before.
+  // Their words stand in one line: the target's before its mark, the others after theirs, each after the one before, and
+  // all as far to the left as the last one needs.
+  struct Word {
+    double from, wide;
+    QString text;
+    QColor colour;
+  };
+  std::vector<Word> words;
   const QFontMetricsF type(painter.font());
-  double free_from = place.left();
   const auto mark = [&](double newton, const QColor& colour, const QString& text, Qt::PenStyle style, bool before) {
     if (!(newton > 0.0)) return;
     painter.setPen(QPen(colour, 2.0, style));
     painter.drawLine(QPointF(at(newton), track.top() - 3.0), QPointF(at(newton), track.bottom() + 3.0));
     const double wide = type.horizontalAdvance(text) + 2.0;
-    const double from = std::max(free_from, at(newton) + (before ? 3.0 - wide : -3.0));
-    if (from + wide > place.right()) return;  // no room: the tooltip has it
-    painter.setPen(colour);
-    painter.drawText(QRectF(from, place.top() - 1.0, wide, line()), Qt::AlignLeft | Qt::AlignVCenter, text);
-    free_from = from + wide + 6.0;
+    const double free_from = words.empty() ? place.left() : words.back().from + words.back().wide + kBetweenWords;
+    words.push_back({std::max(free_from, at(newton) + (before ? 3.0 - wide : -3.0)), wide, text, colour});
   };
   mark(bar.target, theme::target(), tr("target %1").arg(newtons(bar.target)), Qt::SolidLine, true);
-  mark(bar.pass, theme::bad(), tr("pass %1").arg(newtons(bar.pass)), Qt::SolidLine, false);
+  mark(bar.pass, theme::bad(), tr("pass limit %1").arg(newtons(bar.pass)), Qt::SolidLine, false);
   if (with_limit)
-    mark(device_limit_, theme::device(), tr("device %1").arg(newtons(device_limit_)), Qt::DashLine, false);
+    mark(device_limit_, theme::device(), tr("device limit %1").arg(newtons(device_limit_)), Qt::DashLine, false);
+  const auto length = [&] {
+    return std::accumulate(words.begin(), words.end(), -kBetweenWords,
+                           [](double sum, const Word& word) { return sum + word.wide + kBetweenWords; });
+  };
+  while (length() > place.width()) words.pop_back();  // no room: the tooltip has it
+  double free_to = place.right();
+  std::for_each(words.rbegin(), words.rend(), [&](Word& word) {
+    word.from = std::min(word.from, free_to - word.wide);
+    free_to = word.from - kBetweenWords;
+  });
+  for (const Word& word : words) {
+    painter.setPen(word.colour);
+    painter.drawText(QRectF(word.from, place.top() - 1.0, word.wide, line()), Qt::AlignLeft | Qt::AlignVCenter, word.text);
+  }
   if (bar.peak > 0.05 && !of_expert_) {
     painter.setPen(QPen(theme::text(), 1.5));
     painter.drawLine(QPointF(at(bar.peak), track.top()), QPointF(at(bar.peak), track.bottom()));

@@ -55,7 +55,7 @@ TEST(LiftByKey, FromTheValleculaToAViewWithoutTheDevicesLimit) {
       gum_n = load(now, engine::Structure::gum);
     if (t < frame_s) continue;
     frame_s += kFrameS;
-    mouse.feel(now.model_force_n.norm());
+    mouse.feel(now.model_force_n.norm(), scene->description.haptics.device_limit_n);
   }
   RecordProperty("most_force_mn", static_cast<int>(1e3 * most_n));
   RecordProperty("best_view_percent", static_cast<int>(100 * best));

@@ -6,6 +6,7 @@
 #include <limits>
 #include <random>
 #include <thread>
+#include <utility>
 
 #include "device/rotation.h"
 #include "tests/device/allocation_guard.h"
@@ -109,21 +110,68 @@ TEST(MouseDevice, TheKeyLiftsSlowerTheHarderTheTissuePullsAndLowersAsEver) {
   MouseDevice mouse(settings);
   int tick = 0;
   run(mouse, tick, 10);
-  const auto lifted_in_a_second = [&](double force_n, double direction) {
+  const auto lifted_in_a_second = [&](double force_n, double limit_n, double direction) {
     const double from = mouse.lift_m();
-    mouse.feel(force_n);
     mouse.set_lift(direction);
-    run(mouse, tick, 1000);
+    for (int frame = 0; frame < 10; ++frame) {
+      mouse.feel(force_n, limit_n);
+      run(mouse, tick, 100);
+    }
     mouse.set_lift(0.0);
     run(mouse, tick, 500);
     return mouse.lift_m() - from;
   };
-  EXPECT_NEAR(lifted_in_a_second(0.0, 1.0), settings.lift_speed_m_s, 1e-9);
-  EXPECT_NEAR(lifted_in_a_second(0.5 * settings.lift_force_n, 1.0), 0.5 * settings.lift_speed_m_s, 1e-9);
-  EXPECT_NEAR(lifted_in_a_second(settings.lift_force_n + 1.0, 1.0), 0.0, 1e-9);
-  EXPECT_NEAR(lifted_in_a_second(settings.lift_force_n + 1.0, -1.0), -settings.lift_speed_m_s, 1e-9);
-  mouse.feel(std::numeric_limits<double>::quiet_NaN());
-  EXPECT_NEAR(lifted_in_a_second(std::numeric_limits<double>::infinity(), 1.0), 0.0, 1e-9) << "as it was told last";
+  // The same force against two devices: what is half of the one's share is all of the other's.
+  const double share = settings.lift_force_share, speed = settings.lift_speed_m_s;
+  EXPECT_NEAR(lifted_in_a_second(0.0, 8.0, 1.0), speed, 1e-9);
+  EXPECT_NEAR(lifted_in_a_second(2.0 * share, 4.0, 1.0), 0.5 * speed, 1e-9);
+  EXPECT_NEAR(lifted_in_a_second(2.0 * share, 2.0, 1.0), 0.0, 1e-9);
+  EXPECT_NEAR(lifted_in_a_second(7.0, 8.0, 1.0), 0.0, 1e-9);
+  EXPECT_NEAR(lifted_in_a_second(7.0, 8.0, -1.0), -speed, 1e-9);
+}
+
+TEST(MouseDevice, WhatIsNoNumberIsNotFelt) {
+  const double nan = std::numeric_limits<double>::quiet_NaN(), infinite = std::numeric_limits<double>::infinity();
+  const std::pair<double, double> none[] = {{nan, 8.0}, {infinite, 8.0}, {1.0, nan}, {1.0, infinite}, {1.0, 0.0}, {1.0, -8.0}};
+  for (const auto& [force_n, limit_n] : none) {
+    const MouseSettings settings;
+    MouseDevice mouse(settings);
+    int tick = 0;
+    run(mouse, tick, 10);
+    mouse.feel(4.0 * settings.lift_force_share, 8.0);
+    mouse.feel(force_n, limit_n);
+    mouse.set_lift(1.0);
+    run(mouse, tick, 200);
+    mouse.set_lift(0.0);
+    run(mouse, tick, 500);
+    EXPECT_NEAR(mouse.lift_m(), 0.5 * 0.2 * settings.lift_speed_m_s, 1e-9) << "as it was told last";
+  }
+}
+
+TEST(MouseDevice, TheLiftStopsWhenNothingIsFeltAnyLongerThoughTheKeyIsHeld) {
+  const MouseSettings settings;
+  const double limit_n = 8.0, half_n = 0.5 * settings.lift_force_share * limit_n;
+  MouseDevice mouse(settings);
+  int tick = 0;
+  run(mouse, tick, 10);
+  mouse.feel(half_n, limit_n);
+  mouse.set_lift(1.0);
+  run(mouse, tick, 2000);  // the window stands
+  const double stood = mouse.lift_m();
+  EXPECT_NEAR(stood, 0.5 * settings.feel_age_s * settings.lift_speed_m_s, 2 * kTick * settings.lift_speed_m_s);
+  mouse.move(0.001, 0.0);
+  run(mouse, tick, 500);
+  EXPECT_NEAR(mouse.lift_m(), stood, 1e-9) << "that the hand moved tells no force";
+  mouse.place({0, 0, 0}, {1, 0, 0, 0});
+  mouse.set_lift(1.0);
+  run(mouse, tick, 500);
+  EXPECT_EQ(mouse.lift_m(), 0.0) << "nor does a reset";
+  mouse.feel(half_n, limit_n);
+  run(mouse, tick, 200);
+  mouse.set_lift(-1.0);
+  EXPECT_GT(mouse.lift_m(), 0.0) << "the next frame lets it go on";
+  run(mouse, tick, 2000);
+  EXPECT_NEAR(mouse.lift_m(), 0.0, 1e-9) << "lowered as ever";
 }
 
 TEST(MouseDevice, TurnsAboutTheTip) {
@@ -202,7 +250,7 @@ TEST(MouseDevice, TicksAllocateNothing) {
     mouse.move(0.001, 0);
     mouse.turn(0.001, 0, 0);
     mouse.set_lift(1);
-    mouse.feel(1.0);
+    mouse.feel(1.0, 7.9);
     mouse.read(i * kTick);
     mouse.write({1, 0, 0});
   }

@@ -334,16 +334,50 @@ TEST_F(WindowInstructor, TheNextTraineeWaitsForTheOwnRatingAndForAnUnsavedCourse
   writing.new_course();
   writing.document().set_text(writing.document().text() + "# more\n", "typed");
   ASSERT_TRUE(writing.document().modified());
-  bool asked = false;
-  QTimer::singleShot(300, [&asked] {
+  const QString text = writing.document().text();
+  int asked = 0;
+  QTimer answers;  // whatever asks is cancelled
+  QObject::connect(&answers, &QTimer::timeout, [&asked] {
     auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
-    asked = box != nullptr;
-    if (asked) box->button(QMessageBox::Cancel)->click();
+    if (box == nullptr) return;
+    ++asked;
+    box->button(QMessageBox::Cancel)->click();
   });
+  answers.start(50);
+  const auto nobody = [&](SignInDialog* asks) {
+    for (auto* one : asks->findChildren<QPushButton*>())
+      if (one->text().remove('&') == "Go on as nobody") return QTest::mouseClick(one, Qt::LeftButton);
+    ADD_FAILURE() << "no such button";
+  };
+  const auto no_dialog = [] {
+    return wait_for([] { return QApplication::activeModalWidget() == nullptr; }, 10000);
+  };
   next();
-  EXPECT_TRUE(wait_for([&] { return asked; }, 5000));
+  auto* asks = dialog<SignInDialog>();
+  ASSERT_NE(asks, nullptr);
+  EXPECT_EQ(asked, 0) << "nothing is lost by looking";
+  QTest::keyClick(asks, Qt::Key_Escape);
+  ASSERT_TRUE(no_dialog());
+  EXPECT_EQ(asked, 0);
+  EXPECT_EQ(desk().person().name, "Emu");
+  EXPECT_EQ(writing.document().text(), text) << "cancelled, all is as it was";
+  next();
+  asks = dialog<SignInDialog>();
+  ASSERT_NE(asks, nullptr);
+  nobody(asks);
+  ASSERT_TRUE(no_dialog());
+  EXPECT_EQ(asked, 1) << "now it would be";
   EXPECT_EQ(desk().person().name, "Emu");
   EXPECT_EQ(window_->page_name(), "authoring");
+  EXPECT_EQ(writing.document().text(), text);
+  next();
+  asks = dialog<SignInDialog>();  // and so by somebody else's PIN
+  ASSERT_NE(asks, nullptr);
+  QTest::keyClicks(asks->findChild<QLineEdit*>(), "1234");
+  QTest::keyClick(asks->findChild<QLineEdit*>(), Qt::Key_Return);
+  ASSERT_TRUE(wait_for([&] { return asked == 2; }, 10000));
+  ASSERT_TRUE(no_dialog());
+  EXPECT_EQ(desk().person().name, "Emu");
   writing.document().undo().undo();
   ASSERT_FALSE(writing.document().modified());
   emit writing.left();
@@ -359,8 +393,36 @@ TEST_F(WindowInstructor, TheNextTraineeWaitsForTheOwnRatingAndForAnUnsavedCourse
   ASSERT_TRUE(wait_for([&] { return finished; }));
   ASSERT_EQ(window_->page_name(), "rating");
   next();
+  asks = dialog<SignInDialog>();
+  ASSERT_NE(asks, nullptr);
+  nobody(asks);
+  ASSERT_TRUE(no_dialog());
   EXPECT_EQ(desk().person().name, "Emu") << "first the rating that only Emu can give";
   EXPECT_EQ(window_->page_name(), "rating");
+}
+
+TEST_F(WindowInstructor, ATrialThatBeganMeanwhileStaysItsTrainees) {
+  register_people();
+  open_with_course();
+  sign_in_directly("Emu", "1234");
+  prepare(setup("helped"));
+  QApplication::setActiveWindow(window_.get());
+  QTest::keyClick(window_.get(), Qt::Key_T, Qt::ControlModifier);
+  auto* asks = dialog<SignInDialog>();
+  ASSERT_NE(asks, nullptr);
+  QString told;
+  QObject::connect(&window_->station(), &InstructorStation::told, [&](const QString& message) { told = message; });
+  window_->trial_page().start();
+  ASSERT_TRUE(window_->trial_page().running());
+  QTest::keyClicks(asks->findChild<QLineEdit*>(), "1234");
+  QTest::keyClick(asks->findChild<QLineEdit*>(), Qt::Key_Return);
+  QMessageBox* box = nullptr;
+  ASSERT_TRUE(wait_for([&] { return (box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget())) != nullptr; },
+                       10000));
+  box->button(QMessageBox::Ok)->click();
+  EXPECT_EQ(desk().person().name, "Emu");
+  EXPECT_TRUE(window_->trial_page().running());
+  EXPECT_TRUE(told.contains("A trial runs")) << told.toStdString();
 }
 
 TEST_F(WindowInstructor, TicksMadeDuringTheRunAreKeptByOneClickAsTheInstructorsRating) {

@@ -393,14 +393,19 @@ TEST_F(WindowPanelsOfATube, AllPanelsFitTheSmallestWindowAndTheUsual) {
     const auto seen = [&](TrialPanels::Panel panel) {
       return !page.panels().dock(panel)->widget()->visibleRegion().isEmpty();
     };
+    const bool both = size.height() > 700;
+    page.panels().distractions().set_said_for(600000);  // however slow the machine, it is still said below
     page.say("Well seen.");
-    ASSERT_TRUE(wait_for([&] { return seen(TrialPanels::team); }, 5000));
+    ASSERT_TRUE(wait_for([&] { return seen(TrialPanels::team) && seen(TrialPanels::cut) == both; }, 20000));
     drawn(page, 5);
-    EXPECT_EQ(seen(TrialPanels::cut), size.height() > 700);
+    EXPECT_EQ(seen(TrialPanels::cut), both);
     EXPECT_GE(page.panels().dock(TrialPanels::force)->widget()->height(),
               page.findChild<ForceBars*>()->minimumSizeHint().height());
     keep_picture(window, "tube-said-" + std::to_string(size.width()) + ".png");
-    EXPECT_TRUE(wait_for([&] { return seen(TrialPanels::cut); }, DistractionPanel::kSaidMs + 4000));
+    page.panels().distractions().set_said_for(1);
+    page.say("Well seen.");
+    EXPECT_TRUE(wait_for([&] { return seen(TrialPanels::cut); }, 20000)) << "read";
+    page.panels().distractions().set_said_for(DistractionPanel::kSaidMs);
     page.panels().dock(TrialPanels::team)->toggleViewAction()->trigger();
     for (const auto panel : {TrialPanels::video, TrialPanels::team}) page.panels().dock(panel)->toggleViewAction()->trigger();
     page.say("Bag valve mask is ready on your right.");
@@ -409,6 +414,69 @@ TEST_F(WindowPanelsOfATube, AllPanelsFitTheSmallestWindowAndTheUsual) {
     keep_picture(window, "tube-all-" + std::to_string(size.width()) + ".png");
     page.close_trial();
   }
+}
+
+TEST_F(WindowPanelsOfATube, AfterASentenceTheViewIsThereThatWasWatched) {
+  MainWindow window;
+  window.resize(1024, 700);
+  open_tube(window);
+  TrialPage& page = window.trial_page();
+  TrialPanels& panels = page.panels();
+  panels.restore_first();
+  panels.dock(TrialPanels::video)->toggleViewAction()->trigger();
+  panels.distractions().set_said_for(600000);
+  const auto seen = [&](TrialPanels::Panel panel) {
+    return wait_for([&] { return !panels.dock(panel)->widget()->visibleRegion().isEmpty(); }, 20000);
+  };
+  const auto only = [&](TrialPanels::Panel panel) {
+    EXPECT_TRUE(seen(panel));
+    QApplication::processEvents();
+    for (const auto other : {TrialPanels::cut, TrialPanels::video, TrialPanels::team})
+      EXPECT_EQ(panels.dock(other)->widget()->visibleRegion().isEmpty(), other != panel) << other;
+  };
+  const auto read = [&] {
+    emit panels.distractions().silent();
+    QApplication::processEvents();
+  };
+  only(TrialPanels::video);
+  for (const auto watched : {TrialPanels::video, TrialPanels::cut, TrialPanels::video}) {
+    panels.dock(watched)->raise();
+    only(watched);
+    page.say("Well seen.");
+    ASSERT_TRUE(wait_for([&] { return panels.dock(watched)->widget()->visibleRegion().isEmpty(); }, 20000));
+    only(TrialPanels::team);
+    page.say("And on.");  // before the first was read
+    read();
+    only(watched);
+  }
+  // Whoever looks at another view meanwhile keeps it, and so does whoever closes the team's panel.
+  page.say("Well seen.");
+  only(TrialPanels::team);
+  panels.dock(TrialPanels::cut)->raise();
+  only(TrialPanels::cut);
+  read();
+  only(TrialPanels::cut);
+  panels.dock(TrialPanels::video)->raise();
+  only(TrialPanels::video);
+  page.say("Well seen.");
+  only(TrialPanels::team);
+  panels.dock(TrialPanels::team)->close();
+  panels.dock(TrialPanels::cut)->raise();
+  only(TrialPanels::cut);
+  read();
+  only(TrialPanels::cut);
+  // With room for both the team stands on top, as at first.
+  panels.dock(TrialPanels::team)->toggleViewAction()->trigger();
+  panels.dock(TrialPanels::cut)->raise();
+  only(TrialPanels::cut);
+  window.resize(1280, 800);
+  ASSERT_TRUE(wait_for([&] { return panels.tabifiedDockWidgets(panels.dock(TrialPanels::team)).isEmpty(); }, 20000));
+  EXPECT_TRUE(seen(TrialPanels::team) && seen(TrialPanels::cut));
+  const auto top = [&](TrialPanels::Panel panel) { return panels.dock(panel)->geometry().top(); };
+  EXPECT_TRUE(wait_for([&] { return top(TrialPanels::team) < top(TrialPanels::cut); }, 20000));
+  EXPECT_LT(top(TrialPanels::cut), top(TrialPanels::force));
+  EXPECT_LT(top(TrialPanels::force), top(TrialPanels::readings));
+  keep_picture(window, "tube-team-on-top.png");
 }
 
 }  // namespace

@@ -203,6 +203,19 @@ class WindowTranslation : public Screen {
     look_at(authoring, "authoring-" + language);
     ResultPage result;
     look_at(result, "result-" + language);
+    // The longest title there is beside each verdict that is a sentence.
+    curricula::Scenario longest;
+    for (const auto& one : found)
+      for (const auto& scenario : one.scenarios)
+        if (scenario.title.size() > longest.title.size()) longest = scenario;
+    ASSERT_FALSE(longest.title.empty());
+    TrialOutcome outcome;
+    for (const bool at_vallecula : {true, false}) {
+      outcome.score.at_vallecula = at_vallecula;
+      outcome.score.set_aside = {at_vallecula ? "It began" : "It was changed"};
+      result.show_outcome(outcome, longest, box_.folder(), {});
+      look_at(result, std::string("result-") + (at_vallecula ? "helped-" : "changed-") + language);
+    }
   }
   test::Sandbox box_;
 };

@@ -2,6 +2,7 @@
 #include "gui/views/force_bars.h"
 
 #include "curricula/score/force_figures.h"
+#include "gui/session/languages.h"
 #include "gui/session/log_conversion.h"
 #include "gui/views/theme.h"
 #include "tests/curricula/score/hand_made_intubation.h"
@@ -91,10 +92,21 @@ TEST_F(Bars, SayWhatTheirMarksAreByTheScenariosOwnFigures) {
   EXPECT_GT(pixels(theme::bad()), without + 60) << "the marks that decide are drawn";
   for (const char* figure : {"4.1 N", "1.6 N", "5.7 N", "2.4 N", "2.5 s", "7.9 N"})
     EXPECT_TRUE(bars_.toolTip().contains(figure)) << figure << " in " << bars_.toolTip().toStdString();
+  for (const char* word : {"Target: ", "Pass limit: ", "Device limit: "})
+    EXPECT_TRUE(bars_.toolTip().contains(word)) << word;
   bars_.show_forces({4.4, 1.0, 4.0, 0.4});
   keep_picture(bars_, "bars-marks.png");
   bars_.resize(280, 140);
   keep_picture(bars_, "bars-marks-narrow.png");
+  bars_.resize(360, 160);  // the side in the smallest window
+  keep_picture(bars_, "bars-marks-small-window.png");
+  ASSERT_TRUE(install_language(*qApp, "de"));
+  bars_.set_marks(force_marks(scenario, 7.9));
+  bars_.show_forces({4.4, 1.0, 4.0, 0.4});
+  keep_picture(bars_, "bars-marks-small-window-de.png");
+  ASSERT_TRUE(install_language(*qApp, "en"));
+  bars_.set_marks(force_marks(scenario, 0.0));
+  EXPECT_FALSE(bars_.toolTip().contains("evice")) << "a hand without a limit has none: " << bars_.toolTip().toStdString();
 }
 
 TEST_F(Bars, AnExpertsForcesLeaveOnesOwnPeaks) {
