@@ -25,6 +25,16 @@ bool same_device(const device::FoundDevice& a, const device::FoundDevice& b) {
          a.name == b.name;
 }
 
+/// What is wrong with it, and how to mend it: two sentences that the row has as one.
+QString trouble_in_words(const device::FoundDevice& found, const DeviceRow& row) {
+  if (!found.problem.empty())
+    return in_words(found.problem) + (found.mend.empty() ? QString() : "; " + in_words(found.mend));
+  const std::string calibration = "calibration " + row.calibration + ": ";
+  if (row.trouble.rfind(calibration, 0) != 0) return in_words(row.trouble);
+  return QString("%1 %2: %3").arg(in_words("calibration"), in_words(row.calibration),
+                                  in_words(row.trouble.substr(calibration.size())));
+}
+
 }  // namespace
 
 QString device_label(const device::FoundDevice& device) { return capitalised(in_words(device_row(device).model)); }
@@ -124,7 +134,7 @@ void DevicesPage::show_list(const std::vector<device::FoundDevice>& devices) {
       const auto known = cells_of(row);
       QStringList cells;
       for (const std::string& cell : known) cells << in_words(cell);
-      cells << (row.trouble.empty() ? tr("nothing: ready") : in_words(row.trouble));
+      cells << (row.trouble.empty() ? tr("nothing: ready") : trouble_in_words(devices_[r], row));
       for (int c = 0; c < cells.size(); ++c) {
         auto* item = new QTableWidgetItem(cells[c]);
         item->setToolTip(item->text());
@@ -156,9 +166,9 @@ void DevicesPage::show_selected() {
     about_->setText(tr("Choose one to see what it needs."));
     return;
   }
-  const std::string trouble = device_row(*device).trouble;
-  about_->setText(trouble.empty() ? tr("%1: ready.").arg(device_label(*device))
-                                  : QString("%1: %2.").arg(device_label(*device), in_words(trouble)));
+  const DeviceRow row = device_row(*device);
+  about_->setText(row.trouble.empty() ? tr("%1: ready.").arg(device_label(*device))
+                                      : QString("%1: %2.").arg(device_label(*device), trouble_in_words(*device, row)));
 }
 
 }  // namespace vallecula::gui

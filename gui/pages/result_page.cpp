@@ -88,7 +88,7 @@ ResultPage::ResultPage(QWidget* parent) : QWidget(parent) {
   figures_panel->setObjectName("panel");
   figures_ = new QGridLayout(figures_panel);
   figures_->setHorizontalSpacing(14);
-  figures_->setColumnStretch(2, 1);
+  for (const auto& [part, share] : {std::pair{0, 6}, {1, 4}, {2, 6}}) figures_->setColumnStretch(part, share);
   auto* column = new QWidget(this);
   auto* side = new QVBoxLayout(column);
   side->setContentsMargins(0, 0, 0, 0);
@@ -224,7 +224,7 @@ void ResultPage::show_figures(const TrialOutcome& outcome, const curricula::Scen
     caption->setObjectName("faint");
     auto* figure = new QLabel(in_words(line.value));
     QFont font = figure->font();
-    font.setPointSizeF(score.intubation ? 11.0 : 12.0);
+    font.setPointSizeF(theme::points(score.intubation ? 11.0 : 12.0));
     font.setBold(true);
     figure->setFont(font);
     if (line.verdict == "missed") figure->setStyleSheet(QString("color: %1").arg(theme::over().name()));
@@ -232,7 +232,7 @@ void ResultPage::show_figures(const TrialOutcome& outcome, const curricula::Scen
         new QLabel(line.verdict.empty() ? in_words(line.limit)
                                         : QString("%1: %2").arg(in_words(line.verdict), in_words(line.limit)));
     demand->setObjectName("faint");
-    demand->setWordWrap(true);  // the column is as wide as the window allows
+    for (QLabel* part : {caption, figure, demand}) part->setWordWrap(true);  // as wide as the window allows
     figures_->addWidget(caption, row, 0);
     figures_->addWidget(figure, row, 1);
     figures_->addWidget(demand, row, 2);

@@ -1057,7 +1057,7 @@
     </message>
     <message>
         <source>no attempt</source>
-        <translation>kein Intubationsversuch</translation>
+        <translation>kein Versuch</translation>
     </message>
     <message>
         <source>Peak force on the tongue</source>
@@ -3598,6 +3598,10 @@
     <message>
         <source>The trial is held by you for as long as you look at the expert (G).</source>
         <translation>Der Durchgang ist von Ihnen angehalten, solange Sie dem Experten zusehen (G).</translation>
+    </message>
+    <message>
+        <source>the device&apos;s library libHD.so cannot be loaded</source>
+        <translation>die Bibliothek libHD.so des Geräts kann nicht geladen werden</translation>
     </message>
 </context>
 <context>
@@ -9077,7 +9081,7 @@ Gerät: %3</translation>
     </message>
     <message>
         <source>%1, %2 late of %3</source>
-        <translation>%1, %2 von %3 verspätet</translation>
+        <translation>%1, %2 von %3 spät</translation>
     </message>
     <message>
         <source>%1 of %2 steps dropped</source>
