@@ -7,6 +7,7 @@
 #include <QKeyEvent>
 #include <QLabel>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QScrollArea>
 #include <QUrl>
 #include <QVBoxLayout>
@@ -88,7 +89,8 @@ ResultPage::ResultPage(QWidget* parent) : QWidget(parent) {
   figures_panel->setObjectName("panel");
   figures_ = new QGridLayout(figures_panel);
   figures_->setHorizontalSpacing(14);
-  for (const auto& [part, share] : {std::pair{0, 6}, {1, 4}, {2, 6}}) figures_->setColumnStretch(part, share);
+  figures_->setColumnStretch(0, 4);
+  figures_->setColumnStretch(2, 5);
   auto* column = new QWidget(this);
   auto* side = new QVBoxLayout(column);
   side->setContentsMargins(0, 0, 0, 0);
@@ -232,7 +234,10 @@ void ResultPage::show_figures(const TrialOutcome& outcome, const curricula::Scen
         new QLabel(line.verdict.empty() ? in_words(line.limit)
                                         : QString("%1: %2").arg(in_words(line.verdict), in_words(line.limit)));
     demand->setObjectName("faint");
-    for (QLabel* part : {caption, figure, demand}) part->setWordWrap(true);  // as wide as the window allows
+    // Columns as wide as the window allows; a number keeps its unit beside it.
+    static const QRegularExpression after_number("(?<=\\d) (?=\\S)");
+    demand->setText(demand->text().replace(after_number, QString(QChar::Nbsp)));
+    for (QLabel* part : {caption, demand}) part->setWordWrap(true);
     figures_->addWidget(caption, row, 0);
     figures_->addWidget(figure, row, 1);
     figures_->addWidget(demand, row, 2);

@@ -549,7 +549,7 @@
     </message>
     <message>
         <source>none: shown as a bar</source>
-        <translation>keine: als Balken gezeigt</translation>
+        <translation>keine: als Balken</translation>
     </message>
     <message>
         <source>good</source>
@@ -3602,6 +3602,10 @@
     <message>
         <source>the device&apos;s library libHD.so cannot be loaded</source>
         <translation>die Bibliothek libHD.so des Geräts kann nicht geladen werden</translation>
+    </message>
+    <message>
+        <source>Install OpenHaptics and the Touch driver from 3D Systems, or let VALLECULA_LIBHD name the library&apos;s file</source>
+        <translation>installieren Sie OpenHaptics und den Touch-Treiber von 3D Systems, oder nennen Sie mit VALLECULA_LIBHD die Datei der Bibliothek</translation>
     </message>
 </context>
 <context>

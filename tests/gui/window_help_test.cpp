@@ -5,11 +5,13 @@
 #include <QDirIterator>
 #include <QFile>
 #include <QImageReader>
+#include <QLabel>
 #include <QListWidget>
 #include <QRegularExpression>
 #include <QTest>
 #include <QTextBrowser>
 #include <QUrl>
+#include <algorithm>
 #include <map>
 
 #include "gui/authoring/authoring_page.h"
@@ -17,6 +19,7 @@
 #include "gui/pages/help_dialog.h"
 #include "gui/pages/main_menu.h"
 #include "gui/pages/replay_page.h"
+#include "gui/pages/result_page.h"
 #include "gui/pages/trial_page.h"
 #include "gui/session/languages.h"
 #include "gui/session/user_paths.h"
@@ -138,11 +141,19 @@ class WindowHelp : public Screen {
     window_->prepare(setup, true);
     ASSERT_TRUE(wait_for([&] { return finished; }));
     ASSERT_GT(shown_s, 0.0);
+    ASSERT_TRUE(wait_for([&] {  // every curve is drawn on a thread of its own
+      const QStringList curves{"Force over time", "Saturation and heart rate over time"};
+      const auto labels = window_->findChild<ResultPage*>()->findChildren<QLabel*>();
+      return curves.size() == std::count_if(labels.begin(), labels.end(), [&](const QLabel* label) {
+               return curves.contains(label->accessibleName()) && !label->pixmap(Qt::ReturnByValue).isNull();
+             });
+    }));
     keep("result.jpg");
-    GlView::governor().hold(0);
-    window_->replay(box_ / "out", shown_s);
+    window_->replay(box_ / "out", shown_s + kBeforeReason_s);
     ASSERT_TRUE(wait_for([&] { return replayed; }));
-    wait_for([&] { return false; }, 1500);
+    ASSERT_TRUE(wait_for([&] { return window_->replay_page().computed_s() > shown_s; }));
+    GlView::governor().hold(0);
+    wait_for([&] { return false; }, 500);
     keep("replay.jpg");
   }
 
