@@ -7,6 +7,7 @@
 #include <QPushButton>
 #include <QTableWidget>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "gui/pages/background.h"
 #include "gui/session/device_rows.h"
@@ -23,6 +24,21 @@ constexpr int kRefreshMs = 1000;
 bool same_device(const device::FoundDevice& a, const device::FoundDevice& b) {
   return a.info.kind == b.info.kind && a.info.model == b.info.model && a.info.serial == b.info.serial &&
          a.name == b.name;
+}
+
+/// What is wrong with it, and how to mend it: two sentences that the row has as one. `whole`: also the places that were
+/// tried, which the driver has in brackets at the end.
+QString trouble_in_words(const device::FoundDevice& found, const DeviceRow& row, bool whole) {
+  if (!found.problem.empty()) {
+    const std::size_t tried = std::min(found.mend.find(" (tried "), found.mend.size());
+    const QString mend = in_words(found.mend.substr(0, tried));
+    return in_words(found.problem) + (mend.isEmpty() ? mend : "; " + mend) +
+           (whole ? QString::fromStdString(found.mend.substr(tried)) : QString());
+  }
+  const std::string calibration = "calibration " + row.calibration + ": ";
+  if (row.trouble.rfind(calibration, 0) != 0) return in_words(row.trouble);
+  return QString("%1 %2: %3").arg(in_words("calibration"), in_words(row.calibration),
+                                  in_words(row.trouble.substr(calibration.size())));
 }
 
 }  // namespace
@@ -124,7 +140,7 @@ void DevicesPage::show_list(const std::vector<device::FoundDevice>& devices) {
       const auto known = cells_of(row);
       QStringList cells;
       for (const std::string& cell : known) cells << in_words(cell);
-      cells << (row.trouble.empty() ? tr("nothing: ready") : in_words(row.trouble));
+      cells << (row.trouble.empty() ? tr("nothing: ready") : trouble_in_words(devices_[r], row, false));
       for (int c = 0; c < cells.size(); ++c) {
         auto* item = new QTableWidgetItem(cells[c]);
         item->setToolTip(item->text());
@@ -156,9 +172,9 @@ void DevicesPage::show_selected() {
     about_->setText(tr("Choose one to see what it needs."));
     return;
   }
-  const std::string trouble = device_row(*device).trouble;
-  about_->setText(trouble.empty() ? tr("%1: ready.").arg(device_label(*device))
-                                  : QString("%1: %2.").arg(device_label(*device), in_words(trouble)));
+  const DeviceRow row = device_row(*device);
+  about_->setText(row.trouble.empty() ? tr("%1: ready.").arg(device_label(*device))
+                                      : QString("%1: %2.").arg(device_label(*device), trouble_in_words(*device, row, true)));
 }
 
 }  // namespace vallecula::gui

@@ -7,6 +7,7 @@
 #include <QVBoxLayout>
 
 #include "gui/session/user_settings.h"
+#include "gui/views/theme.h"
 
 namespace vallecula::gui {
 namespace {
@@ -63,7 +64,7 @@ MouseIntroduction::MouseIntroduction(QWidget* parent) : QFrame(parent) {
   text_ = new QLabel(this);
   text_->setTextFormat(Qt::RichText);
   text_->setWordWrap(true);  // a small window is narrower than the longest line
-  text_->setMinimumWidth(540);
+  text_->setMinimumWidth(static_cast<int>(theme::points(540)));  // larger words want longer lines, not more of them
   never_again_ = new QCheckBox(tr("Don't show this again"), this);
   auto* known = new QPushButton(tr("Got it"), this);
   never_again_->setFocusPolicy(Qt::NoFocus);  // keys are the blade's

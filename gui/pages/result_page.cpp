@@ -7,6 +7,7 @@
 #include <QKeyEvent>
 #include <QLabel>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QScrollArea>
 #include <QUrl>
 #include <QVBoxLayout>
@@ -89,7 +90,8 @@ ResultPage::ResultPage(QWidget* parent) : QWidget(parent) {
   figures_panel->setObjectName("panel");
   figures_ = new QGridLayout(figures_panel);
   figures_->setHorizontalSpacing(14);
-  figures_->setColumnStretch(2, 1);
+  figures_->setColumnStretch(0, 4);
+  figures_->setColumnStretch(2, 5);
   auto* column = new QWidget(this);
   auto* side = new QVBoxLayout(column);
   side->setContentsMargins(0, 0, 0, 0);
@@ -226,7 +228,7 @@ void ResultPage::show_figures(const TrialOutcome& outcome, const curricula::Scen
     caption->setObjectName("faint");
     auto* figure = new QLabel(in_words(line.value));
     QFont font = figure->font();
-    font.setPointSizeF(score.intubation ? 11.0 : 12.0);
+    font.setPointSizeF(theme::points(score.intubation ? 11.0 : 12.0));
     font.setBold(true);
     figure->setFont(font);
     if (line.verdict == "missed") figure->setStyleSheet(QString("color: %1").arg(theme::over().name()));
@@ -234,7 +236,10 @@ void ResultPage::show_figures(const TrialOutcome& outcome, const curricula::Scen
         new QLabel(line.verdict.empty() ? in_words(line.limit)
                                         : QString("%1: %2").arg(in_words(line.verdict), in_words(line.limit)));
     demand->setObjectName("faint");
-    demand->setWordWrap(true);  // the column is as wide as the window allows
+    // Columns as wide as the window allows; a number keeps its unit beside it.
+    static const QRegularExpression after_number("(?<=\\d) (?=\\S)");
+    demand->setText(demand->text().replace(after_number, QString(QChar::Nbsp)));
+    for (QLabel* part : {caption, demand}) part->setWordWrap(true);
     figures_->addWidget(caption, row, 0);
     figures_->addWidget(figure, row, 1);
     figures_->addWidget(demand, row, 2);

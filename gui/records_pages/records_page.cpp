@@ -144,6 +144,7 @@ void RecordsPage::tell(const QString& message) {
 WhoStrip::WhoStrip(RecordsDesk& desk, QWidget* parent) : QWidget(parent), desk_(desk) {
   who_ = new QLabel(this);
   who_->setObjectName("who_is_signed_in");
+  who_->setWordWrap(true);  // its longest sentence is not what a window must be wide for
   out_ = new QPushButton(tr("Sign out"), this);
   auto* records = new QPushButton(tr("&Records ..."), this);
   auto* row = new QHBoxLayout(this);

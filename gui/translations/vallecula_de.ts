@@ -549,7 +549,7 @@
     </message>
     <message>
         <source>none: shown as a bar</source>
-        <translation>keine: als Balken gezeigt</translation>
+        <translation>keine: als Balken</translation>
     </message>
     <message>
         <source>good</source>
@@ -3598,6 +3598,14 @@
     <message>
         <source>The trial is held by you for as long as you look at the expert (G).</source>
         <translation>Der Durchgang ist von Ihnen angehalten, solange Sie dem Experten zusehen (G).</translation>
+    </message>
+    <message>
+        <source>the device&apos;s library libHD.so cannot be loaded</source>
+        <translation>die Bibliothek libHD.so des Geräts kann nicht geladen werden</translation>
+    </message>
+    <message>
+        <source>Install OpenHaptics and the Touch driver from 3D Systems, or let VALLECULA_LIBHD name the library&apos;s file</source>
+        <translation>installieren Sie OpenHaptics und den Touch-Treiber von 3D Systems, oder nennen Sie mit VALLECULA_LIBHD die Datei der Bibliothek</translation>
     </message>
 </context>
 <context>
@@ -9093,7 +9101,7 @@ Gerät: %3</translation>
     </message>
     <message>
         <source>%1, %2 late of %3</source>
-        <translation>%1, %2 von %3 verspätet</translation>
+        <translation>%1, %2 von %3 spät</translation>
     </message>
     <message>
         <source>%1 of %2 steps dropped</source>

@@ -1,5 +1,6 @@
 // Through the whole window by mouse and keys, as a person goes; VALLECULA_PICTURES=DIR keeps a picture of every page,
-// on the dark and on the light ground, to be looked at in one folder. VALLECULA_SLOW adds the import's further steps.
+// on the dark and on the light ground, to be looked at in one folder; in another language, size or text as
+// window_wishes.h says. VALLECULA_SLOW adds the import's further steps (in English).
 #include <QApplication>
 #include <QComboBox>
 #include <QLineEdit>
@@ -30,6 +31,7 @@
 #include "tests/gui/program.h"
 #include "tests/gui/window_home.h"
 #include "tests/gui/window_screen.h"
+#include "tests/gui/window_wishes.h"
 
 namespace vallecula::gui::window_test {
 namespace {
@@ -42,6 +44,7 @@ class WindowTour : public Screen, public ::testing::WithParamInterface<const cha
   ~WindowTour() override {
     window_.reset();
     apply_look({});
+    install_language(*qApp, "en");
     unsetenv("VALLECULA_HOME");
   }
   /// By mouse, where it is seen.
@@ -51,7 +54,9 @@ class WindowTour : public Screen, public ::testing::WithParamInterface<const cha
     QTest::mouseClick(on, Qt::LeftButton);
     settle(150);
   }
-  void click(QWidget& within, const QString& text) {
+  /// What `within` says in its class's words, by its English.
+  void click(QWidget& within, const char* english) {
+    const QString text = within.metaObject()->tr(english, nullptr).remove('&');
     for (QAbstractButton* button : within.findChildren<QAbstractButton*>())
       if (button->isVisible() && QString(button->text()).remove('&').startsWith(text)) return click(button);
     FAIL() << "no button says " << text.toStdString() << " on " << window_->page_name().toStdString();
@@ -101,14 +106,14 @@ class WindowTour : public Screen, public ::testing::WithParamInterface<const cha
 TEST_P(WindowTour, EveryPageByMouseAndKeys) {
   LookSettings look;
   look.ground = GetParam();
-  keep_look(look);
-  apply_look(look);
+  wish_words(look);
   const fs::path patient = test::write_block_patient(box_.folder());
   window_ = std::make_unique<MainWindow>();
   window_->show_start({curricula::load_curriculum(test::write_curriculum(box_.folder())),
                        curricula::load_curriculum(default_curriculum()),
                        curricula::load_curriculum(curricula_folder() / "neonatal-intubation.yaml")});
   window_->start_page().add_patient(patient, true);
+  wish_size(*window_);
   window_->show();
   QApplication::setActiveWindow(window_.get());
   settle(300);
@@ -174,7 +179,7 @@ TEST_P(WindowTour, EveryPageByMouseAndKeys) {
     page("import", "13-import-build");
     click(window_->import_wizard(), "Leave");
   } else {
-    click(window_->import_wizard(), "Back to the start");
+    click(window_->import_wizard().source_page(), "&Back to the start");
   }
   ASSERT_EQ(window_->page_name(), "home");
 
@@ -197,7 +202,7 @@ TEST_P(WindowTour, EveryPageByMouseAndKeys) {
   QTest::keyClick(&window_->trial_page(), Qt::Key_Escape);
   ASSERT_TRUE(wait_for([&] { return finished; })) << "Esc ends";
   page("result", "16-result");
-  click(*window_->findChild<ResultPage*>(), "Replay");
+  click(window_->findChild<ResultPage*>()->findChild<QPushButton*>("replay"));
   ASSERT_TRUE(wait_for([&] { return replayed; }));
   settle(1500);
   page("replay", "17-replay");

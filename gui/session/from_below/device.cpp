@@ -51,6 +51,10 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("FromBelow", "3D Systems Touch, Touch X and other HDAPI devices; NAME as their set-up calls it"),
     QT_TRANSLATE_NOOP("FromBelow", "a Novint Falcon: position and force; its grip does not turn the blade"),
     QT_TRANSLATE_NOOP("FromBelow", "a SpaceMouse: the cap steers by speed; the force is drawn, not felt"),
+    QT_TRANSLATE_NOOP("FromBelow", "the device's library libHD.so cannot be loaded"),
+    QT_TRANSLATE_NOOP("FromBelow",
+                      "Install OpenHaptics and the Touch driver from 3D Systems, or let VALLECULA_LIBHD name the "
+                      "library's file"),
     QT_TRANSLATE_NOOP("FromBelow", "none plugged in"),
     QT_TRANSLATE_NOOP("FromBelow", "if there is one, check its cable and power"),
     QT_TRANSLATE_NOOP("FromBelow", "it opens but gives no reading: another program may be using it"),
