@@ -88,7 +88,7 @@ ResultPage::ResultPage(QWidget* parent) : QWidget(parent) {
   auto* figures_panel = new QFrame(this);
   figures_panel->setObjectName("panel");
   figures_ = new QGridLayout(figures_panel);
-  figures_->setHorizontalSpacing(14);
+  figures_->setHorizontalSpacing(10);
   figures_->setColumnStretch(2, 1);
   auto* column = new QWidget(this);
   auto* side = new QVBoxLayout(column);
@@ -224,6 +224,7 @@ void ResultPage::show_figures(const TrialOutcome& outcome, const curricula::Scen
   for (const Row& line : result_figures(outcome, scenario)) {
     auto* caption = new QLabel(in_words(line.name));
     caption->setObjectName("faint");
+    caption->setWordWrap(true);
     auto* figure = new QLabel(in_words(line.value));
     QFont font = figure->font();
     font.setPointSizeF(score.intubation ? 11.0 : 12.0);
