@@ -226,6 +226,7 @@ void ResultPage::show_figures(const TrialOutcome& outcome, const curricula::Scen
   for (const Row& line : result_figures(outcome, scenario)) {
     auto* caption = new QLabel(in_words(line.name));
     caption->setObjectName("faint");
+    caption->setWordWrap(true);
     auto* figure = new QLabel(in_words(line.value));
     QFont font = figure->font();
     font.setPointSizeF(theme::points(score.intubation ? 11.0 : 12.0));

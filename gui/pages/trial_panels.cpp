@@ -169,7 +169,7 @@ void TrialPanels::raise_team() {
   docks_[team]->raise();
 }
 
-/// Only where the team still stands in front: whoever closed it, or looks at another view meanwhile, keeps what is there.
+/// Only where the team still stands in front: whoever closed it, or looks at another view meanwhile, keeps that.
 void TrialPanels::put_back() {
   QDockWidget* view = std::exchange(behind_team_, nullptr);
   if (view != nullptr && in_front(team) && tabifiedDockWidgets(docks_[team]).contains(view)) view->raise();

@@ -1557,7 +1557,7 @@
     </message>
     <message>
         <source>no real time</source>
-        <translation>nicht in Echtzeit</translation>
+        <translation>keine Echtzeit</translation>
     </message>
     <message>
         <source>with breath</source>

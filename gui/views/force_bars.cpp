@@ -73,8 +73,8 @@ void ForceBars::set_marks(const ForceMarks& marks) {
       1.0, std::ceil(1.2 * std::max({device_limit_, tongue_.target, gum_.target, tongue_.pass, gum_.pass})));
   QStringList lines{
       tr("Model force of the tissue on the blade, in newton. White line: the highest so far."),
-      tr("Target: what to train for, %1 N on the tongue and %2 N on the gum; a trial passes with at most %3 s above the "
-         "tongue's.")
+      tr("Target: what to train for, %1 N on the tongue and %2 N on the gum; a trial passes with at most %3 s above "
+         "the tongue's.")
           .arg(newtons(tongue_.target), newtons(gum_.target), newtons(marks.over_target_s)),
       tr("Pass limit: a peak above %1 N on the tongue or %2 N on the gum does not pass.")
           .arg(newtons(tongue_.pass), newtons(gum_.pass))};
@@ -148,8 +148,8 @@ void ForceBars::paint_bar(QPainter& painter, const QRectF& place, const QString&
   }
 
   painter.setFont(with_points(font(), kSmall));
-  // Their words stand in one line: the target's before its mark, the others after theirs, each after the one before, and
-  // all as far to the left as the last one needs.
+  // Their words stand in one line: the target's before its mark, the others after theirs, each after the one before,
+  // and all as far to the left as the last one needs.
   struct Word {
     double from, wide;
     QString text;
@@ -181,7 +181,8 @@ void ForceBars::paint_bar(QPainter& painter, const QRectF& place, const QString&
   });
   for (const Word& word : words) {
     painter.setPen(word.colour);
-    painter.drawText(QRectF(word.from, place.top() - 1.0, word.wide, line()), Qt::AlignLeft | Qt::AlignVCenter, word.text);
+    painter.drawText(QRectF(word.from, place.top() - 1.0, word.wide, line()), Qt::AlignLeft | Qt::AlignVCenter,
+                     word.text);
   }
   if (bar.peak > 0.05 && !of_expert_) {
     painter.setPen(QPen(theme::text(), 1.5));

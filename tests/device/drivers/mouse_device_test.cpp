@@ -132,7 +132,8 @@ TEST(MouseDevice, TheKeyLiftsSlowerTheHarderTheTissuePullsAndLowersAsEver) {
 
 TEST(MouseDevice, WhatIsNoNumberIsNotFelt) {
   const double nan = std::numeric_limits<double>::quiet_NaN(), infinite = std::numeric_limits<double>::infinity();
-  const std::pair<double, double> none[] = {{nan, 8.0}, {infinite, 8.0}, {1.0, nan}, {1.0, infinite}, {1.0, 0.0}, {1.0, -8.0}};
+  const std::pair<double, double> none[] = {{nan, 8.0},      {infinite, 8.0}, {1.0, nan},
+                                            {1.0, infinite}, {1.0, 0.0},      {1.0, -8.0}};
   for (const auto& [force_n, limit_n] : none) {
     const MouseSettings settings;
     MouseDevice mouse(settings);

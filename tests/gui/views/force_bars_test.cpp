@@ -106,7 +106,7 @@ TEST_F(Bars, SayWhatTheirMarksAreByTheScenariosOwnFigures) {
   keep_picture(bars_, "bars-marks-small-window-de.png");
   ASSERT_TRUE(install_language(*qApp, "en"));
   bars_.set_marks(force_marks(scenario, 0.0));
-  EXPECT_FALSE(bars_.toolTip().contains("evice")) << "a hand without a limit has none: " << bars_.toolTip().toStdString();
+  EXPECT_FALSE(bars_.toolTip().contains("evice")) << "without a limit: " << bars_.toolTip().toStdString();
 }
 
 TEST_F(Bars, AnExpertsForcesLeaveOnesOwnPeaks) {
