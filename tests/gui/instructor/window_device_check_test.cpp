@@ -130,7 +130,7 @@ class WindowDeviceCheck : public Screen {
   void move_as_asked() {
     ASSERT_TRUE(wait_asks("to the right"));
     move({0.03, 0, 0});
-    ASSERT_TRUE(wait_asks("blade up"));
+    ASSERT_TRUE(wait_asks("handle up"));
     move({0, 0.03, 0});
     ASSERT_TRUE(wait_asks("towards you"));
     move({0, 0, 0.03});
@@ -224,7 +224,7 @@ TEST_F(WindowDeviceCheck, ExchangedAxesAreToldAfterASecondTry) {
   EXPECT_TRUE(words(CheckStep::moves).contains("It went up")) << words(CheckStep::moves).toStdString();
   EXPECT_TRUE(asks("to the right")) << "a person may err once";
   move({0.03, 0, 0});
-  ASSERT_TRUE(wait_asks("blade up"));
+  ASSERT_TRUE(wait_asks("handle up"));
   move({0, 0.03, 0});
   move({0, 0.03, 0});
   ASSERT_TRUE(wait_asks("towards you"));
