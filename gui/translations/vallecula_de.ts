@@ -3819,7 +3819,7 @@
     </message>
     <message>
         <source>closed</source>
-        <translation>geschlossen</translation>
+        <translation>gesperrt</translation>
     </message>
     <message>
         <source>no trial yet</source>
@@ -4183,7 +4183,7 @@
     </message>
     <message>
         <source>Device settings ...</source>
-        <translation>Geräteeinstellungen ...</translation>
+        <translation>Einstellungen ...</translation>
     </message>
     <message>
         <source>Device</source>
@@ -6990,7 +6990,7 @@ Gerät: %3</translation>
     </message>
     <message>
         <source>None given</source>
-        <translation>Keiner gegeben</translation>
+        <translation>Kein Hub</translation>
     </message>
     <message>
         <source>CO2 detector</source>
@@ -7637,7 +7637,7 @@ Gerät: %3</translation>
     </message>
     <message>
         <source>Tip&apos;s path</source>
-        <translation>Weg der Spitze</translation>
+        <translation>Spitzenweg</translation>
     </message>
     <message>
         <source>P: the way of the blade&apos;s tip until now, coloured by the force on the tongue</source>
@@ -7645,7 +7645,7 @@ Gerät: %3</translation>
     </message>
     <message>
         <source>Expert&apos;s path</source>
-        <translation>Weg des Experten</translation>
+        <translation>Expertenweg</translation>
     </message>
     <message>
         <source>Free camera</source>
@@ -8350,7 +8350,7 @@ Gerät: %3</translation>
     </message>
     <message>
         <source>New patient from a CT ...</source>
-        <translation>Neuer Patient aus einem CT ...</translation>
+        <translation>Aus einem CT ...</translation>
     </message>
     <message>
         <source>Devices ...</source>
@@ -8953,7 +8953,7 @@ Gerät: %3</translation>
     <name>vallecula::gui::TrialReadings</name>
     <message>
         <source>Attempt</source>
-        <translation>Intubationsversuch</translation>
+        <translation>Versuch</translation>
     </message>
     <message>
         <source>Glottis visible</source>
@@ -9009,7 +9009,7 @@ Gerät: %3</translation>
     </message>
     <message>
         <source>measuring</source>
-        <translation>wird gemessen</translation>
+        <translation>misst</translation>
     </message>
     <message>
         <source>%1 frames/s</source>
@@ -9085,11 +9085,11 @@ Gerät: %3</translation>
     </message>
     <message>
         <source>%1, %2 late of %3</source>
-        <translation>%1, %2 von %3 spät</translation>
+        <translation>%1, %2/%3 spät</translation>
     </message>
     <message>
         <source>%1 of %2 steps dropped</source>
-        <translation>%1 von %2 Schritten ausgelassen</translation>
+        <translation>%1/%2 verworfen</translation>
     </message>
     <message>
         <source>%1, less detail</source>
