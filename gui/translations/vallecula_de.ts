@@ -1057,7 +1057,7 @@
     </message>
     <message>
         <source>no attempt</source>
-        <translation>kein Versuch</translation>
+        <translation>keiner</translation>
     </message>
     <message>
         <source>Peak force on the tongue</source>

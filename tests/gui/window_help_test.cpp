@@ -143,7 +143,8 @@ class WindowHelp : public Screen {
     ASSERT_TRUE(wait_for([&] { return finished; }, kBusyMs));
     ASSERT_GT(shown_s, 0.0);
     ASSERT_TRUE(wait_for([&] {  // every curve is drawn on a thread of its own
-      const QStringList curves{"Force over time", "Saturation and heart rate over time"};
+      const QStringList curves{ResultPage::tr("Force over time"),
+                               ResultPage::tr("Saturation and heart rate over time")};
       const auto labels = window_->findChild<ResultPage*>()->findChildren<QLabel*>();
       return curves.size() == std::count_if(labels.begin(), labels.end(), [&](const QLabel* label) {
                return curves.contains(label->accessibleName()) && !label->pixmap(Qt::ReturnByValue).isNull();
