@@ -3607,6 +3607,10 @@
         <source>Install OpenHaptics and the Touch driver from 3D Systems, or let VALLECULA_LIBHD name the library&apos;s file</source>
         <translation>installieren Sie OpenHaptics und den Touch-Treiber von 3D Systems, oder nennen Sie mit VALLECULA_LIBHD die Datei der Bibliothek</translation>
     </message>
+    <message>
+        <source>at least %1 per minute</source>
+        <translation>mindestens %1 pro Minute</translation>
+    </message>
 </context>
 <context>
     <name>GivenLabels</name>
