@@ -174,7 +174,8 @@ void DevicesPage::show_selected() {
   }
   const DeviceRow row = device_row(*device);
   about_->setText(row.trouble.empty() ? tr("%1: ready.").arg(device_label(*device))
-                                      : QString("%1: %2.").arg(device_label(*device), trouble_in_words(*device, row, true)));
+                                      : QString("%1: %2.").arg(device_label(*device),
+                                                               trouble_in_words(*device, row, true)));
 }
 
 }  // namespace vallecula::gui

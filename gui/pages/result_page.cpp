@@ -240,6 +240,8 @@ void ResultPage::show_figures(const TrialOutcome& outcome, const curricula::Scen
     // Columns as wide as the window allows; a number keeps its unit beside it.
     static const QRegularExpression after_number("(?<=\\d) (?=\\S)");
     demand->setText(demand->text().replace(after_number, QString(QChar::Nbsp)));
+    static const QRegularExpression number("\\d");
+    figure->setWordWrap(!figure->text().contains(number));
     for (QLabel* part : {caption, demand}) part->setWordWrap(true);
     figures_->addWidget(caption, row, 0);
     figures_->addWidget(figure, row, 1);

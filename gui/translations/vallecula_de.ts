@@ -1057,7 +1057,7 @@
     </message>
     <message>
         <source>no attempt</source>
-        <translation>kein Versuch</translation>
+        <translation>keiner</translation>
     </message>
     <message>
         <source>Peak force on the tongue</source>
@@ -3607,6 +3607,10 @@
         <source>Install OpenHaptics and the Touch driver from 3D Systems, or let VALLECULA_LIBHD name the library&apos;s file</source>
         <translation>installieren Sie OpenHaptics und den Touch-Treiber von 3D Systems, oder nennen Sie mit VALLECULA_LIBHD die Datei der Bibliothek</translation>
     </message>
+    <message>
+        <source>at least %1 per minute</source>
+        <translation>mindestens %1 pro Minute</translation>
+    </message>
 </context>
 <context>
     <name>GivenLabels</name>
@@ -3819,7 +3823,7 @@
     </message>
     <message>
         <source>closed</source>
-        <translation>geschlossen</translation>
+        <translation>gesperrt</translation>
     </message>
     <message>
         <source>no trial yet</source>
@@ -4187,7 +4191,7 @@
     </message>
     <message>
         <source>Device settings ...</source>
-        <translation>Geräteeinstellungen ...</translation>
+        <translation>Einstellungen ...</translation>
     </message>
     <message>
         <source>Device</source>
@@ -7006,7 +7010,7 @@ Gerät: %3</translation>
     </message>
     <message>
         <source>None given</source>
-        <translation>Keiner gegeben</translation>
+        <translation>Kein Hub</translation>
     </message>
     <message>
         <source>CO2 detector</source>
@@ -7653,7 +7657,7 @@ Gerät: %3</translation>
     </message>
     <message>
         <source>Tip&apos;s path</source>
-        <translation>Weg der Spitze</translation>
+        <translation>Spitzenweg</translation>
     </message>
     <message>
         <source>P: the way of the blade&apos;s tip until now, coloured by the force on the tongue</source>
@@ -7661,7 +7665,7 @@ Gerät: %3</translation>
     </message>
     <message>
         <source>Expert&apos;s path</source>
-        <translation>Weg des Experten</translation>
+        <translation>Expertenweg</translation>
     </message>
     <message>
         <source>Free camera</source>
@@ -8366,7 +8370,7 @@ Gerät: %3</translation>
     </message>
     <message>
         <source>New patient from a CT ...</source>
-        <translation>Neuer Patient aus einem CT ...</translation>
+        <translation>Aus einem CT ...</translation>
     </message>
     <message>
         <source>Devices ...</source>
@@ -8969,7 +8973,7 @@ Gerät: %3</translation>
     <name>vallecula::gui::TrialReadings</name>
     <message>
         <source>Attempt</source>
-        <translation>Intubationsversuch</translation>
+        <translation>Versuch</translation>
     </message>
     <message>
         <source>Glottis visible</source>
@@ -9025,7 +9029,7 @@ Gerät: %3</translation>
     </message>
     <message>
         <source>measuring</source>
-        <translation>wird gemessen</translation>
+        <translation>misst</translation>
     </message>
     <message>
         <source>%1 frames/s</source>
@@ -9101,11 +9105,11 @@ Gerät: %3</translation>
     </message>
     <message>
         <source>%1, %2 late of %3</source>
-        <translation>%1, %2 von %3 spät</translation>
+        <translation>%1, %2/%3 spät</translation>
     </message>
     <message>
         <source>%1 of %2 steps dropped</source>
-        <translation>%1 von %2 Schritten ausgelassen</translation>
+        <translation>%1/%2 verworfen</translation>
     </message>
     <message>
         <source>%1, less detail</source>

@@ -70,6 +70,7 @@ double difference_from_afar(const QImage& a, const QImage& b) {
   return sum / (32 * 20 * 255.0);
 }
 constexpr double kMostDifference = 0.06;
+constexpr int kBusyMs = 300000;      ///< more than a whole trial takes on a busy machine
 constexpr double kTubeNearS = 11.5;  ///< into the expert's trial: lifted, the glottis in sight, the tube on its way
 
 class WindowHelp : public Screen {
@@ -139,10 +140,11 @@ class WindowHelp : public Screen {
         GlView::governor().set_mode(QualityGovernor::Mode::low);
     });
     window_->prepare(setup, true);
-    ASSERT_TRUE(wait_for([&] { return finished; }));
+    ASSERT_TRUE(wait_for([&] { return finished; }, kBusyMs));
     ASSERT_GT(shown_s, 0.0);
     ASSERT_TRUE(wait_for([&] {  // every curve is drawn on a thread of its own
-      const QStringList curves{"Force over time", "Saturation and heart rate over time"};
+      const QStringList curves{ResultPage::tr("Force over time"),
+                               ResultPage::tr("Saturation and heart rate over time")};
       const auto labels = window_->findChild<ResultPage*>()->findChildren<QLabel*>();
       return curves.size() == std::count_if(labels.begin(), labels.end(), [&](const QLabel* label) {
                return curves.contains(label->accessibleName()) && !label->pixmap(Qt::ReturnByValue).isNull();
@@ -150,8 +152,8 @@ class WindowHelp : public Screen {
     }));
     keep("result.jpg");
     window_->replay(box_ / "out", shown_s + kBeforeReason_s);
-    ASSERT_TRUE(wait_for([&] { return replayed; }));
-    ASSERT_TRUE(wait_for([&] { return window_->replay_page().computed_s() > shown_s; }));
+    ASSERT_TRUE(wait_for([&] { return replayed; }, kBusyMs));
+    ASSERT_TRUE(wait_for([&] { return window_->replay_page().computed_s() > shown_s; }, kBusyMs));
     GlView::governor().hold(0);
     wait_for([&] { return false; }, 500);
     keep("replay.jpg");

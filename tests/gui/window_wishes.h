@@ -1,5 +1,5 @@
-// How whole pages are wished to be seen when their pictures are looked at, where a test offers it: VALLECULA_LANGUAGE=de,
-// VALLECULA_SIZE=1024x700 (pixels), VALLECULA_TEXT=1.35 (of 10 points). As usual where they are not said.
+// How whole pages are wished to be seen when their pictures are looked at, where a test offers it:
+// VALLECULA_LANGUAGE=de, VALLECULA_SIZE=1024x700 (pixels), VALLECULA_TEXT=1.35 (of 10 points). As usual without them.
 #pragma once
 
 #include <QApplication>

@@ -163,6 +163,7 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("FromBelow", "at most %1 s"),
     QT_TRANSLATE_NOOP("FromBelow", "at most %1"),
     QT_TRANSLATE_NOOP("FromBelow", "at least %1 %"),
+    QT_TRANSLATE_NOOP("FromBelow", "at least %1 per minute"),
     QT_TRANSLATE_NOOP("FromBelow", "at least %1"),
     QT_TRANSLATE_NOOP("FromBelow", "at least %1 1/min"),
     QT_TRANSLATE_NOOP("FromBelow", "at least %1 /min"),
