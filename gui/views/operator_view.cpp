@@ -16,6 +16,7 @@ namespace {
 engine::Vec3 vec(const pipeline::Point& p) { return {p[0], p[1], p[2]}; }
 
 constexpr double kZoomSeconds = 0.8;
+constexpr double kWidestClose = 2.6;  // width over height; the cone is three times as wide as the framed mouth is high
 
 }  // namespace
 
@@ -136,7 +137,8 @@ void OperatorView::aim() {
   const double elapsed = 1e-9 * static_cast<double>(since_aimed_.nsecsElapsed());
   since_aimed_.start();
   closeness_ += std::clamp((close ? 1.0 : 0.0) - closeness_, -elapsed / kZoomSeconds, elapsed / kZoomSeconds);
-  stage_->set_close(closeness_ >= 1.0);
+  // A view much wider than high looks past what lies in the close view's cone.
+  stage_->set_close(closeness_ >= 1.0 && width() < kWidestClose * height());
   const double eased = closeness_ * closeness_ * (3.0 - 2.0 * closeness_);
 
   const engine::Vec3 eye = vec(framing.eye) + eye_offset_mm_;

@@ -37,7 +37,7 @@ using pipeline::Tissue;
 
 constexpr double kEyeMovesMm = 40.0;  // of an operator who leans to a side
 constexpr int kFaceTriangles = 18000;  // of the whole head: a quarter of the built-in infant's of 3.2 kg, which moves no point by more than 0.12 mm
-constexpr double kWidestView = 3.0;  // half as wide again as the widest window needs, as a share of the framed face
+constexpr double kWidestView = 6.0;  // as a share of the framed face: a view under the monitor is four times as wide as high
 
 Point minus(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 Point mix(const Point& a, const Point& b, double t) {

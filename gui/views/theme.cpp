@@ -89,6 +89,9 @@ const char* const kSheet = R"(
     QTabBar::tab { background: @head@; padding: 6px 14px; border-top-left-radius: 5px; border-top-right-radius: 5px; margin-right: 2px; }
     QTabBar::tab:selected { background: @chosen@; color: @chosen-text@; }
     QListWidget, QComboBox, QTextBrowser { background: @panel@; border: 1px solid @line@; border-radius: 5px; padding: 4px; }
+    QComboBox { combobox-popup: 0; }
+    QCalendarWidget QWidget#qt_calendar_navigationbar { background: @head@; }
+    QCalendarWidget QToolButton { color: @text@; }
     QComboBox QAbstractItemView { background: @panel@; color: @text@; selection-background-color: @chosen@; selection-color: @chosen-text@; }
     QListWidget::item { padding: 9px 8px; border-radius: 4px; }
     QListWidget::item:selected { background: @chosen@; color: @chosen-text@; }

@@ -5,6 +5,7 @@
 #include <QMouseEvent>
 
 #include "gui/views/operator_view.h"
+#include "gui/views/patient_look.h"
 #include "tests/gui/picture_difference.h"
 #include "tests/gui/window_patient.h"
 #include "tests/gui/window_screen.h"
@@ -50,6 +51,26 @@ TEST_F(WindowGlView, PaintsWhatWasDrawnUprightAndWholeAtItsSize) {
   QApplication::processEvents();
   expect_alike(painted(view), view.last_picture(), "enlarged, without being told to draw");
   EXPECT_EQ(view.last_picture().size(), QSize(kWidth + 111, kHeight + 57));
+}
+
+// Triangles outside the view are left out; in a view under the monitor, four times as wide as high, none is missing.
+TEST_F(WindowGlView, AWideViewShowsTheFaceAsTheFreeCameraDoes) {
+  GlView::governor().hold(0);
+  static const pipeline::PatientPackage patient = coarse_patient();
+  const auto drawn = [](Seen seen, OperatorView::Zoom zoom) {
+    OperatorView view;
+    view.resize(800, 200);
+    view.show_patient(make_patient_look(patient, {}, seen), plain_blade(), nullptr);
+    view.set_zoom(zoom);
+    view.update_from(lifted_snapshot(patient, 0.7, 3.0));
+    view.settle();
+    if (seen == Seen::all_round) view.set_free_camera(true);  // from the same place, and leaves nothing out
+    view.show();
+    QApplication::processEvents();
+    return view.picture();
+  };
+  for (const auto zoom : {OperatorView::Zoom::face, OperatorView::Zoom::mouth})
+    EXPECT_LT(picture_difference(drawn(Seen::all_round, zoom), drawn(Seen::from_the_eye, zoom)).mean_grey, 0.3);
 }
 
 TEST_F(WindowGlView, AStillNeedsNoScreen) {
