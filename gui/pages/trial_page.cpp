@@ -149,6 +149,17 @@ void TrialPage::begin_anew(bool at_vallecula) {
   setFocus();
 }
 
+/// In a pause the tissue moves the blade on, and no hand feels it. A mouse stands nowhere in the room: it takes hold where
+/// the blade is now, instead of pulling from where it was with more than any device could show.
+void TrialPage::hand_to_blade() {
+  auto* mouse = dynamic_cast<device::MouseDevice*>(&session_->device());
+  if (mouse == nullptr || session_->latest().step < 0) return;
+  const engine::Pose& blade = session_->latest().proxy_pose;
+  const engine::Vec3& p = blade.position;
+  const engine::Quat& q = blade.rotation;
+  mouse->place({p.x(), p.y(), p.z()}, {q.w(), q.x(), q.y(), q.z()});
+}
+
 void TrialPage::end(const QString& how) {
   if (!session_ || !running_ || ending_) return;
   end_expert();

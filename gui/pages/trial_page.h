@@ -134,6 +134,7 @@ class TrialPage : public QWidget {
   QLayout* make_head();
   QWidget* make_foot();
   void begin_anew(bool at_vallecula);
+  void hand_to_blade();
   void offer_helps();
   void take_expert(std::shared_ptr<ExpertLoop> loop);
   void draw_expert();

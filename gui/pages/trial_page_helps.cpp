@@ -106,6 +106,7 @@ void TrialPage::end_expert() {
   session_->actions().hold(engine::kActionAided, false);
   helps_->expert()->setText(tr("Expert (G)"));
   if (expert_ && !expert_->finished()) expert_.reset();  // its computing would take time from the trial
+  hand_to_blade();
   session_->freeze(Holder::expert, false);  // unless an instructor holds it, the hand takes hold as after any pause
   steer();
   show_steered();

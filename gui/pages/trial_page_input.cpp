@@ -72,10 +72,9 @@ bool TrialPage::takes_key(QKeyEvent* event, bool pressed) {
 
 void TrialPage::enter_pressed() {
   if (expert_wanted_) return end_expert();
-  if (running_)
-    session_->confirm();
-  else
-    start_->click();
+  if (!running_) return start_->click();
+  hand_to_blade();
+  session_->confirm();
 }
 
 void TrialPage::escape_pressed() {

@@ -64,6 +64,23 @@ TEST(LiftByKey, FromTheValleculaToAViewWithoutTheDevicesLimit) {
   EXPECT_LT(tongue_n, scenario.targets.tongue_force_n);
   EXPECT_LT(most_n, 0.9 * scene->description.haptics.device_limit_n);
   EXPECT_GT(best, 0.7);
+
+  // A pause in the lift: the tissue moves the blade on. The mouse takes hold where it is then, and the key lifts again.
+  const double paused_s = kHeldS + 2.0;
+  double t = kHeldS;
+  mouse.set_lift(0.0);
+  engine::StepResult now;
+  for (input.valid = false; t < paused_s; t += step_s) now = engine::step(*scene, state, input);
+  const engine::Quat& q = now.proxy_pose.rotation;
+  const engine::Vec3& at = now.proxy_pose.position;
+  mouse.place({at.x(), at.y(), at.z()}, {q.w(), q.x(), q.y(), q.z()});
+  for (input.valid = true; t < paused_s + 1.5; t += step_s) {
+    const device::DeviceReading hand = mouse.read(t);
+    input.device = pose_of(hand.position_m, hand.rotation_wxyz);
+    now = engine::step(*scene, state, input);
+    ASSERT_NE(now.limit.state, engine::HapticState::limited) << "at " << t - paused_s << " s after the pause";
+  }
+  EXPECT_EQ(now.limit.state, engine::HapticState::tracking);
 }
 
 }  // namespace

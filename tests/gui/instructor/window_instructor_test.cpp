@@ -216,6 +216,7 @@ TEST_F(WindowInstructor, WatchesAnIntubationAndActsOnIt) {
   const auto vital_signs = [&] {
     return QList<QPushButton*>{button("SpO2"), button("Heart"), button("Laryngospasm")};
   };
+  wait_for([&] { return !vital_signs().front()->isEnabled(); }, 5000);  // told with the next picture
   for (const QPushButton* vital : vital_signs()) {
     EXPECT_FALSE(vital->isEnabled()) << "the infant's clock stands";
     EXPECT_TRUE(vital->toolTip().contains("once the trial goes on")) << vital->toolTip().toStdString();
