@@ -166,8 +166,6 @@ void GlView::draw() {
 /// From the driver, which may still be drawing: as late as possible, so that several views are drawn together.
 void GlView::fetch() {
   if (fetched_) return;
-  QElapsedTimer timer;
-  timer.start();
   const int* size = window_->GetSize();
   if (pixels_.size() != QSize(size[0], size[1])) pixels_ = QImage(size[0], size[1], QImage::Format_RGBX8888);
   const auto bytes = vtkSmartPointer<vtkUnsignedCharArray>::New();
@@ -175,7 +173,6 @@ void GlView::fetch() {
   bytes->SetArray(pixels_.bits(), 4LL * size[0] * size[1], 1);
   window_->GetRGBACharPixelData(0, 0, size[0] - 1, size[1] - 1, 0, bytes);
   fetched_ = true;
-  last_draw_ms_ += static_cast<double>(timer.nsecsElapsed()) * 1e-6;
 }
 
 void GlView::use_present() {

@@ -42,7 +42,7 @@ class GlView : public QWidget {
   QImage last_picture();
   /// Whether OpenGL is there; asked before the view was ever shown, it is not yet.
   bool isValid() const { return context_ != nullptr; }
-  double last_draw_ms() const { return last_draw_ms_; }
+  double last_draw_ms() const { return last_draw_ms_; }  ///< until VTK was done; the driver may draw on
   /// Draws these beside what is shown, until another patient is.
   void add_marks(const std::vector<vtkSmartPointer<vtkProp>>& marks);
   vtkGenericOpenGLRenderWindow* renderWindow() const { return window_; }
