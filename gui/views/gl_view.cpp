@@ -267,8 +267,9 @@ void GlView::resizeEvent(QResizeEvent* event) {
 
 void GlView::paintEvent(QPaintEvent*) {
   QPainter painter(this);
-  if (!isValid() || (making_ready_ && !drawn_)) {  // draw() says so, and paints soon
+  if (!isValid() || (making_ready_ && !drawn_)) {  // draw() says so; what was hidden before it was ready goes on now
     painter.fillRect(rect(), palette().window());
+    QMetaObject::invokeMethod(this, &GlView::draw_on, Qt::QueuedConnection);
     return;
   }
   if (!drawn_) render();
