@@ -35,4 +35,12 @@ void fill_snapshot(const Scene& scene, const SceneState& state, const StepResult
       s.soft_points[3 * i + a] = static_cast<float>(scene.model.rest[i][a] + state.tissue.displacement[i][a]);
 }
 
+Snapshot snapshot_at_start(const Scene& scene, const StepInput& hands) {
+  Snapshot s;
+  size_snapshot(scene, s);
+  SceneState state(scene);
+  fill_snapshot(scene, state, step(scene, state, hands), s);
+  return s;
+}
+
 }  // namespace vallecula::engine

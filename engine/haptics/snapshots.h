@@ -14,6 +14,8 @@ constexpr std::int64_t kResultSlots = 8;  ///< newest results that are kept: ste
 /// Makes room for the scene's points: fill_snapshot then allocates nothing.
 void size_snapshot(const Scene& scene, Snapshot& s);
 void fill_snapshot(const Scene& scene, const SceneState& state, const StepResult& result, Snapshot& s) noexcept;
+/// The scene after one step of its own with these hands: what is there before a trial begins. Touches no trial's state.
+Snapshot snapshot_at_start(const Scene& scene, const StepInput& hands);
 
 /// Wait-free hand-over of the newest snapshot: the writer fills one of three, swaps it with the one in the middle, the
 /// reader swaps the middle with its own.

@@ -161,7 +161,6 @@ void MainWindow::prepare(TrialSetup setup, std::function<std::filesystem::path()
       [this, start_at_once, device = QString::fromStdString(setup.device)](Prepared ready) {
         if (cancelled_) ready = {};  // at the last moment
         if (!work_ended([this] { back_to_start(); })) return;
-        ready.look->rest();
         scenario_ = ready.session->scenario();
         misfits_ = misfits(ready.session->package(), scenario_);
         pages_->setCurrentWidget(trial_);

@@ -19,7 +19,7 @@ class ReadyPatient {
   /// From the folder NAME.patient as it lies on the disk now; read only where it is not the one that is kept. Any
   /// thread, one after the other. `progress(stage, 0..1)` may throw, to leave; so while another call is waited for.
   /// Throws what read_package() and make_patient_look() throw, and std::runtime_error after stop().
-  /// The look is as the last trial left it: PatientLook::rest(), on the thread that draws, before another begins.
+  /// The look is as the last trial left it, until it is updated with the next one's start.
   std::shared_ptr<PatientLook> look(const std::filesystem::path& folder,
                                     const std::function<void(const std::string&, double)>& progress = {});
   /// This folder is the one that is kept, as it lies on the disk now. Waits as look() does.

@@ -42,6 +42,8 @@ void TrialPage::open(std::shared_ptr<TrialSession> session, std::shared_ptr<Pati
   operator_view_->show_patient(look_, session_->scene().tool.surface, intubation ? &*intubation : nullptr);
   show_helps();
   panels_->open(*session_, look_);
+  operator_view_->update_from(session_->at_start());  // the look is as the last trial left it
+  since_rest_.invalidate();
   sound_->open(intubation.has_value());
   hands_->setVisible(intubation.has_value());
   hands_->serve(intubation ? &session_->actions() : nullptr, session_->takes_turns());

@@ -103,6 +103,7 @@ class TrialPage : public QWidget {
   void let_go();
   void put_away(std::shared_ptr<TrialSession> session);
   void draw_frame();
+  void draw_at_rest();
   void show_buttons();
   void show_help();
   /// The scenario's helps in the operator's view; all are off in an assessment.
@@ -153,7 +154,7 @@ class TrialPage : public QWidget {
   QLabel *title_, *banner_, *help_, *steered_, *expert_sign_, *device_note_;
   QPushButton *start_, *end_, *reset_, *leave_, *zoom_;
   QTimer timer_;
-  QElapsedTimer since_frame_, since_start_, since_shown_;
+  QElapsedTimer since_frame_, since_start_, since_shown_, since_rest_;
   QPointer<QThread> scoring_, leaving_;
   std::shared_future<void> gone_;
   QMetaObject::Connection frame_hook_;

@@ -21,6 +21,8 @@
 namespace vallecula::gui {
 namespace {
 
+constexpr int kRestMs = 500;
+
 /// For a device in the hand that is no mouse.
 QString device_help(const device::DeviceInfo& info) {
   const QString help = TrialPage::tr("Enter starts the trial and takes hold again after a pause, Esc ends it.");
@@ -68,13 +70,14 @@ void TrialPage::show_steered() {
                          : tr("You hold: left hand, BLADE. The tube stays."));
   QColor behind = theme::panel();
   behind.setAlpha(215);  // it lies over the picture
-  steered_->setStyleSheet(QString("background: rgba(%2, %3, %4, %5); color: %1; border: 2px solid %1; border-radius: 5px; "
-                                  "font-weight: bold; margin: 6px;")
-                              .arg(theme::device().name())
-                              .arg(behind.red())
-                              .arg(behind.green())
-                              .arg(behind.blue())
-                              .arg(behind.alpha()));
+  steered_->setStyleSheet(
+      QString("background: rgba(%2, %3, %4, %5); color: %1; border: 2px solid %1; border-radius: 5px; "
+              "font-weight: bold; margin: 6px;")
+          .arg(theme::device().name())
+          .arg(behind.red())
+          .arg(behind.green())
+          .arg(behind.blue())
+          .arg(behind.alpha()));
   show_help();
 }
 
@@ -90,11 +93,7 @@ void TrialPage::draw_frame() {
   if (!since_frame_.isValid()) since_frame_.start();
   operator_view_->set_ghost_time(1e-3 * static_cast<double>(since_shown_.elapsed()));
   try {
-    if (!running_) {  // before the start: the patient at rest
-      operator_view_->draw();
-      panels_->draw_at_rest();
-      return;
-    }
+    if (!running_) return draw_at_rest();
     if (expert_wanted_) {
       draw_expert();
       emit waited();
@@ -112,6 +111,19 @@ void TrialPage::draw_frame() {
     close_trial();
     emit failed(message);
   }
+}
+
+/// Before the start nothing moves but the helps and the eye on its way: the rest is drawn now and then, for what was
+/// switched on or sized anew meanwhile.
+void TrialPage::draw_at_rest() {
+  const engine::Snapshot& start = session_->at_start();
+  const bool moves = operator_view_->moves();
+  operator_view_->update_from(start);
+  const bool due = !since_rest_.isValid() || since_rest_.elapsed() >= kRestMs;
+  if (moves || due) operator_view_->draw();
+  if (!due) return;
+  since_rest_.start();
+  panels_->show_pictures(start, session_->scenario().sight_percent);
 }
 
 void TrialPage::show_running(const engine::Snapshot& snapshot) {

@@ -24,7 +24,6 @@
 namespace vallecula::gui {
 namespace {
 
-constexpr int kRestMs = 500;
 constexpr int kOneView = 150;    // px in height; where a view has less, the team's line comes before it
 constexpr int kTwoViews = 420;   // px in height from which two views stand one above the other
 constexpr int kArrangement = 1;  // of the kept state; another number is not taken back
@@ -287,6 +286,8 @@ void TrialPanels::open(TrialSession& session, const std::shared_ptr<PatientLook>
   said_ = false;
   sagittal_view_->show_patient(look, scene.tool.surface, has_infant_ ? &*scene.intubation : nullptr);
   video_view_->show_patient(look, scene.tool.surface, has_infant_ ? &*scene.intubation : nullptr);
+  sagittal_view_->update_from(session.at_start(), scenario.sight_percent);
+  video_view_->update_from(session.at_start());
   readings_->show_force(allowed_.force_bar);
   distractions_->serve(&session.dual_task(), session.by_person());
   bars_->set_marks(force_marks(scenario, scene.haptics.device_limit_n));
@@ -319,13 +320,6 @@ namespace {
 bool can_be_seen(const QWidget& view) { return !view.visibleRegion().isEmpty(); }
 
 }  // namespace
-
-void TrialPanels::draw_at_rest() {
-  if (since_rest_.isValid() && since_rest_.elapsed() < kRestMs) return;
-  since_rest_.start();
-  if (can_be_seen(*sagittal_view_)) sagittal_view_->draw();
-  if (can_be_seen(*video_view_)) video_view_->draw();
-}
 
 void TrialPanels::show_pictures(const engine::Snapshot& snapshot, double sight_percent) {
   const bool cut = can_be_seen(*sagittal_view_), video = can_be_seen(*video_view_);

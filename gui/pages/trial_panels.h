@@ -34,9 +34,9 @@ class TrialPanels : public QMainWindow {
   ~TrialPanels() override;
   /// Shows what the scenario's assistance allows, of what is switched on.
   void open(TrialSession& session, const std::shared_ptr<PatientLook>& look);
-  /// Before the start: draws the patient at rest now and then.
-  void draw_at_rest();
-  /// To be called for every frame; where the machine draws with the least it can, cut and video take turns.
+  /// Draws cut and video where they can be seen; where the machine draws with the least it can, they take turns.
+  void show_pictures(const engine::Snapshot& snapshot, double sight_percent);
+  /// To be called for every frame: pictures and figures.
   void show_snapshot(const engine::Snapshot& snapshot, double sight_percent, double paused_s);
   /// Pictures and forces of an expert's hands; the trial's own clock, figures and peaks stay as they are.
   void show_expert(const engine::Snapshot& snapshot, double sight_percent);
@@ -61,7 +61,6 @@ class TrialPanels : public QMainWindow {
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
-  void show_pictures(const engine::Snapshot& snapshot, double sight_percent);
   void add(Panel panel, const QString& title, QWidget* content);
   void arrange();
   void switch_as_at_first();
@@ -90,7 +89,6 @@ class TrialPanels : public QMainWindow {
   QDockWidget* behind_team_ = nullptr;  ///< the view that was in front when the team was raised before it
   curricula::Assistance allowed_;
   bool has_infant_ = false, asks_ = false, said_ = false, arranging_ = false, as_at_first_ = true;
-  QElapsedTimer since_rest_;
   bool cut_next_ = false;
 };
 

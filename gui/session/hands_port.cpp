@@ -14,8 +14,8 @@ constexpr std::uint32_t kStandingActions = engine::kActionStyletOut | engine::kA
                                            engine::kActionExtend | engine::kActionAided;
 
 static_assert(engine::kActionBreath == 1u << device::kFirstActionBit &&
-                  (engine::kAllActions & ~engine::kInstructorActions) ==
-                      ((1u << device::kActionWords) - 1) << device::kFirstActionBit &&
+                  (engine::kAllActions & ~engine::kInstructorActions) == ((1u << device::kActionWords) - 1)
+                                                                             << device::kFirstActionBit &&
                   engine::kActionSuction == engine::kActionBreath << 1 &&
                   engine::kActionPress == engine::kActionBreath << 2 &&
                   engine::kActionStyletOut == engine::kActionBreath << 3 &&
@@ -33,13 +33,6 @@ engine::Pose pose_of(const device::DeviceReading& reading) {
   return {engine::Vec3(p[0], p[1], p[2]), engine::Quat(q[0], q[1], q[2], q[3])};
 }
 
-engine::Pose pose_of(const device::Keyframe& at) {
-  device::DeviceReading reading;
-  reading.position_m = at.position_m;
-  reading.rotation_wxyz = at.rotation_wxyz;
-  return pose_of(reading);
-}
-
 void see(device::GuardedDevice& device, const engine::Pose& tool) {
   const engine::Vec3& p = tool.position;
   const engine::Quat& q = tool.rotation;
@@ -47,6 +40,13 @@ void see(device::GuardedDevice& device, const engine::Pose& tool) {
 }
 
 }  // namespace
+
+engine::Pose pose_of(const device::Keyframe& at) {
+  device::DeviceReading reading;
+  reading.position_m = at.position_m;
+  reading.rotation_wxyz = at.rotation_wxyz;
+  return pose_of(reading);
+}
 
 HandsPort::HandsPort(device::GuardedDevice& device, const engine::Pose& tube, std::uint32_t change_button,
                      const device::ActionPlan& plan, const HandActions& actions)

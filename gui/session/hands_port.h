@@ -13,6 +13,9 @@
 
 namespace vallecula::gui {
 
+/// Where a script or a place to begin at has the tool.
+engine::Pose pose_of(const device::Keyframe& at);
+
 /// A pause of any device is an input in which nothing is valid, so that all that changes the engine's way is in the
 /// tick's record. Whatever is given must outlive it.
 class HandsPort final : public engine::HapticPort {

@@ -5,9 +5,11 @@
 
 #include "curricula/trial_log.h"
 #include "device/drivers/mouse_device.h"
+#include "engine/haptics/snapshots.h"
 #include "gui/session/device_choice.h"
 #include "gui/session/fault_report.h"
 #include "gui/session/files.h"
+#include "gui/session/hands_port.h"
 #include "gui/session/log_paths.h"
 #include "gui/session/placed_tool.h"
 #include "gui/session/results_folder.h"
@@ -24,7 +26,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr double kPeriodS = 0.001;                        ///< of the servo
+constexpr double kPeriodS = 0.001;  ///< of the servo
 
 curricula::Curriculum curriculum_with(const fs::path& file, const std::string& scenario) {
   curricula::Curriculum curriculum = curricula::load_curriculum(file);
@@ -42,7 +44,8 @@ curricula::Scenario scenario_of(const TrialSetup& setup, const curricula::Scenar
   const bool chosen = !setup.taken.blade.empty() || !setup.taken.tube.empty();
   if (setup.mode == curricula::Mode::practice && setup.attempt_seed == 0 && !chosen) return written;
   if (setup.attempt_seed != 0 && !written.variation)
-    throw std::runtime_error("scenario '" + written.id + "' has no variation that a seed could draw from; leave the seed out");
+    throw std::runtime_error("scenario '" + written.id +
+                             "' has no variation that a seed could draw from; leave the seed out");
   return curricula::attempt_of(written, setup.mode, setup.attempt_seed, setup.taken);
 }
 
@@ -77,6 +80,7 @@ struct TrialSession::Impl {
   ResultsFolder results;
   std::unique_ptr<TwoHands> hands;
   std::unique_ptr<TrialAttempt> attempt;
+  engine::Snapshot at_start;
   std::vector<std::string> notices;  ///< of what was cut off before
 };
 
@@ -100,6 +104,10 @@ TrialSession::Impl::Impl(const TrialSetup& given)
   for (const Tidied& told : tidy_records()) notices.push_back(told.whole());
   scene = setup.build_scene ? setup.build_scene(description) : engine::build_scene(description);
   setup.build_scene = {};  // what it holds of its caller is not kept
+  engine::StepInput begins;
+  begins.device = pose_of(starting_pose(package, scenario));
+  if (description.intubation) begins.second = pose_of(starting_tube_pose(package, *description.intubation));
+  at_start = engine::snapshot_at_start(*scene, begins);
   make_attempt(false);
 }
 
@@ -168,8 +176,15 @@ TrialOutcome TrialSession::Impl::finish(const std::string& how) {
   attempt->halt();
   hands->let_go();
   const TrialAttempt::Kept kept = attempt->finish(how);
-  return {kept.score, results.log(), results.score_json(), results.report(), results.force_plot(), kept.fault,
-          curricula::rules_of(scenario.attempt.mode).replay, by_person(), kept.record_id};
+  return {kept.score,
+          results.log(),
+          results.score_json(),
+          results.report(),
+          results.force_plot(),
+          kept.fault,
+          curricula::rules_of(scenario.attempt.mode).replay,
+          by_person(),
+          kept.record_id};
 }
 
 TrialSession::TrialSession(const TrialSetup& setup) : impl_(std::make_unique<Impl>(setup)) {}
@@ -208,6 +223,7 @@ bool TrialSession::frozen_by(Holder holder) const { return impl_->hands->frozen_
 double TrialSession::paused_s() const { return kPeriodS * static_cast<double>(impl_->attempt->paused_ticks()); }
 std::string TrialSession::fault() const { return fault_words(impl_->attempt->loop_fault()); }
 bool TrialSession::finished() const { return impl_->attempt->ended(); }
+const engine::Snapshot& TrialSession::at_start() const { return impl_->at_start; }
 const engine::Snapshot& TrialSession::latest() { return impl_->attempt->runner().latest(); }
 TrialOutcome TrialSession::finish(const std::string& how) { return impl_->finish(how); }
 void TrialSession::reset(const std::function<void()>& between) { impl_->reset(false, between); }

@@ -116,6 +116,8 @@ class TrialSession {
   void reset_at_vallecula(const std::function<void()>& between = {});
   /// The blade is still being led there; the hand does nothing yet. Any thread, while no reset() runs.
   bool led_in() const;
+  /// Patient and tools as they are before the first tick, the hands where a person's begin. Any thread.
+  const engine::Snapshot& at_start() const;
   /// Newest whole snapshot; wait-free; to be called by one thread only (the window's).
   const engine::Snapshot& latest();
   TrialOutcome finish(const std::string& how);  ///< stops, closes the log, scores, writes the results, adds the record

@@ -75,10 +75,7 @@ engine::HapticPort& TwoHands::begin() {
   }
   const device::Keyframe start = starting_tube_pose(package_, *intubation_);
   if (!second_.device) {
-    const auto &p = start.position_m;
-    const auto &q = start.rotation_wxyz;
-    const engine::Pose tube{engine::Vec3(p[0], p[1], p[2]), engine::Quat(q[0], q[1], q[2], q[3])};
-    port_ = std::make_unique<HandsPort>(*guard_, tube, change_button(guarding_), second_.actions, actions_);
+    port_ = std::make_unique<HandsPort>(*guard_, pose_of(start), change_button(guarding_), second_.actions, actions_);
     return *port_;
   }
   if (second_guard_)

@@ -5,6 +5,7 @@
 #include <QVTKOpenGLNativeWidget.h>
 #include <vtkCallbackCommand.h>
 #include <vtkInteractorStyleTrackballCamera.h>
+#include <vtkPropCollection.h>
 #include <vtkUnsignedCharArray.h>
 
 #include <QMouseEvent>
@@ -18,6 +19,9 @@
 
 namespace vallecula::gui {
 namespace {
+
+constexpr int kPartMs = 30;           // of one part of a view's first picture, if no single prop takes longer
+constexpr double kCorner = 1.0 / 64;  // of the view's sides: so few pixels cost nothing beside what is made ready
 
 /// One frame of the window: from the first view that is drawn until it is handed to the screen.
 class FrameWatch {
@@ -153,14 +157,60 @@ void GlView::render() {
   window_->Render();
 }
 
+/// What was never drawn is drawn alone into a corner first: its shaders are compiled and its triangles handed over,
+/// which without a graphics card takes some ten ms each. What is hidden as yet is as well: it would be missed in
+/// mid-trial.
+bool GlView::make_new_props_ready() {
+  QElapsedTimer timer;
+  timer.start();
+  const auto is_known = [this](vtkProp* prop) { return std::find(known_.begin(), known_.end(), prop) != known_.end(); };
+  auto* props = renderer_->GetViewProps();
+  std::vector<vtkProp*> fresh;
+  vtkCollectionSimpleIterator at;
+  props->InitTraversal(at);
+  while (vtkProp* prop = props->GetNextProp(at))
+    if (!is_known(prop)) fresh.push_back(prop);
+  if (fresh.empty()) return true;
+  known_.erase(std::remove(known_.begin(), known_.end(), nullptr), known_.end());
+  std::vector<std::pair<vtkProp*, int>> shown;
+  props->InitTraversal(at);
+  while (vtkProp* prop = props->GetNextProp(at)) {
+    shown.emplace_back(prop, prop->GetVisibility());
+    prop->VisibilityOff();
+  }
+  renderer_->SetViewport(0.0, 0.0, kCorner, kCorner);
+  std::size_t made = 0;
+  while (made < fresh.size() && timer.elapsed() < kPartMs) {
+    vtkProp* prop = fresh[made++];
+    prop->VisibilityOn();
+    render();
+    prop->VisibilityOff();
+    known_.emplace_back(prop);
+  }
+  renderer_->SetViewport(0.0, 0.0, 1.0, 1.0);
+  for (const auto& [prop, visible] : shown) prop->SetVisibility(visible);
+  drawn_ = false;
+  return made == fresh.size() && timer.elapsed() < kPartMs;
+}
+
 void GlView::draw() {
   if (!isVisible()) return;
   if (!(used_ == governor().quality())) use_present();
+  making_ready_ = !make_new_props_ready();
+  if (making_ready_) {
+    QMetaObject::invokeMethod(this, &GlView::draw_on, Qt::QueuedConnection);
+    return;
+  }
   frame_watch().begins();
   QElapsedTimer timer;
   timer.start();
   render();
   last_draw_ms_ = static_cast<double>(timer.nsecsElapsed()) * 1e-6;
+}
+
+/// Unless somebody else has drawn meanwhile.
+void GlView::draw_on() {
+  if (making_ready_) draw();
 }
 
 /// From the driver, which may still be drawing: as late as possible, so that several views are drawn together.
@@ -217,8 +267,9 @@ void GlView::resizeEvent(QResizeEvent* event) {
 
 void GlView::paintEvent(QPaintEvent*) {
   QPainter painter(this);
-  if (!isValid()) {  // draw() says so
+  if (!isValid() || (making_ready_ && !drawn_)) {  // draw() says so; what was hidden before it was ready goes on now
     painter.fillRect(rect(), palette().window());
+    QMetaObject::invokeMethod(this, &GlView::draw_on, Qt::QueuedConnection);
     return;
   }
   if (!drawn_) render();

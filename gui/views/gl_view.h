@@ -7,6 +7,7 @@
 #include <vtkProp.h>
 #include <vtkRenderer.h>
 #include <vtkSmartPointer.h>
+#include <vtkWeakPointer.h>
 
 #include <QElapsedTimer>
 #include <QImage>
@@ -33,7 +34,8 @@ class GlView : public QWidget {
   explicit GlView(QWidget* parent = nullptr);
   ~GlView() override;
 
-  /// Draws now if the view can be seen; it is on the screen when Qt has painted next. Throws std::runtime_error when
+  /// Draws now if the view can be seen; it is on the screen when Qt has painted next. What is new to the view is made
+  /// ready first, in parts between which the window answers; then it is drawn by itself. Throws std::runtime_error when
   /// OpenGL did not come up.
   void draw();
   /// What is on the view, drawn anew with everything, whatever is left out in motion.
@@ -42,6 +44,8 @@ class GlView : public QWidget {
   QImage last_picture();
   /// Whether OpenGL is there; asked before the view was ever shown, it is not yet.
   bool isValid() const { return context_ != nullptr; }
+  /// Parts of its first picture are still to be made; it is not on the screen yet.
+  bool making_ready() const { return making_ready_; }
   double last_draw_ms() const { return last_draw_ms_; }  ///< until VTK was done; the driver may draw on
   /// Draws these beside what is shown, until another patient is.
   void add_marks(const std::vector<vtkSmartPointer<vtkProp>>& marks);
@@ -71,6 +75,8 @@ class GlView : public QWidget {
 
  private:
   void begin_opengl();
+  bool make_new_props_ready();
+  void draw_on();
   void fit();
   void render();
   void fetch();
@@ -82,6 +88,8 @@ class GlView : public QWidget {
   vtkSmartPointer<vtkRenderer> renderer_;
   vtkSmartPointer<QVTKInteractor> interactor_;
   std::unique_ptr<QVTKInteractorAdapter> adapter_;
+  std::vector<vtkWeakPointer<vtkProp>> known_;  ///< have been drawn
+  bool making_ready_ = false;
   QImage pixels_;  ///< as VTK drew them
   bool drawn_ = false, fetched_ = false;
   bool mouse_camera_ = false, dragging_ = false;

@@ -82,9 +82,12 @@ void OperatorView::update_from(const engine::Snapshot& snapshot) {
   aim();
 }
 
+double OperatorView::wanted_closeness() const {
+  return zoom_ == Zoom::mouth || (zoom_ == Zoom::automatic && blade_in_) ? 1.0 : 0.0;
+}
+
 void OperatorView::settle() {
-  const bool close = zoom_ == Zoom::mouth || (zoom_ == Zoom::automatic && blade_in_);
-  closeness_ = close ? 1.0 : 0.0;
+  closeness_ = wanted_closeness();
   aim();
 }
 
@@ -133,10 +136,9 @@ void OperatorView::aim() {
     return;
   }
   const Framing& framing = look_->framing;
-  const bool close = zoom_ == Zoom::mouth || (zoom_ == Zoom::automatic && blade_in_);
   const double elapsed = 1e-9 * static_cast<double>(since_aimed_.nsecsElapsed());
   since_aimed_.start();
-  closeness_ += std::clamp((close ? 1.0 : 0.0) - closeness_, -elapsed / kZoomSeconds, elapsed / kZoomSeconds);
+  closeness_ += std::clamp(wanted_closeness() - closeness_, -elapsed / kZoomSeconds, elapsed / kZoomSeconds);
   // A view much wider than high looks past what lies in the close view's cone.
   stage_->set_close(closeness_ >= 1.0 && width() < kWidestClose * height());
   const double eased = closeness_ * closeness_ * (3.0 - 2.0 * closeness_);

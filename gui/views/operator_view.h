@@ -31,6 +31,8 @@ class OperatorView : public GlView {
   void update_from(const engine::Snapshot& snapshot);
   void set_zoom(Zoom zoom) { zoom_ = zoom; }
   Zoom zoom() const { return zoom_; }
+  /// The next update_from() of the same snapshot shows something else: a ghost goes its path, the eye comes nearer.
+  bool moves() const { return path_ || closeness_ != wanted_closeness(); }
   /// As near as it is to be, without the way there: after a jump in time.
   void settle();
   /// True: the camera is the mouse's (VTK's trackball) and stays where it is put; false: back at the operator's eye.
@@ -58,6 +60,7 @@ class OperatorView : public GlView {
 
  private:
   void aim();
+  double wanted_closeness() const;
   void light();
   std::shared_ptr<PatientLook> look_;
   std::unique_ptr<MouthStage> stage_;

@@ -374,15 +374,6 @@ void PatientLook::update(const engine::Snapshot& snapshot) {
   for (MovingSurface& surface : moving) surface.update(snapshot);
 }
 
-void PatientLook::rest() {
-  engine::Snapshot still;
-  for (const Point& p : package.tongue.points)
-    for (const double x : p) still.soft_points.push_back(static_cast<float>(1e-3 * x));
-  still.body_displacement.assign(kFloorBody + 1, engine::Vec3::Zero());
-  still.lip_displacement.assign(motion->lips().points.size(), engine::Vec3::Zero());
-  update(still);
-}
-
 std::shared_ptr<PatientLook> make_patient_look(pipeline::PatientPackage package,
                                                const std::function<void(const std::string&, double)>& progress,
                                                Seen seen, const std::filesystem::path& folder) {

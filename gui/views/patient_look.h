@@ -45,8 +45,6 @@ struct PatientLook {
 
   /// Everything as it lies in the snapshot. Several views show one look: who comes second finds it done.
   void update(const engine::Snapshot& snapshot);
-  /// Moves all of them to where they lie when nothing touches them.
-  void rest();
 
  private:
   std::vector<float> shown_soft_;

@@ -28,6 +28,7 @@
 #include "gui/views/trial_readings.h"
 #include "tests/gui/block_patient.h"
 #include "tests/gui/busy_course.h"
+#include "tests/gui/picture_difference.h"
 #include "tests/gui/program.h"
 #include "tests/gui/window_screen.h"
 
@@ -122,6 +123,36 @@ TEST_F(WindowPanels, AreSwitchedByKeyAndMenuAndRememberedAndPutBack) {
   EXPECT_TRUE(panels.dock(TrialPanels::force)->isVisible());
   EXPECT_FALSE(panels.dock(TrialPanels::cut)->isFloating());
   EXPECT_TRUE(panels.dock(TrialPanels::cut)->isVisible());
+}
+
+TEST_F(WindowPanels, BeforeTheStartTheViewsShowWhatTheyShowJustAfterIt) {
+  const auto same = [&](TrialPage& page, GlView& view, const char* name) {
+    ASSERT_TRUE(wait_for([&] { return !view.last_picture().isNull() && !view.making_ready(); }));
+    const QImage before = view.picture();
+    page.start();
+    drawn(page, 3);
+    const PictureDifference apart = picture_difference(before, view.picture());
+    EXPECT_LT(apart.mean_grey, 1.0) << name;
+    EXPECT_LT(apart.share_off, 0.01) << name;
+  };
+  {
+    MainWindow window;
+    open(window, "busy");  // no ghost goes before
+    same(window.trial_page(), window.trial_page().operator_view(), "operator");
+    window.close();
+  }
+  for (const bool video : {true, false}) {
+    MainWindow window;
+    open(window, "helped");
+    TrialPage& page = window.trial_page();
+    page.panels().dock(TrialPanels::video)->toggleViewAction()->trigger();
+    QDockWidget* dock = page.panels().dock(video ? TrialPanels::video : TrialPanels::cut);
+    dock->raise();
+    auto* view = dock->findChild<GlView*>();
+    ASSERT_TRUE(wait_for([&] { return view->isValid() && !view->visibleRegion().isEmpty(); }));
+    same(page, *view, video ? "video" : "cut");
+    window.close();
+  }
 }
 
 TEST_F(WindowPanels, WhatTheEducatorClosedStaysClosedAndIsNotForgottenOver) {

@@ -30,6 +30,10 @@ class WindowGlView : public Screen {
     view.update_from(lifted_snapshot(patient, 0.7, 3.0));
     view.settle();
   }
+  static void draw(GlView& view) {
+    view.draw();
+    EXPECT_TRUE(wait_for([&] { return !view.making_ready(); }));
+  }
   static QImage painted(QWidget& widget) { return widget.grab().toImage().convertToFormat(QImage::Format_RGB32); }
   static void expect_alike(const QImage& a, const QImage& b, const char* when) {
     ASSERT_EQ(a.size(), b.size()) << when;
@@ -43,7 +47,7 @@ TEST_F(WindowGlView, PaintsWhatWasDrawnUprightAndWholeAtItsSize) {
   OperatorView view;
   show_mouth(view);
   view.show();
-  view.draw();
+  draw(view);
   expect_alike(painted(view), view.last_picture(), "first");
   // Not upside down and not another place: a lower half of skin and a bright blade above.
   EXPECT_GT(picture_difference(painted(view), view.last_picture().mirrored()).mean_grey, 2.0);
@@ -93,14 +97,31 @@ TEST_F(WindowGlView, StaysWhenItIsTakenToAnotherWindow) {
   window.resize(kWidth, kHeight);
   window.show();
   QApplication::processEvents();
-  view->draw();
+  draw(*view);
   const QImage before = painted(*view);
   (new QHBoxLayout(&other))->addWidget(view);  // as a dock that is torn off
   other.resize(kWidth, kHeight);
   other.show();
   QApplication::processEvents();
-  view->draw();
+  draw(*view);
   expect_alike(before, painted(*view), "in its new window");
+}
+
+// A first picture is made in parts; what is hidden in the middle of them is whole when it is seen again.
+TEST_F(WindowGlView, WhatIsHiddenBeforeItWasReadyComesWhenItIsSeenAgain) {
+  GlView::governor().hold(0);
+  OperatorView view, truth;
+  show_mouth(view);
+  show_mouth(truth);
+  view.show();
+  QApplication::processEvents();
+  view.draw();
+  view.hide();
+  wait_for([] { return false; }, 100);
+  view.show();
+  EXPECT_TRUE(wait_for([&] { return !view.making_ready(); }));
+  QApplication::processEvents();
+  expect_alike(painted(view), truth.picture(), "seen again");
 }
 
 TEST_F(WindowGlView, TheMouseTurnsAFreeCameraAlikeAtEveryResolution) {
@@ -111,7 +132,7 @@ TEST_F(WindowGlView, TheMouseTurnsAFreeCameraAlikeAtEveryResolution) {
     show_mouth(view);
     view.show();
     view.set_free_camera(true);
-    view.draw();
+    draw(view);
     QApplication::processEvents();
     const QImage before = view.picture();
     const auto send = [&](QEvent::Type type, const QPoint& at, Qt::MouseButton button, Qt::MouseButtons held) {

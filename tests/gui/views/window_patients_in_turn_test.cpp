@@ -49,6 +49,7 @@ class WindowPatientsInTurn : public Screen {
     view.update_from(snapshot);
     view.settle();
     view.draw();  // once, as a replay that stands draws it
+    EXPECT_TRUE(wait_for([&] { return !view.making_ready(); }));
     QApplication::processEvents();
     return {view.grab().toImage(), QGuiApplication::primaryScreen()->grabWindow(view.winId()).toImage()};
   }
