@@ -83,6 +83,23 @@ TEST(ForceChart, OneTickOfForceIsNotLostAndItsHeightIsItsForce) {
   EXPECT_NEAR(heights[2] - heights[0], 2.0 * heights[0], 12.0);
 }
 
+TEST(ForceChart, ADeviceThatShowsNoForceIsNotSaidToHaveShownOne) {
+  const HeadlessApplication application;
+  curricula::LogHeader header;
+  const auto says_none = [&] { return displayed_words(header).contains("shows none"); };
+  header.device_kind = "touch";
+  EXPECT_FALSE(says_none());
+  header.device_kind = "mouse+touch";  // the blade's hand is the first
+  EXPECT_TRUE(says_none());
+  header.device_kind = "spacemouse";
+  EXPECT_TRUE(says_none());
+  header.settings["device_peak_force_n"] = 3.3;  // where the log has it, that is so
+  EXPECT_FALSE(says_none());
+  header.device_kind = "newer than this test";
+  header.settings["device_peak_force_n"] = 0.0;
+  EXPECT_TRUE(says_none());
+}
+
 TEST(ForceChart, NoForceIsDrawnInAPause) {
   const HeadlessApplication application;
   curricula::TrialLog log = spike_log(4.0, 500);
