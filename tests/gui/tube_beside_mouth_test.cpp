@@ -45,8 +45,9 @@ class TubeBesideMouth : public ::testing::Test {
     const pipeline::PatientPackage package = pipeline::read_package(setup.patient);
     const engine::IntubationDescription intubation = intubation_of(package, scenario);
     half_width_m_ = intubation.mouth_half_width_m;
+    const ScriptedPair pair = scripted_pair("expert", package, scenario, intubation);
     std::vector<device::Keyframe> tube;
-    for (device::Keyframe key : scripted_pair("expert", package, scenario, intubation).tube.keyframes()) {
+    for (device::Keyframe key : pair.tube.keyframes()) {
       if (key.time_s < kSetsOut_s || key.time_s > kAtInlet_s + 1e-9) continue;
       key.time_s -= kSetsOut_s;
       key.position_m[0] -= aside_m;
