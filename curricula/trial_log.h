@@ -171,10 +171,14 @@ struct LogHeader {
   std::map<std::string, std::array<double, 3>> landmarks_m;  ///< patient landmarks in metres
 };
 
+/// LogFooter::ended, where the trainee ended it to begin anew, or ended it.
+constexpr const char* kEndedByReset = "reset";
+constexpr const char* kEndedByTrainee = "ended by trainee";
+
 /// What is known only at the end.
 struct LogFooter {
   bool complete = false;               ///< false: the trial was cut off; the ticks are up to the last whole block
-  std::string ended;                   ///< "finished", "ended by trainee", ...
+  std::string ended;                   ///< one of the two below, "finished", ...
   double loop_rate_hz = 0.0;
   std::int64_t deadline_misses = 0;
   std::int64_t overruns = 0;           ///< ticks whose simulation step was not finished in time

@@ -21,7 +21,7 @@ struct CurveSummary {
   std::string trainee_name;         ///< in a cohort; else empty
   int trials = 0;                   ///< whole ones
   int interrupted = 0;              ///< cut off: in no figure below
-  int set_aside = 0;                ///< by an instructor's change or for beginning at the vallecula: likewise
+  int set_aside = 0;  ///< by an instructor's change, for beginning at the vallecula or for want of an attempt: likewise
   int passed = 0;                   ///< within two attempts (procedure_succeeded)
   int passed_in_a_row = 0;          ///< up to the last trial
   int to_three_in_a_row = -1;       ///< trials up to and with the third success in a row; -1: not reached

@@ -24,6 +24,16 @@ Use use_of(const TrialLog& log, std::uint32_t bits, bool in_pauses = false) {
   return use;
 }
 
+bool ended_by_hand(const TrialLog& log) {
+  return log.footer.complete && (log.footer.ended == kEndedByReset || log.footer.ended == kEndedByTrainee);
+}
+
+bool tube_entered(const TrialLog& log) {
+  return std::any_of(log.ticks.begin(), log.ticks.end(), [](const LogTick& tick) {
+    return tick.has_intubation && tick.intubation.place != LoggedPlace::outside;
+  });
+}
+
 std::string from(const Use& use) { return " from " + second(use.first_s); }
 
 }  // namespace
@@ -37,8 +47,10 @@ std::optional<TrialLog> after_lead_in(const TrialLog& log) {
   return TrialLog{log.header, {first, log.ticks.end()}, log.events, log.footer};
 }
 
-void measure_helps(const TrialLog& log, bool led_in, Score& score) {
+void measure_helps(const TrialLog& log, const Scenario& scenario, bool led_in, Score& score) {
   score.at_vallecula = led_in;
+  score.no_attempt = !led_in && scenario.attempt.mode == Mode::practice && ended_by_hand(log) && !score.mouth_unknown &&
+                     !score.attempt_begun && !tube_entered(log);
   score.eye_moves = use_of(log, kLoggedEyeMoves);
   score.extension = use_of(log, kLoggedExtension);
   score.aided = use_of(log, kLoggedAided, true);  // the trial waits while an expert is shown
@@ -51,6 +63,9 @@ void measure_helps(const TrialLog& log, bool led_in, Score& score) {
     score.set_aside.push_back(
         "Begun at the vallecula: the blade was led there, so the trial counts neither as passed nor as failed, and its "
         "times are none");
+  if (score.no_attempt)
+    score.set_aside.push_back(
+        "The blade did not enter the mouth: no attempt, so the trial counts neither as passed nor as failed");
   const auto earlier = [](const Use& a, const Use& b) {
     return a.times == 0 || (b.times > 0 && b.first_s < a.first_s) ? b : a;
   };

@@ -10,6 +10,6 @@ namespace vallecula::curricula {
 std::optional<TrialLog> after_lead_in(const TrialLog& log);
 
 /// Fills the score's uses and what sets the trial aside; `log`: what is scored.
-void measure_helps(const TrialLog& log, bool led_in, Score& score);
+void measure_helps(const TrialLog& log, const Scenario& scenario, bool led_in, Score& score);
 
 }  // namespace vallecula::curricula

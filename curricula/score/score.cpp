@@ -6,6 +6,7 @@
 
 #include "curricula/score/helps.h"
 #include "curricula/score/intubation.h"
+#include "curricula/score/mouth.h"
 #include "curricula/score/rubric.h"
 #include "curricula/score/stays.h"
 #include "curricula/score/vectors.h"
@@ -14,6 +15,7 @@ namespace vallecula::curricula {
 namespace {
 
 void measure_attempt(const TrialLog& log, Score& score) {
+  score.mouth_unknown = !mouth_from_landmarks(log.header.landmarks_m);
   const std::vector<Stay> stays = stays_in_mouth(log);
   if (stays.empty()) return;
   const double period_s = log.header.servo_period_s;
@@ -157,7 +159,7 @@ Score score_of(const TrialLog& log, const Scenario& scenario, bool led_in) {
   score.blade = measure_blade(log, attempts);
   score.motion = measure_motion(log, attempts);
   score.dual_task = measure_dual_task(log, scenario);
-  measure_helps(log, led_in, score);
+  measure_helps(log, scenario, led_in, score);
   judge(log, scenario, moments, score);
   score.reasons.insert(score.reasons.begin(), score.set_aside.begin(), score.set_aside.end());
   score.checklist = checklist_of(score, log, scenario);

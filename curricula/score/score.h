@@ -73,6 +73,7 @@ struct Score {
   double time_of_glottis_max_s = -1.0;               ///< trial time of glottis_visible_max_percent; -1: never seen
   bool attempt_begun = false;                        ///< the blade tip was in the mouth at least once
   bool blade_out = false;                            ///< and was out again in the last tick that was not paused
+  bool mouth_unknown = false;                        ///< the log's landmarks do not tell where an attempt begins
   int mouth_entries = 0;  ///< times the tip came in after a second or more outside, less pauses
   bool complete = false;                             ///< the log has its end; otherwise the trial was interrupted
   std::vector<Criterion> criteria;                   ///< the whole rubric, met or not
@@ -81,6 +82,7 @@ struct Score {
   Use eye_moves, extension, saturation_driven, heart_driven, spasm_driven;  ///< the last three by an instructor
   Use aided;                  ///< shown an expert's hands, or told a line by an instructor; in pauses as well
   bool at_vallecula = false;  ///< begun there: what the blade was led through is in no figure
+  bool no_attempt = false;    ///< practice that was ended or reset before blade or tube had entered the mouth
   /// Why the trial counts neither as passed nor as failed, whatever `passed` says: a sentence each; they stand first among
   /// the reasons. Empty: it counts.
   std::vector<std::string> set_aside;
@@ -135,6 +137,9 @@ struct Score {
 /// - recognised late: more than breaths_to_confirm breaths in one stay in the oesophagus.
 /// - the lowest saturation and heart rate count from the first attempt's start.
 /// - a trial begun at the vallecula is scored from where the hand took the blade over, and its attempt's time is not judged.
+/// - a practice trial that the trainee ended or reset before the blade's or the tube's tip had been in the mouth is no
+///   attempt, and set aside: what has no attempt was neither passed nor failed. Not where the mouth is not known; an
+///   assessment that was begun counts.
 /// - passed: the log is complete and finite, the attempt took place, and every limit of scenario.pass is kept.
 /// Never throws for a log that read_trial_log gave.
 Score score_trial(const TrialLog& log, const Scenario& scenario);

@@ -57,6 +57,7 @@ std::string score_to_json(const Score& score, const TrialLog& log, const Scenari
   for (const std::string& why : score.set_aside) aside.append(text(why));
   o["set_aside"] = aside;
   o["at_vallecula"] = score.at_vallecula;
+  o["no_attempt"] = score.no_attempt;
   o["eye_moves"] = use_to_json(score.eye_moves);
   o["head_extension"] = use_to_json(score.extension);
   o["shown_or_told"] = use_to_json(score.aided);

@@ -29,6 +29,7 @@ void enter(const Passage& p, const Vec3& larynx_way, const RodState& tube, doubl
     const double beyond = first.beyond(tip, larynx_way);
     if (!(beyond >= 0 && beyond < far)) continue;
     if (!within_outline(first, tip - first.centre(larynx_way), canal == Canal::oesophagus ? kMouthGive : 0.0)) continue;
+    if (!came_by_mouth(p, tube)) continue;
     s.canal = canal;
     s.inside = 1;
     s.passed[0] = -1;

@@ -34,6 +34,9 @@ const IntubationDescription& checked(const IntubationDescription& d, const std::
   if (!(d.press_n >= 0 && d.press_n <= kMostPress))
     refuse("a press on the larynx of 0 to 10 N is needed, not " + std::to_string(d.press_n) + " N");
   need_unit(d.press_direction, "the press' direction");
+  if (!(d.mouth_half_width_m >= 0) || !std::isfinite(d.mouth_half_width_m))
+    refuse("half the mouth's width is " + mm(d.mouth_half_width_m) +
+           "; it must be above 0, or 0 where it is not known");
   if (!(d.device_limit_n > 0) || !std::isfinite(d.device_limit_n))
     refuse("the limit of the second hand's device is " + std::to_string(d.device_limit_n) + " N; it must be above 0");
   if (!(d.mouth_gap_m >= 0) || !std::isfinite(d.mouth_gap_m))
@@ -82,7 +85,7 @@ std::vector<std::array<int, 3>> sleeve_triangles() {
 Intubation::Intubation(const IntubationDescription& d, const std::vector<SprungBody>& bodies)
     : description(checked(d, bodies)),
       infant(build_infant(d.infant)),
-      passage(d.course, d.glottis, d.mouth, d.mouth_inward, d.mouth_axis, d.mouth_radius_m),
+      passage(d.course, d.glottis, d.mouth, d.mouth_inward, d.mouth_axis, d.mouth_radius_m, d.mouth_half_width_m),
       at_start(record_at_start(d, infant)),
       sleeve(sleeve_triangles()),
       catheter_(suction_catheter(d.catheter_outer_m)),

@@ -29,6 +29,9 @@ struct IntubationDescription {
   Glottis glottis;
   InfantDescription infant;
   bool breathes = false;  ///< the infant, by itself, all through the trial; a premedicated one cannot
+  /// Along x from `mouth` to a corner: what crosses the mouth's front farther aside came through the cheek and is not
+  /// in the mouth; 0: not known, no bound.
+  float mouth_half_width_m = 0.0f;
   Secretions secretions;
   Vec3 mouth = Vec3::Zero();             ///< a point of the mouth's front plane, m
   Vec3 mouth_inward = -Vec3::UnitZ();    ///< its unit normal, into the mouth

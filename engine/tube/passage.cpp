@@ -168,13 +168,14 @@ TubeOutside::Ball TubeOutside::ball(double s) const noexcept {
 }
 
 Passage::Passage(const AirwayCourse& course, const Glottis& glottis, const Vec3& mouth, const Vec3& mouth_inward,
-                 const Vec3& mouth_axis, double mouth_radius_m)
+                 const Vec3& mouth_axis, double mouth_radius_m, double mouth_half_width_m)
     : larynx_body_(course.larynx_body),
       glottis_(checked(glottis)),
       mouth_(mouth),
       mouth_inward_(mouth_inward),
       mouth_axis_(mouth_axis),
-      mouth_radius_m_(mouth_radius_m) {
+      mouth_radius_m_(mouth_radius_m),
+      mouth_half_width_m_(mouth_half_width_m) {
   check(course);
   if (!mouth.allFinite() || !(std::abs(mouth_inward.norm() - 1) < 1e-3))
     fault("the mouth's front plane needs a point and a unit normal; the normal's length is " +
@@ -264,8 +265,27 @@ double inside_canal_m(const Passage& passage, const PassageState& state, const R
   return rod.segment_m() * (out - 1 + in_m / (in_m + out_m));
 }
 
+bool came_by_mouth(const Passage& passage, const RodState& tube) noexcept {
+  const auto within = [&](int node) {
+    return passage.mouth_inward().dot(tube.position[static_cast<std::size_t>(node)] - passage.mouth());
+  };
+  double before = within(0);
+  if (!(before > 0)) return true;
+  for (int i = 1; i < kTubeNodes; ++i) {
+    const double here = within(i);
+    if (here <= 0) {
+      const std::size_t node = static_cast<std::size_t>(i);
+      const double share = before / (before - here);
+      return passage.between_corners((1 - share) * tube.position[node - 1] + share * tube.position[node]);
+    }
+    before = here;
+  }
+  return true;
+}
+
 TipPlace place(const Passage& passage, const PassageState& state, const RodState& tube) noexcept {
-  if (state.inside == 0) return passage.mouth_holds(tube.position[0]) ? TipPlace::mouth : TipPlace::outside;
+  if (state.inside == 0)
+    return passage.mouth_holds(tube.position[0]) && came_by_mouth(passage, tube) ? TipPlace::mouth : TipPlace::outside;
   if (state.canal == Canal::oesophagus) return TipPlace::oesophagus;
   if (state.passed[0] >= passage.carina()) return TipPlace::main_bronchus;
   return state.passed[0] >= passage.trachea() ? TipPlace::trachea : TipPlace::larynx;

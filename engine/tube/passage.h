@@ -7,6 +7,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 
 #include "engine/contact/rigid_field.h"
 #include "engine/contact/tissue_contact.h"
@@ -60,7 +61,7 @@ class Passage {
  public:
   /// Throws std::invalid_argument naming the number at fault.
   Passage(const AirwayCourse& course, const Glottis& glottis, const Vec3& mouth, const Vec3& mouth_inward,
-          const Vec3& mouth_axis = -Vec3::UnitZ(), double mouth_radius_m = 0.0);
+          const Vec3& mouth_axis = -Vec3::UnitZ(), double mouth_radius_m = 0.0, double mouth_half_width_m = 0.0);
 
   struct Ring {
     AirwayRing cut;  ///< its axes made exact
@@ -95,6 +96,10 @@ class Passage {
     return way.dot(mouth_inward_) > 0 &&
            !(bounded && way.cross(mouth_axis_).squaredNorm() >= mouth_radius_m_ * mouth_radius_m_);
   }
+  /// Does what crosses the mouth's front at x come between its corners?
+  bool between_corners(const Vec3& x) const noexcept {
+    return !(mouth_half_width_m_ > 0) || std::abs(x.x() - mouth_.x()) <= mouth_half_width_m_;
+  }
   int larynx_body() const noexcept { return larynx_body_; }
 
  private:
@@ -103,7 +108,7 @@ class Passage {
   int cords_ = 0, trachea_ = 0, carina_ = 0, larynx_body_ = -1;
   Glottis glottis_;
   Vec3 mouth_, mouth_inward_, mouth_axis_;
-  double mouth_radius_m_;
+  double mouth_radius_m_, mouth_half_width_m_;
 };
 
 /// Which nodes are inside which canal: all of it between two steps.
@@ -198,6 +203,11 @@ void write_loads(const PassageLoads& loads, IntubationRecord& record) noexcept;
 double inside_canal_m(const Passage& passage, const PassageState& state, const Rod& rod, const RodState& tube,
                       const Vec3& larynx_way) noexcept;
 
+/// Does the tube lie between the mouth's corners where it first crosses its front, counted from the tip? One that does
+/// not cross it is not held against anybody.
+bool came_by_mouth(const Passage& passage, const RodState& tube) noexcept;
+
+/// In the mouth is only what came by it; through a cheek there is no way into a canal either.
 TipPlace place(const Passage& passage, const PassageState& state, const RodState& tube) noexcept;
 
 /// As IntubationRecord::past_cords_m: of the tip along the airway from the cords, in the oesophagus from its mouth;

@@ -15,6 +15,7 @@
 #include "gui/instructor/instructor_controls.h"
 #include "gui/instructor/run_checklist.h"
 #include "gui/pages/trial_page.h"
+#include "gui/pages/trial_panels.h"
 #include "gui/records_pages/keep_ratings.h"
 #include "gui/records_pages/person_words.h"
 #include "gui/report/markdown.h"
@@ -49,7 +50,8 @@ QFrame* panel_with(QWidget* inside, QWidget* parent) {
 
 }  // namespace
 
-InstructorWindow::InstructorWindow(TrialPage& trial, RecordsDesk& trainee) : trial_(trial), trainee_(trainee) {
+InstructorWindow::InstructorWindow(TrialPage& trial, LiveWatch& watch, RecordsDesk& trainee)
+    : trial_(trial), live_(watch), trainee_(trainee) {
   setWindowTitle(tr("Instructor - Vallecula"));
   auto* columns = new QHBoxLayout(this);
   columns->setContentsMargins(12, 10, 12, 10);
@@ -62,6 +64,8 @@ InstructorWindow::InstructorWindow(TrialPage& trial, RecordsDesk& trainee) : tri
   connect(&trial_, &TrialPage::waited, this, &InstructorWindow::wait);
   connect(&trial_, &TrialPage::closed, this, &InstructorWindow::let_go);
   connect(&trial_, &TrialPage::finished, this, &InstructorWindow::recorded);
+  connect(&live_, &LiveWatch::told, this, &InstructorWindow::add_events);
+  connect(&live_, &LiveWatch::begun_anew, this, &InstructorWindow::begin_anew);
   connect(&trainee_, &RecordsDesk::changed, this, &InstructorWindow::show_state);
   connect(&desk_, &RecordsDesk::changed, this, &InstructorWindow::show_state);
   connect(controls_, &InstructorControls::freeze_wanted, this, &InstructorWindow::freeze);
@@ -148,6 +152,7 @@ void InstructorWindow::show_beside(QWidget* first) {
 
 void InstructorWindow::showEvent(QShowEvent* event) {
   QWidget::showEvent(event);
+  catch_up();
   if (session_) view_->draw();
 }
 
@@ -166,7 +171,6 @@ void InstructorWindow::take_session() {
   const auto& scene = session_->scene();
   assessed_ = scenario.attempt.mode == curricula::Mode::assessment;
   const auto mouth = mouth_of(session_->package());
-  live_.begin(scenario, mouth);
   view_->show_patient(trial_.look(), scene.tool.surface, scene.intubation ? &*scene.intubation : nullptr);
   bars_->set_marks(force_marks(scenario, scene.haptics.device_limit_n));
   readings_->set_scenario(scenario, mouth);
@@ -177,7 +181,6 @@ void InstructorWindow::take_session() {
   monitor_->clear();
   record_ = 0;
   drawn_ = 0;
-  last_time_s_ = 0.0;
   if (isVisible()) view_->draw();
   show_state();
 }
@@ -188,17 +191,25 @@ void InstructorWindow::let_go() {
   show_state();
 }
 
+void InstructorWindow::catch_up() {
+  events_->clear();
+  add_events(live_.events());
+  if (!session_) return;
+  const TrialPanels& panels = trial_.panels();
+  bars_->go_on_from(panels.bars());
+  readings_->go_on_from(panels.readings_panel());
+  monitor_->go_on_from(panels.monitor_panel());
+}
+
+void InstructorWindow::begin_anew() {
+  controls_->release_all();  // with nothing held
+  bars_->clear();
+  readings_->clear();
+  monitor_->clear();
+}
+
 void InstructorWindow::frame(const engine::Snapshot& snapshot) {
   if (!session_ || !isVisible()) return;
-  if (snapshot.time_s < last_time_s_) {  // begun anew, with nothing held
-    controls_->release_all();
-    live_.begin(session_->scenario(), mouth_of(session_->package()));
-    bars_->clear();
-    readings_->clear();
-    monitor_->clear();
-    add_events({{0.0, tr("Begun anew")}});
-  }
-  last_time_s_ = snapshot.time_s;
   const double wait_ms = std::max<double>(kLeastPictureMs, view_->last_draw_ms() / kShareOfACore);
   if (since_drawn_.isValid() && static_cast<double>(since_drawn_.elapsed()) < wait_ms) return;
   since_drawn_.start();
@@ -208,18 +219,12 @@ void InstructorWindow::frame(const engine::Snapshot& snapshot) {
   bars_->show_forces(blade_forces(snapshot.loads, snapshot.proxy_pose));
   readings_->show_snapshot(snapshot, session_->paused_s());
   monitor_->show_snapshot(snapshot);
-  follow(snapshot);
+  show_state();
 }
 
 /// The trainee looks at the expert: the tissue, which the views share, is the expert's then, and the picture stays.
 void InstructorWindow::wait() {
-  if (session_ && isVisible()) follow(session_->latest());
-}
-
-void InstructorWindow::follow(const engine::Snapshot& snapshot) {
-  add_events(
-      live_.watch(snapshot, in_words(session_->pause()), session_->paused_s(), &session_->dual_task()));
-  show_state();
+  if (session_ && isVisible()) show_state();
 }
 
 /// What an assessment keeps from the trainee, anybody could read off this window where none but instructors sit.
@@ -274,7 +279,7 @@ void InstructorWindow::freeze(bool on) {
   if (!session_) return;
   try {
     session_->freeze(Holder::instructor, on);
-    add_events({{live_.now_s(), on ? tr("You froze the trial") : tr("You let it go on")}});
+    live_.add(on ? tr("You froze the trial") : tr("You let it go on"));
     show_state();
   } catch (const std::exception& error) {
     show_state();
@@ -293,13 +298,13 @@ void InstructorWindow::drive(std::uint32_t action, bool down) {
                                                {engine::kInstructorHeartDown, tr("You slow the heart")},
                                                {engine::kInstructorHeartUp, tr("You quicken the heart")},
                                                {engine::kInstructorSpasm, tr("You close the cords")}};
-  add_events({{live_.now_s(), words.at(action)}});
+  live_.add(words.at(action));
 }
 
 void InstructorWindow::say(const QString& line) {
   if (!session_) return;
   trial_.say(line);
-  add_events({{live_.now_s(), tr("The team says: %1").arg(line)}});
+  live_.add(tr("The team says: %1").arg(line));
 }
 
 void InstructorWindow::recorded(const TrialOutcome& outcome) {

@@ -5,7 +5,7 @@
 #include <QWidget>
 #include <memory>
 
-#include "gui/instructor/live_events.h"
+#include "gui/instructor/live_watch.h"
 #include "gui/records_pages/records_desk.h"
 #include "gui/session/trial_session.h"
 
@@ -29,8 +29,9 @@ class TrialReadings;
 class InstructorWindow : public QWidget {
   Q_OBJECT
  public:
-  /// `trainee`: who is signed in at the trial page's window. Both must outlive this.
-  InstructorWindow(TrialPage& trial, RecordsDesk& trainee);
+  /// `watch`: of the trial page, from before this was opened. `trainee`: who is signed in at the trial page's window.
+  /// All must outlive this.
+  InstructorWindow(TrialPage& trial, LiveWatch& watch, RecordsDesk& trainee);
   RecordsDesk& desk() { return desk_; }
   /// On the second screen, whole, where there is one.
   void show_beside(QWidget* first);
@@ -51,7 +52,9 @@ class InstructorWindow : public QWidget {
   void let_go();
   void frame(const engine::Snapshot& snapshot);
   void wait();
-  void follow(const engine::Snapshot& snapshot);
+  /// Of the trial that is open what was before this window was: its events, peaks, clock and the monitor's minute.
+  void catch_up();
+  void begin_anew();
   bool shows_figures() const;
   void show_state();
   void add_events(const std::vector<LiveEvent>& events);
@@ -62,10 +65,10 @@ class InstructorWindow : public QWidget {
   void keep_ratings_given();
 
   TrialPage& trial_;
+  LiveWatch& live_;
   RecordsDesk& trainee_;
   RecordsDesk desk_;
   std::shared_ptr<TrialSession> session_;
-  LiveEvents live_;
   OperatorView* view_;
   MonitorPanel* monitor_;
   ForceBars* bars_;
@@ -79,7 +82,6 @@ class InstructorWindow : public QWidget {
   QWidget* forces_;
   bool assessed_ = false;  ///< the trial that was opened last: it tells nobody but an instructor, over or not
   QElapsedTimer since_drawn_;
-  double last_time_s_ = 0.0;
   int drawn_ = 0;
   long long record_ = 0;      ///< of the trial that was recorded last; 0: none
   std::uint32_t driven_ = 0;  ///< vital signs held now

@@ -19,8 +19,8 @@ struct LiveEvent {
   QString text;
 };
 
-/// Told from the pictures, some ten a second: what is shorter than that may be missed here. The result page and the
-/// replay have every tick.
+/// Told from the pictures, as many a second as are drawn: what is shorter than that may be missed here. The result page
+/// and the replay have every tick.
 class LiveEvents {
   Q_DECLARE_TR_FUNCTIONS(vallecula::gui::LiveEvents)
  public:

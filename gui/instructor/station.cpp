@@ -12,7 +12,7 @@
 namespace vallecula::gui {
 
 InstructorStation::InstructorStation(QMainWindow& window, RecordsDesk& trainee, TrialPage& trial)
-    : QObject(&window), window_(window), trainee_(trainee), trial_(trial) {
+    : QObject(&window), window_(window), trainee_(trainee), trial_(trial), watch_(trial) {
   open_ = new QAction(tr("&Instructor's window"), this);
   open_->setShortcut(Qt::CTRL | Qt::Key_I);
   open_->setToolTip(tr("Watch the trial, freeze it, change vital signs, tick the checklist (Ctrl+I)"));
@@ -48,7 +48,7 @@ void InstructorStation::open() {
       this, [](curricula::Records& records) { return curricula::People(records).has_instructor(); },
       [this](bool has_instructor) {
         if (!has_instructor) return show_second({}, {});
-        if (!second_) second_ = std::make_unique<InstructorWindow>(trial_, trainee_);
+        if (!second_) second_ = std::make_unique<InstructorWindow>(trial_, watch_, trainee_);
         auto* dialog = new SignInDialog(
             second_->desk(), SignInDialog::Whom::instructors, tr("Instructor's window"),
             tr("An instructor signs in here; whoever is at the blade stays signed in there."), 0, &window_);
@@ -60,7 +60,7 @@ void InstructorStation::open() {
 }
 
 void InstructorStation::show_second(const curricula::Who& who, const curricula::Person& person) {
-  if (!second_) second_ = std::make_unique<InstructorWindow>(trial_, trainee_);
+  if (!second_) second_ = std::make_unique<InstructorWindow>(trial_, watch_, trainee_);
   if (second_->actions().isEmpty()) {
     second_->addActions({open_, next_});
     connect(second_.get(), &InstructorWindow::next_trainee_wanted, next_, &QAction::trigger);

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "gui/instructor/device_check.h"
+#include "gui/instructor/live_watch.h"
 #include "gui/records_pages/records_desk.h"
 
 class QMainWindow;
@@ -59,6 +60,7 @@ class InstructorStation : public QObject {
   DeviceChecks checks_;
   DeviceCheck::Maker maker_;
   std::function<bool()> may_change_;
+  LiveWatch watch_;  ///< from the first trial on, whoever looks
 };
 
 }  // namespace vallecula::gui

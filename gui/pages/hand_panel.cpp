@@ -52,6 +52,7 @@ void HandPanel::serve(HandActions* actions, bool switches) {
   release_all();
   if (actions_ != nullptr) actions_->release_all();
   actions_ = actions;
+  setEnabled(actions != nullptr);
   other_hand_->setVisible(switches);
 }
 
@@ -68,6 +69,7 @@ bool HandPanel::key(QKeyEvent* event, bool pressed) {
   for (const Held& held : held_)
     if (event->key() == held.keys[0] || event->key() == held.keys[1]) {
       if (event->isAutoRepeat()) return true;
+      if (pressed && !held.button->isEnabled()) return true;  // what is grey does nothing; what was held is let go of
       held.button->setDown(pressed);
       hold(held, pressed);
       return true;

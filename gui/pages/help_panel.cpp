@@ -35,10 +35,9 @@ HelpPanel::HelpPanel(QWidget* parent) : QWidget(parent) {
     made->setCheckable(true);
     made->setFocusPolicy(Qt::NoFocus);
     made->setAccessibleName(name);
-    made->setToolTip(tr("%1: 2 cm, and back when pressed again (%2)").arg(name, key));
     row->addWidget(made);
     connect(made, &QToolButton::clicked, this, [this, right, up] { move_eye(right, up); });
-    return Eye{right, up, action, opposite, made};
+    return Eye{right, up, action, opposite, made, tr("%1: 2 cm, and back when pressed again (%2)").arg(name, key)};
   };
   eyes_ = {arrow(-1, 0, Action::kActionEyeLeft, Action::kActionEyeRight, Qt::LeftArrow, tr("My head to the left"),
                  tr("Ctrl+Left")),
@@ -66,7 +65,10 @@ void HelpPanel::offer(const QString& no_vallecula, const QString& no_expert, boo
   set(expert_, no_expert, tr("20 s of an expert's hands at this patient, over and over, while your trial waits (G)"));
   const QString waits = running ? QString() : tr("Once the trial runs");
   set(extend_, waits, tr("The infant's head is extended on the neck by 10 degrees, as by a shoulder roll, and back (H)"));
-  for (const Eye& eye : eyes_) eye.button->setEnabled(running);
+  for (const Eye& eye : eyes_) {
+    eye.button->setEnabled(running);
+    eye.button->setToolTip(running ? eye.tip : waits);
+  }
 }
 
 void HelpPanel::step(engine::Action there, engine::Action other) {
@@ -79,12 +81,12 @@ void HelpPanel::step(engine::Action there, engine::Action other) {
 
 void HelpPanel::move_eye(int right, int up) {
   for (const Eye& eye : eyes_)
-    if (eye.right == right && eye.up == up) step(eye.action, eye.opposite);
+    if (eye.right == right && eye.up == up && eye.button->isEnabled()) step(eye.action, eye.opposite);
   refresh();
 }
 
 void HelpPanel::extend() {
-  if (actions_ != nullptr) actions_->hold(engine::kActionExtend, !held(engine::kActionExtend));
+  if (actions_ != nullptr && extend_->isEnabled()) actions_->hold(engine::kActionExtend, !held(engine::kActionExtend));
   refresh();
 }
 

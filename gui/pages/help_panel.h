@@ -19,7 +19,8 @@ class HelpPanel : public QWidget {
   explicit HelpPanel(QWidget* parent = nullptr);
   /// Whose bits are set from now on; nullptr: nobody's.
   void serve(HandActions* actions);
-  /// Why these cannot be had now, for a person; empty: they can. `running`: the trial is.
+  /// Why these cannot be had now, for a person; empty: they can. `running`: the trial is; until it is, and once it was,
+  /// neither a button nor its key does anything.
   void offer(const QString& no_vallecula, const QString& no_expert, bool running);
   /// One's own head by a step to a side (-1, 0, 1), and from the other side back to the middle; the same again: back.
   void move_eye(int right, int up);
@@ -37,6 +38,7 @@ class HelpPanel : public QWidget {
     int right, up;
     engine::Action action, opposite;
     QToolButton* button;
+    QString tip;
   };
   HandActions* actions_ = nullptr;
   QPushButton *vallecula_, *expert_, *extend_;

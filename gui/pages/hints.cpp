@@ -14,6 +14,10 @@ constexpr int kBreathsToTell = 6;     // CLINICAL: the detector changes within 5
 
 }  // namespace
 
+QString key_to_the_tube(bool takes_turns, Tool in_hand) {
+  return takes_turns && in_hand != Tool::tube ? QString("X") : QString();
+}
+
 QString hint_for(const engine::Snapshot& snapshot, double sight_percent, bool blade_in, const QString& other_hand) {
   using engine::InHand;
   using engine::TipPlace;

@@ -4,10 +4,21 @@
 #include <QDialog>
 #include <QDialogButtonBox>
 #include <QKeySequence>
+#include <QLabel>
 #include <QTextBrowser>
 #include <QVBoxLayout>
 
 namespace vallecula::gui {
+namespace {
+
+/// One that was closed is there until the event loop removes it.
+QDialog* open_list(QWidget* page) {
+  for (auto* list : page->findChildren<QDialog*>("key_list"))
+    if (list->isVisible()) return list;
+  return nullptr;
+}
+
+}  // namespace
 
 QString key_name(int key) {
   // Alone these are no sequence, and Qt would write their code as a letter.
@@ -15,10 +26,15 @@ QString key_name(int key) {
   return QKeySequence(key).toString(QKeySequence::NativeText);
 }
 
-void show_key_list(QWidget* page, const std::vector<KeyGroup>& groups) {
-  if (auto* open = page->findChild<QDialog*>("key_list")) {
+void close_key_list(QWidget* page) {
+  if (QDialog* open = open_list(page)) open->close();
+}
+
+QDialog* show_key_list(QWidget* page, const std::vector<KeyGroup>& groups, const QString& note) {
+  if (QDialog* open = open_list(page)) {
     open->raise();
-    return open->activateWindow();
+    open->activateWindow();
+    return nullptr;
   }
   auto* dialog = new QDialog(page);
   dialog->setObjectName("key_list");
@@ -39,10 +55,17 @@ void show_key_list(QWidget* page, const std::vector<KeyGroup>& groups) {
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, dialog);
   QObject::connect(buttons, &QDialogButtonBox::rejected, dialog, &QDialog::close);
   auto* column = new QVBoxLayout(dialog);
+  if (!note.isEmpty()) {
+    auto* said = new QLabel(note, dialog);
+    said->setObjectName("key_list_note");
+    said->setWordWrap(true);
+    column->addWidget(said);
+  }
   column->addWidget(list, 1);
   column->addWidget(buttons);
   dialog->resize(620, 600);
   dialog->show();
+  return dialog;
 }
 
 }  // namespace vallecula::gui

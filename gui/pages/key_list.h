@@ -4,6 +4,7 @@
 #include <QString>
 #include <vector>
 
+class QDialog;
 class QWidget;
 
 namespace vallecula::gui {
@@ -18,7 +19,9 @@ struct KeyGroup {
 
 /// A key (Qt::Key, with modifiers) as it is written on this platform.
 QString key_name(int key);
-/// Opens the list; the page goes on behind it. One at a time.
-void show_key_list(QWidget* page, const std::vector<KeyGroup>& groups);
+/// Opens the list; the page goes on behind it. One at a time: null where it is open already. `note`: said above it.
+QDialog* show_key_list(QWidget* page, const std::vector<KeyGroup>& groups, const QString& note = {});
+/// Where it is open.
+void close_key_list(QWidget* page);
 
 }  // namespace vallecula::gui

@@ -351,7 +351,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     return;
   }
   if (trial_->assessing()) {  // it counts as ended by the End button does, and is rated before the window goes
-    trial_->end("ended by trainee");
+    trial_->end(curricula::kEndedByTrainee);
     event->ignore();
     return;
   }

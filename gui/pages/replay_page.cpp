@@ -50,6 +50,14 @@ engine::Snapshot monitor_snapshot(const curricula::LogTick& tick) {
   return snapshot;
 }
 
+/// Of the score's pauses what lies between two seconds, s.
+double paused_between(const curricula::Score& score, double from_s, double to_s) {
+  double sum_s = 0.0;
+  for (const curricula::Pause& pause : score.pauses)
+    sum_s += std::max(0.0, std::min(to_s, pause.at_s + pause.for_s) - std::max(from_s, pause.at_s));
+  return sum_s;
+}
+
 }  // namespace
 
 void ReplayPage::open(std::shared_ptr<ReplayTrial> trial, double at_s, bool mark) {
@@ -69,6 +77,12 @@ void ReplayPage::open(std::shared_ptr<ReplayTrial> trial, double at_s, bool mark
                               : tr("The scripted expert has no plan for this patient"));
   free_->setChecked(false);
   bars_->set_marks(force_marks(trial_->scenario, trial_->log->header.device_limit_n));
+  clock_->setToolTip(
+      trial_->score.pauses.empty()
+          ? QString()
+          : tr("The film and its seconds go on in pauses, %1 s in all; the attempt's time stands in them, "
+               "as in the result.")
+                .arg(trial_->score.paused_s, 0, 'f', 1));
   monitor_->clear();
   monitor_->setVisible(intubation != nullptr);
   timeline_->show_trial(trial_->events, trial_->end_s());
@@ -272,10 +286,12 @@ void ReplayPage::show_figures() {
   bars_->show_forces({trial_->peaks[index].tongue_n, trial_->peaks[index].gum_n});
   const engine::TickRecord record = from_log(tick);
   bars_->show_forces(blade_forces(record.loads, record.proxy_pose));
-  clock_->setText(clock_text(at_s_) + " / " + clock_text(trial_->end_s()));
+  clock_->setText(clock_text(at_s_) + " / " + clock_text(trial_->end_s()) +
+                  (trial_->score.pauses.empty() ? QString() : tr(" (with pauses)")));
   QStringList figures;
   for (const auto& [from_s, to_s] : attempt_spans(trial_->score))
-    if (at_s_ >= from_s && at_s_ <= to_s) figures << tr("attempt %1 s").arg(at_s_ - from_s, 0, 'f', 1);
+    if (at_s_ >= from_s && at_s_ <= to_s)
+      figures << tr("attempt %1 s").arg(at_s_ - from_s - paused_between(trial_->score, from_s, at_s_), 0, 'f', 1);
   if (figures.isEmpty()) figures << tr("between attempts");
   if (shown_ >= 0 && !waiting_)  // else the picture is of another moment than the figures
     figures << tr("glottis seen %1 %")

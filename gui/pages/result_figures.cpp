@@ -48,11 +48,8 @@ std::vector<Row> result_figures(const TrialOutcome& outcome, const curricula::Sc
     rows.push_back({"Time to sight",
                     score.time_to_trachea_visible_s < 0.0 ? "never" : number(score.time_to_trachea_visible_s, 1) + " s",
                     "from " + number(scenario.sight_percent, 0) + " %", ""});
-  rows.push_back(score.attempt_begun
-                     ? row(score,
-                           score.intubation && score.intubation->attempts.size() > 1 ? "Longest attempt" : "Attempt",
-                           number(score.attempt_time_s, 1) + " s", "attempt_time_s", "at most")
-                     : no_attempt("Attempt"));
+  rows.push_back(attempt_row(
+      score, scenario, score.intubation && score.intubation->attempts.size() > 1 ? "Longest attempt" : "Attempt"));
   rows.push_back(
       row(score, "Over the target", number(score.time_over_target_s, 1) + " s", "time_over_target_s", "at most"));
   rows.push_back(row(score, "Over the device limit", number(score.time_over_force_limit_s, 1) + " s",

@@ -66,6 +66,7 @@ void TrialPage::open(std::shared_ptr<TrialSession> session, std::shared_ptr<Pati
 void TrialPage::start() {
   if (!session_ || running_ || ending_) return;
   introduction_->dismiss();
+  close_key_list(this);  // read before it; opened again it holds the trial
   try {
     session_->start();
   } catch (const std::exception& error) {
@@ -165,6 +166,7 @@ void TrialPage::hand_to_blade() {
 void TrialPage::end(const QString& how) {
   if (!session_ || !running_ || ending_) return;
   end_expert();
+  close_key_list(this);
   ending_ = true;
   running_ = false;
   timer_.stop();
@@ -192,6 +194,7 @@ void TrialPage::end(const QString& how) {
 }
 
 void TrialPage::close_trial() {
+  close_key_list(this);
   timer_.stop();
   control_->steer(nullptr);
   hands_->serve(nullptr, false);

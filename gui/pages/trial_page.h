@@ -127,6 +127,7 @@ class TrialPage : public QWidget {
   void eye_down();
   void extend_head();
   void list_keys();
+  void end_reading();
   void expert_pressed();
   void vallecula_pressed();
   /// An alert hides the hint.

@@ -142,7 +142,7 @@ void TrialPage::show_running(const engine::Snapshot& snapshot) {
                                  : banner_for(snapshot, in_words(session_->fault()), pause),
               snapshot.has_intubation && hinted
                   ? hint_for(snapshot, session_->scenario().sight_percent, operator_view_->blade_in(),
-                             session_->takes_turns() ? QString("X") : QString())
+                             key_to_the_tube(session_->takes_turns(), session_->in_hand()))
                   : QString());
 }
 
@@ -159,7 +159,7 @@ void TrialPage::show_banner(const QString& alert, const QString& hint) {
 void TrialPage::show_buttons() {
   start_->setEnabled(session_ != nullptr && !running_ && !ending_);
   end_->setEnabled(running_);
-  reset_->setEnabled(running_);
+  reset_->setEnabled(running_ && !assessed());
   // What was begun as an assessment counts: it is neither begun anew nor thrown away.
   reset_->setVisible(!assessed());
   leave_->setEnabled(!ending_ && !(running_ && assessed()));

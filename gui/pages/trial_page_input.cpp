@@ -1,4 +1,5 @@
 // Keys on the trial page, and whom they belong to.
+#include <QDialog>
 #include <QKeyEvent>
 #include <QPushButton>
 
@@ -99,7 +100,28 @@ void TrialPage::eye_right() { helps_->move_eye(1, 0); }
 void TrialPage::eye_up() { helps_->move_eye(0, 1); }
 void TrialPage::eye_down() { helps_->move_eye(0, -1); }
 void TrialPage::extend_head() { helps_->extend(); }
-void TrialPage::list_keys() { show_key_list(this, keys()); }
+
+/// While it is read the clock of a person's practice stands.
+void TrialPage::list_keys() {
+  const bool holds = session_ && running_ && session_->by_person() && !assessed();
+  const QString note =
+      holds ? tr("Your trial waits while this list is open. Esc closes it; then it goes on as after any pause.")
+      : running_ && assessed() ? tr("The clock runs on: an assessment is not held up.")
+                               : QString();
+  QDialog* list = show_key_list(this, keys(), note);
+  if (list == nullptr || !holds) return;
+  connect(list, &QDialog::finished, this, &TrialPage::end_reading);
+  session_->freeze(Holder::reader, true);
+  control_->release_all();  // what was held when the list came up is let go of elsewhere
+  hands_->release_all();
+}
+
+void TrialPage::end_reading() {
+  if (!session_ || !session_->frozen_by(Holder::reader)) return;
+  hand_to_blade();
+  session_->freeze(Holder::reader, false);  // the hand takes hold as after any pause
+  setFocus();
+}
 
 void TrialPage::change_zoom() {
   using Zoom = OperatorView::Zoom;

@@ -135,7 +135,7 @@ QWidget* TrialPage::make_foot() {
   zoom_->setToolTip(tr("How near the operator's view is: by itself, the face, or the mouth (Z)"));
   leave_->setToolTip(tr("Back to where this trial was chosen (Esc, before the start)"));
   connect(start_, &QPushButton::clicked, this, &TrialPage::start);
-  connect(end_, &QPushButton::clicked, this, [this] { end("ended by trainee"); });
+  connect(end_, &QPushButton::clicked, this, [this] { end(curricula::kEndedByTrainee); });
   connect(reset_, &QPushButton::clicked, this, &TrialPage::reset);
   connect(leave_, &QPushButton::clicked, this, &TrialPage::left);
   connect(zoom_, &QPushButton::clicked, this, &TrialPage::change_zoom);

@@ -89,7 +89,10 @@ TrialPanels::TrialPanels(QWidget* centre, QWidget* parent) : QMainWindow(parent)
   show_what_is_wanted();
 }
 
-TrialPanels::~TrialPanels() { keep(); }
+TrialPanels::~TrialPanels() {
+  hide_floating();
+  keep();
+}
 
 void TrialPanels::add(Panel panel, const QString& title, QWidget* content) {
   auto* dock = new QDockWidget(QString(title).remove('&'), this);
@@ -272,12 +275,20 @@ void TrialPanels::show_what_is_wanted() {
     const bool open = held_open(panel);
     docks_[p]->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetFloatable |
                            (open ? QDockWidget::NoDockWidgetFeatures : QDockWidget::DockWidgetClosable));
-    docks_[p]->setVisible(open || (refused.isEmpty() && wanted_[p]));
+    const bool has_picture = open_ || !docks_[p]->isFloating();
+    docks_[p]->setVisible(has_picture && (open || (refused.isEmpty() && wanted_[p])));
   }
   fit_later();
 }
 
+/// Out of the window a panel would stand there without the page, and be there again before a trial is.
+void TrialPanels::hide_floating() {
+  for (QDockWidget* dock : docks_)
+    if (dock->isFloating()) dock->hide();
+}
+
 void TrialPanels::open(TrialSession& session, const std::shared_ptr<PatientLook>& look) {
+  open_ = true;
   const auto& scenario = session.scenario();
   const auto& scene = session.scene();
   allowed_ = scenario.assistance;
@@ -298,8 +309,10 @@ void TrialPanels::open(TrialSession& session, const std::shared_ptr<PatientLook>
 }
 
 void TrialPanels::close_trial() {
-  keep();
   put_back();
+  open_ = false;
+  hide_floating();
+  keep();
   distractions_->serve(nullptr, false);
 }
 
@@ -361,6 +374,8 @@ void TrialPanels::resizeEvent(QResizeEvent* event) {
 
 bool TrialPanels::event(QEvent* event) {
   if (event->type() == QEvent::Show) fit_later();
+  if (event->type() == QEvent::Show && open_) show_what_is_wanted();
+  if (event->type() == QEvent::Hide && !event->spontaneous()) hide_floating();  // the page was left
   // The mouse is let go on the window itself only between two docks: a border was moved.
   if (event->type() == QEvent::MouseButtonRelease) as_at_first_ = false;
   return QMainWindow::event(event);

@@ -43,7 +43,8 @@ class TrialPanels : public QMainWindow {
   void clear();
   /// An instructor's sentence: the team's panel opens for it, whatever else is there.
   void say(const QString& line);
-  /// The trial is over: the arrangement is kept, and nobody is asked anything.
+  /// The trial is over: the arrangement is kept, and nobody is asked anything. What was taken out of the window is
+  /// hidden until the next trial opens.
   void close_trial();
 
   /// The panels' switches, and "Panels as at first".
@@ -54,6 +55,9 @@ class TrialPanels : public QMainWindow {
   SagittalView& sagittal_view() { return *sagittal_view_; }
   DistractionPanel& distractions() { return *distractions_; }
   TrialReadings& readings_panel() { return *readings_; }
+  const TrialReadings& readings_panel() const { return *readings_; }
+  const ForceBars& bars() const { return *bars_; }
+  const MonitorPanel& monitor_panel() const { return *monitor_; }
 
  protected:
   bool event(QEvent* event) override;
@@ -69,6 +73,7 @@ class TrialPanels : public QMainWindow {
   bool in_front(Panel panel) const;
   bool team_shares_place() const;
   void raise_team();
+  void hide_floating();
   void put_back();  ///< the view the team was raised before
   void fit_later();
   void keep() const;
@@ -89,6 +94,7 @@ class TrialPanels : public QMainWindow {
   QDockWidget* behind_team_ = nullptr;  ///< the view that was in front when the team was raised before it
   curricula::Assistance allowed_;
   bool has_infant_ = false, asks_ = false, said_ = false, arranging_ = false, as_at_first_ = true;
+  bool open_ = false;  ///< a trial is
   bool cut_next_ = false;
 };
 

@@ -309,9 +309,10 @@ void ProgressTab::show_curve(std::vector<RecordRow> to_rate) {
           .arg(reading_.in_a_row)
           .arg(reading_.interrupted == 0 ? QString()
                                          : tr("  Interrupted: %1, counted in nothing.").arg(reading_.interrupted)) +
-      (reading_.set_aside == 0 ? QString()
-                               : tr("  Practised with help, or changed by an instructor: %1, counted in nothing.")
-                                     .arg(reading_.set_aside)));
+      (reading_.set_aside == 0
+           ? QString()
+           : tr("  Practised with help, changed by an instructor, or without an attempt: %1, counted in nothing.")
+                 .arg(reading_.set_aside)));
   rule_->setText(QString::fromStdString(reading_.rule_in_words) + ' ' + tr("No pass mark is validated."));
   show_figure();
   trials_->show_trials(whose, rows_, std::move(to_rate), figure());

@@ -99,7 +99,7 @@ std::string tube_advice(const curricula::IntubationScore& tube, const curricula:
 std::string what_to_change(const curricula::Score& score, const curricula::Scenario& scenario) {
   const auto& pass = scenario.pass;
   const auto& targets = scenario.targets;
-  if (!score.attempt_begun)
+  if (!score.attempt_begun && !score.mouth_unknown)
     return QCoreApplication::translate(
                "Advice",
                "The blade never entered the mouth: bring its tip in at the right corner, then follow the tongue down.")

@@ -1,7 +1,6 @@
 #include "gui/report/figure_row.h"
 
 #include <QString>
-#include <cstdio>
 
 #include "gui/session/words_from_below.h"
 
@@ -10,6 +9,7 @@ namespace vallecula::gui {
 const char* verdict(const curricula::Score& score) {
   if (score.set_aside.empty()) return score.passed ? "Passed" : "Not passed";
   return score.at_vallecula ? "Practice with help: not counted for the course"
+         : score.no_attempt ? "No attempt: not counted for the course"
                             : "Changed by the instructor: not counted for the course";
 }
 
@@ -18,9 +18,7 @@ std::string escaped(const std::string& text) { return QString::fromStdString(tex
 std::string in_page(const std::string& text) { return in_words(text).toHtmlEscaped().toStdString(); }
 
 std::string number(double value, int digits) {
-  char text[64];
-  std::snprintf(text, sizeof text, "%.*f", digits, value);
-  return text;
+  return QString::number(value, 'f', digits).toStdString();  // printf has 72.5 % as 72
 }
 
 Row row(const curricula::Score& score, const std::string& name, const std::string& value, const std::string& criterion,
@@ -32,6 +30,15 @@ Row row(const curricula::Score& score, const std::string& name, const std::strin
             line.met ? "met" : "missed"};
   }
   return {name, value, "", ""};
+}
+
+Row attempt_row(const curricula::Score& score, const curricula::Scenario& scenario, const std::string& name) {
+  const std::string time = number(score.attempt_time_s, 1) + " s",
+                    most = "at most " + number(scenario.pass.attempt_time_s, 2) + " s";
+  if (score.mouth_unknown) return {name, "not timed", "where the mouth begins is not known", ""};
+  if (!score.attempt_begun) return {name, no_attempt(name).value, no_attempt(name).limit + "; " + most, ""};
+  if (score.at_vallecula) return {name, time, "not judged from the vallecula on; else " + most, ""};
+  return row(score, name, time, "attempt_time_s", "at most");
 }
 
 Row no_attempt(const std::string& name) { return {name, "no attempt", "the blade did not enter the mouth", ""}; }

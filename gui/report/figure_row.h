@@ -15,6 +15,9 @@ struct Row {
 Row row(const curricula::Score& score, const std::string& name, const std::string& value, const std::string& criterion,
         const std::string& demand);
 
+/// The attempt's time (of several the longest) with the scenario's limit beside it, whether it was judged by it or not.
+Row attempt_row(const curricula::Score& score, const curricula::Scenario& scenario, const std::string& name);
+
 /// Of a figure that only an attempt has, where there was none.
 Row no_attempt(const std::string& name);
 
@@ -22,6 +25,7 @@ Row no_attempt(const std::string& name);
 const char* verdict(const curricula::Score& score);
 std::string escaped(const std::string& text);  ///< for HTML
 std::string in_page(const std::string& text);  ///< in the window's language (in_words), for HTML
+/// Halves away from zero, as the window's live figures and the scores' sentences have them.
 std::string number(double value, int digits);
 std::string force(double peak_n, double at_s);  ///< "1.50 N, at 3.2 s"
 

@@ -37,6 +37,16 @@ std::vector<std::pair<double, double>> attempt_spans(const curricula::Score& sco
   return spans;
 }
 
+QString displayed_words(const curricula::LogHeader& header) {
+  const auto peak = header.settings.find("device_peak_force_n");
+  const bool shows_none = peak != header.settings.end() ? peak->second <= 0.0
+                                                        : header.device_kind.rfind("mouse", 0) == 0 ||
+                                                              header.device_kind.rfind("spacemouse", 0) == 0;
+  return shows_none
+             ? QCoreApplication::translate("Charts", "as a device with force would show it (this one shows none)")
+             : QCoreApplication::translate("Charts", "shown by the device");
+}
+
 QImage draw_force_chart(const curricula::TrialLog& log, const curricula::Scenario& scenario,
                         const curricula::Score& score, int width, int height) {
   if (qobject_cast<QGuiApplication*>(QCoreApplication::instance()) == nullptr) {
@@ -67,11 +77,10 @@ QImage draw_force_chart(const curricula::TrialLog& log, const curricula::Scenari
 
   begin_chart(painter, em, left, right,
               QCoreApplication::translate("Charts", "Force over time: %1").arg(QString::fromStdString(scenario.title)));
-  draw_legend(
-      painter, QRectF(left, 2.6 * em, right - left, 1.4 * em), em,
-      {{QCoreApplication::translate("Charts", "tongue"), QPen(kTongue, em * 0.18)},
-       {QCoreApplication::translate("Charts", "gum"), QPen(kGum, em * 0.18)},
-       {QCoreApplication::translate("Charts", "shown by the device"), QPen(kDisplayed, em * 0.1, Qt::DotLine)}});
+  draw_legend(painter, QRectF(left, 2.6 * em, right - left, 1.4 * em), em,
+              {{QCoreApplication::translate("Charts", "tongue"), QPen(kTongue, em * 0.18)},
+               {QCoreApplication::translate("Charts", "gum"), QPen(kGum, em * 0.18)},
+               {displayed_words(log.header), QPen(kDisplayed, em * 0.1, Qt::DotLine)}});
 
   Panel force(painter, force_frame, end_s, highest * 1.15, em);
   Panel view(painter, sight_frame, end_s, 100.0, em);

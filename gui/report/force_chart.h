@@ -13,6 +13,9 @@ namespace vallecula::gui {
 /// From when to when in the trial the blade was in the mouth, attempt by attempt, pauses included.
 std::vector<std::pair<double, double>> attempt_spans(const curricula::Score& score);
 
+/// What the legend calls the force that the device was told: a mouse was told it too, and showed none.
+QString displayed_words(const curricula::LogHeader& header);
+
 /// Tongue and gum force as the tissue has them, the force the device was told, and what they are judged by: device
 /// limit, the scenario's target, peak, first sight; below it the fraction of the glottis in sight. Drawn with QPainter
 /// in any pixel size from about 640 x 400 up, without a display. Needs a QGuiApplication (fonts). Colours: Okabe and

@@ -53,9 +53,11 @@ std::string verdict(const std::string& word) {
                        : "<b style=\"color:#b34f00\">" + in_page(word) + "</b>";
 }
 
-std::string box(bool passed, const std::string& text) {
+/// What was set aside has neither colour.
+std::string box(const curricula::Score& score, const std::string& text) {
+  const char* colour = !score.set_aside.empty() ? "#0072B2" : score.passed ? "#009E73" : "#D55E00";
   return std::string("<table width=\"100%\" cellspacing=\"0\" cellpadding=\"7\"><tr><td width=\"6\" bgcolor=\"") +
-         (passed ? "#009E73" : "#D55E00") + "\"></td><td bgcolor=\"#f6f4ec\">" + text + "</td></tr></table>";
+         colour + "\"></td><td bgcolor=\"#f6f4ec\">" + text + "</td></tr></table>";
 }
 
 std::string picture(const std::string& name) {
@@ -104,8 +106,8 @@ void write_trial_pdf(const std::filesystem::path& file, const curricula::TrialLo
                               QString::fromStdString(log.header.package_name))
                          .toHtmlEscaped()
                          .toStdString() +
-                     "</p>" + box(score.passed, escaped(summary_sentence(score, scenario))) +
-                     "<p><b>" + in_page(what_to_change(score, scenario)) + "</b></p>";
+                     "</p>" + box(score, escaped(summary_sentence(score, scenario))) + "<p><b>" +
+                     in_page(what_to_change(score, scenario)) + "</b></p>";
   if (!log.footer.complete)
     html +=
         "<p><b>" + in_page("This trial was cut off: what stands here is what was recorded until then.") + "</b></p>";

@@ -34,11 +34,9 @@ std::vector<Row> figures(const curricula::Score& score, const curricula::TrialLo
           "glottis_visible_max_percent", "at least"),
       {"Time to glottis in sight (" + number(scenario.sight_percent, 0) + " %)",
        seen ? number(score.time_to_trachea_visible_s, 1) + " s" : "never", "", ""},
-      score.attempt_begun ? row(score,
-                                score.mouth_entries > 1 && score.intubation ? "Longest attempt, blade in to blade out"
-                                                                            : "Attempt time, blade in to blade out",
-                                number(score.attempt_time_s, 1) + " s", "attempt_time_s", "at most")
-                          : no_attempt("Attempt time, blade in to blade out"),
+      attempt_row(score, scenario,
+                  score.mouth_entries > 1 && score.intubation ? "Longest attempt, blade in to blade out"
+                                                              : "Attempt time, blade in to blade out"),
       row(score, "Peak force on the tongue", force(score.peak_tongue_force_n, score.time_of_peak_tongue_force_s),
           "peak_tongue_force_n", "at most"),
       row(score, "Peak force on the gums", force(score.peak_gum_force_n, score.time_of_peak_gum_force_s),
@@ -132,8 +130,9 @@ std::string summary_sentence(const curricula::Score& score, const curricula::Sce
            : "the glottis never came into sight (" + number(score.glottis_visible_max_percent, 0) + " % at best)";
   const std::string forces = "with at most " + number(score.peak_tongue_force_n, 1) + " N on the tongue and " +
                              number(score.peak_gum_force_n, 1) + " N on the gums";
-  const std::string attempt = score.attempt_begun ? "in an attempt of " + number(score.attempt_time_s, 1) + " s."
-                                                  : "the blade never entered the mouth.";
+  const std::string attempt = score.attempt_begun   ? "in an attempt of " + number(score.attempt_time_s, 1) + " s."
+                              : score.mouth_unknown ? "the attempt could not be timed."
+                                                    : "the blade never entered the mouth.";
   return QString("%1 (%2): %3, %4%5 %6")
       .arg(in_words(verdict(score)), QString::fromStdString(scenario.title), in_words(sight),
            in_words(forces), score.attempt_begun ? "," : ";", in_words(attempt))

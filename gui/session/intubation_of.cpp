@@ -1,5 +1,6 @@
 #include "gui/session/intubation_of.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <stdexcept>
@@ -50,6 +51,19 @@ double gap_between_gums(const pipeline::PatientPackage& package) {
   return kMetres * std::hypot(std::hypot(upper[0] - lower[0], upper[1] - lower[1]), upper[2] - lower[2]);
 }
 
+/// From the middle to the side, to the farthest of the lips, m; 0: the package tells no lips.
+double half_width_of_lips(const pipeline::PatientPackage& package, double middle) {
+  const pipeline::Surface& face = surface(package, "face");
+  double half_width = 0.0;
+  for (std::size_t t = 0; t < std::min(face.tissue.size(), face.triangles.size()); ++t) {
+    if (static_cast<pipeline::Tissue>(face.tissue[t]) != pipeline::Tissue::lip) continue;
+    for (const int v : face.triangles[t]) {
+      half_width = std::max(half_width, std::abs(kMetres * face.points[static_cast<std::size_t>(v)][0] - middle));
+    }
+  }
+  return half_width;
+}
+
 void set_mouth(const pipeline::PatientPackage& package, engine::IntubationDescription& d) {
   const auto mouth = mouth_of(package);
   if (!mouth)
@@ -58,6 +72,7 @@ void set_mouth(const pipeline::PatientPackage& package, engine::IntubationDescri
   d.mouth_inward = Vec3(mouth->inward[0], mouth->inward[1], mouth->inward[2]);
   d.mouth_axis = Vec3(mouth->axis[0], mouth->axis[1], mouth->axis[2]);
   d.mouth_radius_m = mouth->radius_m;
+  d.mouth_half_width_m = static_cast<float>(half_width_of_lips(package, d.mouth.x()));
   d.mouth_gap_m = gap_between_gums(package);
   if (d.tube.outer_diameter < d.mouth_gap_m) return;
   char text[256];

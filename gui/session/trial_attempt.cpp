@@ -224,7 +224,7 @@ void TrialAttempt::keep_after_reset() {
     discard_log();
     return;
   }
-  close_log(true, "reset");
+  close_log(true, curricula::kEndedByReset);
   fs::path kept;
   for (int n = 1; kept.empty() || fs::exists(kept); ++n)
     kept = frame_.results.folder() / ("before-reset-" + std::to_string(n) + ".vtrial");

@@ -112,6 +112,7 @@ std::string TwoHands::pause() const {
   if (guard_->state() == device::GuardState::paused && guard_->fault() == device::DeviceFault::frozen) {
     if (frozen_by(Holder::instructor)) return "The trial is held by the instructor: it goes on when they let it go.";
     if (frozen_by(Holder::expert)) return "The trial is held by you for as long as you look at the expert (G).";
+    if (frozen_by(Holder::reader)) return "The trial is held by you for as long as the list of keys is open.";
   }
   const std::string words = pause_words(guard_->state(), guard_->fault(), device_->confirms_itself());
   if (!words.empty() || !second_guard_) return words;

@@ -275,6 +275,10 @@
         <source>lowest %1 per minute</source>
         <translation>niedrigste %1 pro Minute</translation>
     </message>
+    <message>
+        <source>as a device with force would show it (this one shows none)</source>
+        <translation>wie ein Gerät mit Kraft sie zeigte (dieses zeigt keine)</translation>
+    </message>
 </context>
 <context>
     <name>CohortModel</name>
@@ -3611,6 +3615,38 @@
         <source>at least %1 per minute</source>
         <translation>mindestens %1 pro Minute</translation>
     </message>
+    <message>
+        <source>The trial is held by you for as long as the list of keys is open.</source>
+        <translation>Der Durchgang ist von Ihnen angehalten, solange die Tastenliste offen ist.</translation>
+    </message>
+    <message>
+        <source>The blade did not enter the mouth: no attempt, so the trial counts neither as passed nor as failed</source>
+        <translation>Der Spatel kam nicht in den Mund: kein Intubationsversuch, also zählt der Durchgang weder als bestanden noch als nicht bestanden</translation>
+    </message>
+    <message>
+        <source>the blade did not enter the mouth; at most %1 s</source>
+        <translation>der Spatel kam nicht in den Mund; höchstens %1 s</translation>
+    </message>
+    <message>
+        <source>not judged from the vallecula on; else at most %1 s</source>
+        <translation>von der Vallecula an nicht gewertet; sonst höchstens %1 s</translation>
+    </message>
+    <message>
+        <source>not timed</source>
+        <translation>ohne Zeit</translation>
+    </message>
+    <message>
+        <source>where the mouth begins is not known</source>
+        <translation>wo der Mund beginnt, ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>the attempt could not be timed.</source>
+        <translation>die Zeit des Intubationsversuchs war nicht zu messen.</translation>
+    </message>
+    <message>
+        <source>No attempt: not counted for the course</source>
+        <translation>Kein Intubationsversuch: zählt nicht für den Kurs</translation>
+    </message>
 </context>
 <context>
     <name>GivenLabels</name>
@@ -6541,10 +6577,6 @@ Gerät: %3</translation>
         <translation>Messwerte</translation>
     </message>
     <message>
-        <source>Begun anew</source>
-        <translation>Neu begonnen</translation>
-    </message>
-    <message>
         <source>No trial is open</source>
         <translation>Kein Durchgang ist offen</translation>
     </message>
@@ -6763,6 +6795,13 @@ Gerät: %3</translation>
     <message>
         <source>Beside the hands: %1</source>
         <translation>Neben den Händen: %1</translation>
+    </message>
+</context>
+<context>
+    <name>vallecula::gui::LiveWatch</name>
+    <message>
+        <source>Begun anew</source>
+        <translation>Neu begonnen</translation>
     </message>
 </context>
 <context>
@@ -7441,8 +7480,8 @@ Gerät: %3</translation>
         <translation> · %1 nicht gezählt</translation>
     </message>
     <message>
-        <source>  Practised with help, or changed by an instructor: %1, counted in nothing.</source>
-        <translation>  Mit Hilfe geübt oder von einer Lehrperson verändert: %1, nirgends mitgezählt.</translation>
+        <source>  Practised with help, changed by an instructor, or without an attempt: %1, counted in nothing.</source>
+        <translation>  Mit Hilfe geübt, von einer Lehrperson verändert oder ohne Intubationsversuch: %1, nirgends mitgezählt.</translation>
     </message>
 </context>
 <context>
@@ -7826,6 +7865,14 @@ Gerät: %3</translation>
     <message>
         <source>Highest pressure on tongue and epiglottis so far: %1 little %2 %3 %4 %5 kPa and more, in every trial; at most %6 kPa in this one</source>
         <translation>Höchster Druck auf Zunge und Epiglottis bisher: %1 wenig %2 %3 %4 %5 kPa und mehr, in jedem Durchgang; höchstens %6 kPa in diesem</translation>
+    </message>
+    <message>
+        <source>The film and its seconds go on in pauses, %1 s in all; the attempt&apos;s time stands in them, as in the result.</source>
+        <translation>Der Film und seine Sekunden laufen in Pausen weiter, zusammen %1 s; die Zeit des Intubationsversuchs steht in ihnen, wie im Ergebnis.</translation>
+    </message>
+    <message>
+        <source> (with pauses)</source>
+        <translation> (mit Pausen)</translation>
     </message>
 </context>
 <context>
@@ -8917,6 +8964,14 @@ Gerät: %3</translation>
         <translation>Experte - Ihr Durchgang wartet
 %1 von %2 s   |   Esc oder G: zurück zu Ihrem Durchgang</translation>
     </message>
+    <message>
+        <source>Your trial waits while this list is open. Esc closes it; then it goes on as after any pause.</source>
+        <translation>Ihr Durchgang wartet, solange diese Liste offen ist. Esc schließt sie; dann geht er weiter wie nach jeder Pause.</translation>
+    </message>
+    <message>
+        <source>The clock runs on: an assessment is not held up.</source>
+        <translation>Die Uhr läuft weiter: Eine Prüfung wird nicht angehalten.</translation>
+    </message>
 </context>
 <context>
     <name>vallecula::gui::TrialPanels</name>
@@ -9115,6 +9170,18 @@ Gerät: %3</translation>
         <source>%1, less detail</source>
         <translation>%1, weniger Details</translation>
     </message>
+    <message>
+        <source>From Start</source>
+        <translation>Ab Start</translation>
+    </message>
+    <message>
+        <source>no attempt: mouth not known</source>
+        <translation>kein Versuch: Mund unbekannt</translation>
+    </message>
+    <message>
+        <source>Where this patient&apos;s mouth begins is not known: the clock counts from Start, and the result has no attempt&apos;s time.</source>
+        <translation>Wo der Mund dieses Patienten beginnt, ist nicht bekannt: Die Uhr zählt ab Start, und das Ergebnis hat keine Zeit des Intubationsversuchs.</translation>
+    </message>
 </context>
 <context>
     <name>vallecula::gui::TrialsPanel</name>
@@ -9195,8 +9262,8 @@ Gerät: %3</translation>
         <translation>Zuerst &amp;bewerten ...</translation>
     </message>
     <message>
-        <source>Squares were interrupted or are not counted (practised with help, or changed by an instructor), crosses not passed, discs passed.</source>
-        <translation>Quadrate: abgebrochen oder nicht gezählt (mit Hilfe geübt oder von einer Lehrperson verändert), Kreuze: nicht bestanden, Punkte: bestanden.</translation>
+        <source>Squares were interrupted or are not counted (practised with help, changed by an instructor, or without an attempt), crosses not passed, discs passed.</source>
+        <translation>Quadrate: abgebrochen oder nicht gezählt (mit Hilfe geübt, von einer Lehrperson verändert oder ohne Intubationsversuch), Kreuze: nicht bestanden, Punkte: bestanden.</translation>
     </message>
 </context>
 <context>

@@ -112,6 +112,12 @@ void ForceBars::clear() {
   update();
 }
 
+void ForceBars::go_on_from(const ForceBars& other) {
+  tongue_.peak = other.tongue_.peak;
+  gum_.peak = other.gum_.peak;
+  update();
+}
+
 double ForceBars::share_of_track(double newton) const { return std::clamp(newton / scale_, 0.0, 1.0); }
 
 QRectF ForceBars::track_of(const QRectF& place) const {

@@ -66,6 +66,18 @@ void MonitorPanel::clear() {
   update();
 }
 
+void MonitorPanel::go_on_from(const MonitorPanel& other) {
+  record_ = other.record_;
+  minute_ = other.minute_;
+  now_s_ = other.now_s_;
+  last_breath_s_ = other.last_breath_s_;
+  seen_s_ = other.seen_s_;
+  breaths_ = other.breaths_;
+  beat_ = other.beat_;
+  there_ = other.there_;
+  update();
+}
+
 void MonitorPanel::show_snapshot(const engine::Snapshot& snapshot) {
   if (!snapshot.has_intubation || snapshot.step < 0) return;
   if (there_ && snapshot.time_s < seen_s_) clear();

@@ -25,6 +25,8 @@ class MonitorPanel : public QWidget {
   /// To be called for every frame.
   void show_snapshot(const engine::Snapshot& snapshot);
   void clear();
+  /// The same attempt's minute and last breath, which the other has shown from its beginning.
+  void go_on_from(const MonitorPanel& other);
   /// Since the last breath given, or since the beginning; s.
   double since_breath_s() const { return now_s_ - last_breath_s_; }
   QSize sizeHint() const override { return {780, 118}; }

@@ -97,7 +97,7 @@ TrialReadings::TrialReadings(QWidget* parent) : QWidget(parent) {
     grid->addWidget(label, row, column);
     return label;
   };
-  caption(tr("Attempt"), 0, 0);
+  clock_caption_ = caption(tr("Attempt"), 0, 0);
   caption(tr("Glottis visible"), 0, 1);
   clock_ = figure(22.0, 1, 0);
   seen_ = figure(22.0, 1, 1);
@@ -144,7 +144,12 @@ void TrialReadings::set_scenario(const curricula::Scenario& scenario, const std:
   mouth_ = mouth;
   sight_percent_ = scenario.sight_percent;
   attempt_limit_s_ = scenario.pass.attempt_time_s;
-  limit_->setText(tr("at most %1 s").arg(attempt_limit_s_, 0, 'f', 0));
+  clock_caption_->setText(mouth ? tr("Attempt") : tr("From Start"));
+  limit_->setText(mouth ? tr("at most %1 s").arg(attempt_limit_s_, 0, 'f', 0) : tr("no attempt: mouth not known"));
+  const QString why = mouth ? QString()
+                            : tr("Where this patient's mouth begins is not known: the clock counts from Start, and the "
+                                 "result has no attempt's time.");
+  for (QLabel* label : {clock_caption_, clock_, limit_}) label->setToolTip(why);
   clear();
 }
 
@@ -163,6 +168,12 @@ void TrialReadings::clear() {
   show_drawing(0.0, {});
 }
 
+void TrialReadings::go_on_from(const TrialReadings& other) {
+  best_percent_ = other.best_percent_;
+  attempt_start_s_ = other.attempt_start_s_;
+  attempt_s_ = other.attempt_s_;
+}
+
 void TrialReadings::show_snapshot(const engine::Snapshot& snapshot, double paused_s) {
   const double percent = 100.0 * snapshot.glottis_visible;
   best_percent_ = std::max(best_percent_, percent);
@@ -172,7 +183,8 @@ void TrialReadings::show_snapshot(const engine::Snapshot& snapshot, double pause
   // The pause is told a little newer than the snapshot: at its beginning that must not turn the clock back.
   if (attempt_start_s_ >= 0.0) attempt_s_ = std::max(attempt_s_, now_s - attempt_start_s_);
   clock_->setText(QString("%1 s").arg(attempt_s_, 0, 'f', 1));
-  clock_->setStyleSheet(attempt_s_ > attempt_limit_s_ ? QString("color: %1").arg(theme::over().name()) : QString());
+  clock_->setStyleSheet(mouth_ && attempt_s_ > attempt_limit_s_ ? QString("color: %1").arg(theme::over().name())
+                                                                : QString());
   seen_->setText(QString("%1 %").arg(percent, 0, 'f', 0));
   sight_->show_percent(percent, best_percent_, sight_percent_);
   if (snapshot.has_intubation) {

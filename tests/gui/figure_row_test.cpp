@@ -1,10 +1,13 @@
 // What a trial's verdict and a figure that it has not are called for people.
+#include "gui/report/figure_row.h"
+
 #include <gtest/gtest.h>
 
+#include <QString>
 #include <algorithm>
+#include <utility>
 
 #include "gui/pages/result_figures.h"
-#include "gui/report/figure_row.h"
 
 namespace vallecula::gui {
 namespace {
@@ -16,6 +19,9 @@ TEST(FigureRow, ATrialThatIsNotCountedSaysSoAndWhy) {
   EXPECT_STREQ(verdict(score), "Passed");
   score.set_aside = {"The instructor closed the vocal cords"};
   EXPECT_STREQ(verdict(score), "Changed by the instructor: not counted for the course");
+  score.no_attempt = true;
+  EXPECT_STREQ(verdict(score), "No attempt: not counted for the course");
+  score.no_attempt = false;
   score.at_vallecula = true;
   EXPECT_STREQ(verdict(score), "Practice with help: not counted for the course");
 }
@@ -24,13 +30,48 @@ TEST(FigureRow, WhereTheBladeNeverEnteredTheMouthThatIsSaid) {
   TrialOutcome outcome;
   outcome.score.intubation.emplace();
   outcome.score.criteria.push_back({"lowest_spo2_percent", "%", 0.0, 80.0, -1.0, false, ""});
-  const auto rows = result_figures(outcome, {});
+  curricula::Scenario scenario;
+  scenario.pass.attempt_time_s = 30.0;
+  const auto rows = result_figures(outcome, scenario);
   for (const char* name : {"Lowest SpO2", "Lowest heart rate", "Attempt"}) {
     const auto found = std::find_if(rows.begin(), rows.end(), [&](const Row& row) { return row.name == name; });
     ASSERT_NE(found, rows.end()) << name;
     EXPECT_EQ(found->value, "no attempt") << name;
-    EXPECT_EQ(found->limit, "the blade did not enter the mouth") << name;
+    const std::string also = std::string(name) == "Attempt" ? "; at most 30.00 s" : "";
+    EXPECT_EQ(found->limit, "the blade did not enter the mouth" + also) << name;
     EXPECT_EQ(found->verdict, "") << name << ": what was never tried is neither met nor missed";
+  }
+}
+
+TEST(FigureRow, TheAttemptsLimitStandsBesideItWhetherItWasJudgedByItOrNot) {
+  curricula::Scenario scenario;
+  scenario.pass.attempt_time_s = 30.0;
+  curricula::Score score;
+  score.attempt_begun = true;
+  score.attempt_time_s = 12.34;
+  score.criteria.push_back({"attempt_time_s", "s", 12.34, 30.0, 0.0, true, ""});
+  Row row = attempt_row(score, scenario, "Attempt");
+  EXPECT_EQ(row.value, "12.3 s");
+  EXPECT_EQ(row.limit, "at most 30.00 s");
+  EXPECT_EQ(row.verdict, "met");
+  score.at_vallecula = true;
+  score.criteria.clear();
+  row = attempt_row(score, scenario, "Attempt");
+  EXPECT_EQ(row.value, "12.3 s");
+  EXPECT_EQ(row.limit, "not judged from the vallecula on; else at most 30.00 s");
+  EXPECT_EQ(row.verdict, "");
+  curricula::Score unknown;
+  unknown.mouth_unknown = true;
+  row = attempt_row(unknown, scenario, "Attempt");
+  EXPECT_EQ(row.value, "not timed") << "whether the blade entered it cannot be said";
+  EXPECT_EQ(row.limit, "where the mouth begins is not known");
+}
+
+TEST(FigureRow, AFigureIsRoundedAsTheLiveFiguresAndTheSentencesAre) {
+  // 29 of 40 points of the glottis: printf has 72, and half to even is nobody's rule at the bedside.
+  for (const auto& [percent, said] : {std::pair{72.5, "73"}, {71.5, "72"}, {72.4999, "72"}, {0.5, "1"}}) {
+    EXPECT_EQ(number(percent, 0), said);
+    EXPECT_EQ(QString("%1").arg(percent, 0, 'f', 0), said) << "as the live figure is written";
   }
 }
 

@@ -83,6 +83,23 @@ TEST(ForceChart, OneTickOfForceIsNotLostAndItsHeightIsItsForce) {
   EXPECT_NEAR(heights[2] - heights[0], 2.0 * heights[0], 12.0);
 }
 
+TEST(ForceChart, ADeviceThatShowsNoForceIsNotSaidToHaveShownOne) {
+  const HeadlessApplication application;
+  curricula::LogHeader header;
+  const auto says_none = [&] { return displayed_words(header).contains("shows none"); };
+  header.device_kind = "touch";
+  EXPECT_FALSE(says_none());
+  header.device_kind = "mouse+touch";  // the blade's hand is the first
+  EXPECT_TRUE(says_none());
+  header.device_kind = "spacemouse";
+  EXPECT_TRUE(says_none());
+  header.settings["device_peak_force_n"] = 3.3;  // where the log has it, that is so
+  EXPECT_FALSE(says_none());
+  header.device_kind = "newer than this test";
+  header.settings["device_peak_force_n"] = 0.0;
+  EXPECT_TRUE(says_none());
+}
+
 TEST(ForceChart, NoForceIsDrawnInAPause) {
   const HeadlessApplication application;
   curricula::TrialLog log = spike_log(4.0, 500);
@@ -290,7 +307,7 @@ TEST(Report, HoldsReasonsFiguresChartAndPicturesAndNothingFromOutside) {
   EXPECT_NE(table.str().find("simulation steps dropped                123 ("), std::string::npos) << table.str();
   EXPECT_NE(table.str().find("real-time set-up: servo: ordinary priority"), std::string::npos) << table.str();
   // An attempt that never began has no time that could be short enough.
-  EXPECT_NE(page.find("no attempt</td><td>the blade did not enter the mouth</td>"), std::string::npos);
+  EXPECT_NE(page.find("no attempt</td><td>the blade did not enter the mouth; at most 30.00 s</td>"), std::string::npos);
   EXPECT_NE(table.str().find("attempt time                     no attempt\n"), std::string::npos) << table.str();
   EXPECT_EQ(page.find("operator-"), std::string::npos);
 

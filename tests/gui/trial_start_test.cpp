@@ -9,6 +9,9 @@
 #include <memory>
 #include <thread>
 
+#include "curricula/export/xapi.h"
+#include "curricula/records/people.h"
+#include "curricula/records/progress.h"
 #include "curricula/records/records.h"
 #include "curricula/trial_log.h"
 #include "device/drivers/mouse_device.h"
@@ -146,7 +149,49 @@ TEST_F(TrialStart, AtTheValleculaTheHandTakesOverWithoutAJumpAndItCountsNeitherW
   EXPECT_LT(went, 0.006);
   const auto rows = curricula::Records(box_.home() / "records.sqlite").newest(5);
   ASSERT_EQ(rows.size(), 2u);
-  EXPECT_EQ(rows[0].score.set_aside.size() + rows[1].score.set_aside.size(), 1u);
+  for (const auto& row : rows) {
+    ASSERT_EQ(row.score.set_aside.size(), 1u);
+    const bool led = row.score.set_aside[0].find("Begun at the vallecula") == 0;
+    const bool no_attempt = row.score.set_aside[0].find("The blade did not enter the mouth: no attempt") == 0;
+    EXPECT_NE(led, no_attempt) << "the one before the reset began nothing";
+  }
+  EXPECT_NE(rows[0].score.set_aside, rows[1].score.set_aside);
+}
+
+TEST_F(TrialStart, AStartThatIsResetOrEndedBeforeTheMouthIsNoAttemptOfAnybodys) {
+  curricula::Records records(box_.home() / "records.sqlite");
+  curricula::People people(records);
+  people.create_first_instructor("Boss", "4321");
+  const long long kiwi = people.register_trainee("Kiwi", "1234");
+  TrialSetup practice = setup("mouse");
+  practice.trainee_id = kiwi;
+  TrialSession session(practice);
+  session.start();
+  ASSERT_TRUE(wait_for([&] { return session.latest().ticks > 50; }));
+  session.reset();
+  ASSERT_TRUE(wait_for([&] { return session.latest().ticks > 50; }));
+  const TrialOutcome outcome = session.finish(curricula::kEndedByTrainee);
+  EXPECT_TRUE(outcome.score.no_attempt);
+  const curricula::Who who = people.sign_in(kiwi, "1234");
+  curricula::Progress progress(records);
+  const auto curves = progress.curves(who, kiwi);
+  ASSERT_EQ(curves.size(), 1u);
+  EXPECT_EQ(curves[0].trials, 0);
+  EXPECT_EQ(curves[0].set_aside, 2);
+  EXPECT_TRUE(progress.results(who, kiwi).empty()) << "no module's gate sees them";
+  const auto trials = progress.trials(who, kiwi, 5);
+  ASSERT_EQ(trials.size(), 2u);
+  for (const auto& row : trials)
+    for (const auto& statement : curricula::statements_of(row, {"https://example.invalid"}))
+      EXPECT_EQ(statement.json.find("verbs/failed"), std::string::npos);
+
+  TrialSetup assessed = practice;
+  assessed.mode = curricula::Mode::assessment;
+  assessed.out = box_ / "assessed";
+  TrialSession counts(assessed);
+  counts.start();
+  ASSERT_TRUE(wait_for([&] { return counts.latest().ticks > 50; }));
+  EXPECT_TRUE(counts.finish(curricula::kEndedByTrainee).score.counts()) << "what was begun as an assessment counts";
 }
 
 TEST_F(TrialStart, TheExpertsLoopIsComputedAsideAndStopsAtOnce) {

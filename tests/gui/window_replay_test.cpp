@@ -6,6 +6,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QTabWidget>
 #include <QtTest/QtTest>
 #include <algorithm>
@@ -87,6 +88,48 @@ class WindowReplay : public Screen {
 
   static inline std::unique_ptr<test::Sandbox> shared_;
 };
+
+TEST_F(WindowReplay, TheAttemptsTimeStandsInAPauseAsInTheResult) {
+  const test::Sandbox box;
+  TrialSetup with_pause = setup(box.folder());
+  std::string csv = "# fault unplugged 0.8 0.3\nt,x,y,z,qw,qx,qy,qz\n";
+  for (const char* row :
+       {"0,0,0.005,0.006", "0.2,0,0.005,0.002", "0.6,0,0.005,-0.0025", "3.0,0,0.005,-0.0025", "3.2,0,0.005,0.006"})
+    csv += std::string(row) + ",0,0.70710678118654752,-0.70710678118654752,0\n";
+  test::write_text(box / "held.csv", csv);
+  with_pause.device = "scripted:" + (box / "held.csv").string();
+  TrialSession session(with_pause);
+  session.start();
+  ASSERT_TRUE(wait_for([&] { return session.finished(); }));
+  const curricula::Score score = session.finish("ended").score;
+  ASSERT_EQ(score.pauses.size(), 1u);
+  const curricula::Pause pause = score.pauses.front();
+  ASSERT_GE(pause.for_s, 0.3);
+  ASSERT_NEAR(score.attempt_paused_s, pause.for_s, 1e-9) << "in the middle of the attempt";
+
+  MainWindow window;
+  window.show();
+  ReplayPage& page = opened(window, with_pause.out);
+  const auto attempt = [&](double at_s) {
+    page.seek(at_s);
+    for (const auto* label : page.findChildren<QLabel*>()) {
+      const auto found = QRegularExpression("attempt (\\d+\\.\\d) s").match(label->text());
+      if (found.hasMatch()) return found.captured(1).toDouble();
+    }
+    return -1.0;
+  };
+  const double begun_s = score.attempt_start_s;
+  EXPECT_NEAR(attempt(pause.at_s - 0.1), pause.at_s - 0.1 - begun_s, 0.051);
+  const double stands = attempt(pause.at_s + 0.02);
+  EXPECT_NEAR(stands, pause.at_s - begun_s, 0.051);
+  EXPECT_EQ(attempt(pause.at_s + pause.for_s - 0.02), stands);
+  EXPECT_NEAR(attempt(begun_s + score.attempt_time_s + pause.for_s - 0.001), score.attempt_time_s, 0.051)
+      << "as the result has it";
+  const auto labels = page.findChildren<QLabel*>();
+  EXPECT_TRUE(std::any_of(labels.begin(), labels.end(), [](const QLabel* one) {
+    return one->text().contains("with pauses");
+  })) << "the film's own clock goes on";
+}
 
 TEST_F(WindowReplay, GoesToAnySecondByKeysTimelineChartAndList) {
   MainWindow window;

@@ -322,6 +322,39 @@ TEST_F(Views, TheAttemptsClockStandsInAPauseAndNeverGoesBack) {
   EXPECT_TRUE(shows("0.0 s"));
 }
 
+TEST_F(Views, WhereTheMouthIsNotKnownTheClockSaysWhatItCounts) {
+  TrialReadings readings;
+  const auto shows = [](const TrialReadings& panel, const QString& text) {
+    const auto labels = panel.findChildren<QLabel*>();
+    return std::any_of(labels.begin(), labels.end(), [&](const QLabel* label) { return label->text() == text; });
+  };
+  curricula::Scenario scenario;
+  scenario.pass.attempt_time_s = 30.0;
+  readings.set_scenario(scenario, std::nullopt);
+  EXPECT_TRUE(shows(readings, "From Start"));
+  EXPECT_FALSE(shows(readings, "Attempt"));
+  EXPECT_FALSE(shows(readings, "at most 30 s")) << "no attempt's limit beside what is none";
+  const auto mouth = curricula::mouth_from_landmarks({{"upper_gum_midline", {0.0, 0.0, 0.01}},
+                                                      {"lower_gum_midline", {0.0, 0.0, -0.01}},
+                                                      {"vallecula", {0.0, 0.05, 0.0}}});
+  readings.set_scenario(scenario, mouth);
+  EXPECT_TRUE(shows(readings, "Attempt") && shows(readings, "at most 30 s"));
+  // A panel that comes later goes on from where the other is.
+  engine::Snapshot snapshot;
+  for (const auto& [time_s, depth_m] : {std::pair{1.0, -0.03}, {2.0, 0.02}, {7.5, -0.03}}) {
+    snapshot.time_s = time_s;
+    snapshot.proxy_pose.position = {0.0, depth_m, 0.0};
+    readings.show_snapshot(snapshot);
+  }
+  EXPECT_TRUE(shows(readings, "5.5 s"));
+  TrialReadings later;
+  later.set_scenario(scenario, mouth);
+  later.go_on_from(readings);
+  snapshot.time_s = 8.0;
+  later.show_snapshot(snapshot);
+  EXPECT_TRUE(shows(later, "6.0 s")) << "though the blade is out by now";
+}
+
 TEST(StateWords, ALimitIsTheDevicesAndNeverTissueGivingWay) {
   EXPECT_TRUE(words_for(engine::HapticState::tracking, false).banner.isEmpty());
   for (const auto state : {engine::HapticState::limited, engine::HapticState::lost, engine::HapticState::recovering}) {

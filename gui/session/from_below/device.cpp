@@ -45,6 +45,7 @@ constexpr const char* kSentences[] = {
                       "The device's driver reports an error: unplug it, wait five seconds, plug it in again."),
     QT_TRANSLATE_NOOP("FromBelow", "The trial is held by the instructor: it goes on when they let it go."),
     QT_TRANSLATE_NOOP("FromBelow", "The trial is held by you for as long as you look at the expert (G)."),
+    QT_TRANSLATE_NOOP("FromBelow", "The trial is held by you for as long as the list of keys is open."),
     QT_TRANSLATE_NOOP("FromBelow", "The device reports an unknown fault."),
     QT_TRANSLATE_NOOP("FromBelow", "mouse and keyboard"),
     QT_TRANSLATE_NOOP("FromBelow", "mouse and keyboard; the force is drawn, not felt"),

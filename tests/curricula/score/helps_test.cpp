@@ -120,5 +120,50 @@ TEST(Helps, BegunAtTheValleculaIsScoredFromWhereTheHandTookOver) {
   EXPECT_EQ(score_trial(log, scenario()).ticks, 1);
 }
 
+/// Nothing entered the mouth, and the trial was ended so.
+TrialLog never_begun(const char* ended) {
+  TrialLog log = log_of(testing::never_in([](LogTick& t) { t.proxy_pose.position_m = testing::kOutside; }), 4.0);
+  log.footer.ended = ended;
+  return log;
+}
+
+TEST(Helps, AStartWithoutAnAttemptCountsNeitherWay) {
+  for (const char* ended : {"reset", "ended by trainee"}) {
+    const TrialLog log = never_begun(ended);
+    const Score s = score_trial(log, scenario());
+    EXPECT_TRUE(s.no_attempt) << ended;
+    EXPECT_FALSE(s.counts()) << ended;
+    ASSERT_EQ(s.set_aside.size(), 1u);
+    EXPECT_EQ(s.reasons.front(), s.set_aside.front());
+    EXPECT_NE(s.set_aside.front().find("The blade did not enter the mouth: no attempt"), std::string::npos);
+    EXPECT_TRUE(json_of(log, s)["no_attempt"].toBool());
+  }
+  // What was let run until its time was over, or by a script, is judged: nobody drew back from it.
+  for (const char* ended : {"the scenario's time was over", "finished"}) {
+    const Score s = score_trial(never_begun(ended), scenario());
+    EXPECT_FALSE(s.no_attempt) << ended;
+    EXPECT_TRUE(s.counts()) << ended;
+    EXPECT_FALSE(s.passed) << ended;
+  }
+}
+
+TEST(Helps, ATipInTheMouthAnAssessmentOrAMouthThatIsNotKnownCounts) {
+  TrialLog blade = never_begun("reset"), tube = blade, unknown = blade;
+  blade.ticks[2000].proxy_pose.position_m = testing::kInMouth;
+  EXPECT_TRUE(score_trial(blade, scenario()).counts()) << "a tick in the mouth is an attempt";
+  tube.ticks[2000].intubation.place = LoggedPlace::mouth;
+  EXPECT_TRUE(score_trial(tube, scenario()).counts());
+  Scenario assessment = scenario();
+  assessment.attempt.mode = Mode::assessment;
+  EXPECT_TRUE(score_trial(never_begun("ended by trainee"), assessment).counts()) << "what was begun as one counts";
+  unknown.header.landmarks_m.erase("vallecula");
+  const Score s = score_trial(unknown, scenario());
+  EXPECT_TRUE(s.counts()) << "as before";
+  EXPECT_TRUE(s.mouth_unknown);
+  TrialLog cut_off = never_begun("ended by trainee");
+  cut_off.footer.complete = false;
+  EXPECT_FALSE(score_trial(cut_off, scenario()).no_attempt) << "that is interrupted";
+}
+
 }  // namespace
 }  // namespace vallecula::curricula

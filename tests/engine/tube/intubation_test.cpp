@@ -37,6 +37,7 @@ TEST(Intubation, WhatContradictsItselfIsRefusedWithItsNumber) {
   expect(refusal([](auto& d) { d.mouth_inward.setZero(); }), "0.0");
   expect(refusal([](auto& d) { d.mouth_axis *= 2; }), "2.0");
   expect(refusal([](auto& d) { d.mouth_radius_m = -0.002; }), "-2.0");
+  expect(refusal([](auto& d) { d.mouth_half_width_m = -0.003f; }), "-3.0");
   expect(refusal([](auto& d) { d.device_limit_n = 0; }), "0.0");
   expect(refusal([](auto& d) { d.mouth_gap_m = 0.0048; }), "4.8");
   expect(refusal([](auto& d) { d.catheter_outer_m = 0.02; }), "20.0");
@@ -175,6 +176,31 @@ TEST(Intubation, TheMouthEndsAtItsRadiusForTubeBladeAndMask) {
   Trial deep(d);
   EXPECT_EQ(deep.go(kBeforeMouth, testing::kInTrachea).place, TipPlace::trachea);
   EXPECT_EQ(deep.hold(0.01, testing::kInTrachea, kActionCatheter).in_hand, InHand::tube);
+}
+
+// What goes in beside the mouth's corner is in a cheek: neither in the mouth nor, deeper, in a canal; a mask still
+// fits.
+TEST(Intubation, WhatCameThroughTheCheekIsNotInTheMouth) {
+  SceneDescription d = intubation_scene();
+  d.intubation->mouth = Vec3(0.040, 0.015, testing::kMouthZ);
+  d.intubation->mouth_half_width_m = 0.015f;
+  for (const double aside : {0.0, 0.0145, -0.0145, 0.0155, -0.0155}) {
+    Trial at(d);
+    const Vec3 behind = d.intubation->mouth + Vec3(aside, 0, -0.008);
+    const bool by_mouth = std::abs(aside) < 0.015;
+    const IntubationRecord& r = at.hold(0.001, behind);
+    EXPECT_EQ(r.place, by_mouth ? TipPlace::mouth : TipPlace::outside) << aside;
+    EXPECT_EQ(r.at_mouth_m > 0, by_mouth) << aside;
+    EXPECT_EQ(at.hold(0.01, behind, kActionBreath).breaths_given, by_mouth ? 0 : 1) << aside;
+  }
+  // The same way in, with the mouth's corner on this and on that side of it.
+  for (const float half_width : {0.030f, 0.001f}) {
+    d.intubation->mouth = Vec3(0.040 + 0.005, 0.015, testing::kMouthZ);
+    d.intubation->mouth_half_width_m = half_width;
+    Trial t(d);
+    EXPECT_EQ(t.go(kBeforeMouth, testing::kInTrachea).place,
+              half_width > 0.01f ? TipPlace::trachea : TipPlace::outside);
+  }
 }
 
 // What the tube presses on the tongue with is what the hand feels, and the tongue gives way.

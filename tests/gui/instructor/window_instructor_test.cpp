@@ -20,6 +20,7 @@
 #include "gui/instructor/sign_in_dialog.h"
 #include "gui/instructor/station.h"
 #include "gui/pages/trial_page.h"
+#include "gui/pages/trial_panels.h"
 #include "gui/records_pages/person_dialog.h"
 #include "gui/views/force_bars.h"
 #include "gui/views/operator_view.h"
@@ -243,6 +244,58 @@ TEST_F(WindowInstructor, WatchesAnIntubationAndActsOnIt) {
   keep_pictures("running");
   second().close();
   window_->close();
+}
+
+TEST_F(WindowInstructor, OpenedInTheMiddleOfATrialItHasAllOfIt) {
+  open_with_course();
+  // In at 1 s, a press, out again from 3.2 s on.
+  std::string csv = "t,x,y,z,qw,qx,qy,qz\n";
+  for (const char* row : {"0,0,-0.1,0.02", "1.0,0,0.005,0.006", "1.2,0,0.005,0.002", "1.6,0,0.005,-0.0025",
+                          "1.9,0,0.005,-0.0025", "2.2,0,0.005,0.006", "3.2,0,-0.1,0.02", "600,0,-0.1,0.02"})
+    csv += std::string(row) + ",0,0.70710678118654752,-0.70710678118654752,0\n";
+  test::write_text(box_.folder() / "press-and-out.csv", csv);
+  TrialSetup pressing = setup("helped");
+  pressing.device = "scripted:" + (box_.folder() / "press-and-out.csv").string();
+  prepare(pressing);
+  TrialPage& page = window_->trial_page();
+  double now_s = 0.0;
+  QObject::connect(&page, &TrialPage::frame, [&](const engine::Snapshot& snapshot) { now_s = snapshot.time_s; });
+  page.start();
+  ASSERT_TRUE(wait_for([&] { return now_s > 5.0; }, 60000));
+  const double peak_n = page.panels().bars().tongue_peak_n();
+  EXPECT_GT(peak_n, 0.5);
+  open_second();
+  ASSERT_TRUE(wait_for([&] { return second_is_open() && second().drawn() > 0; }, 20000));
+  EXPECT_TRUE(told("Blade in the mouth"));
+  EXPECT_TRUE(told("Blade out"));
+  const QStringList before = events();
+  EXPECT_EQ(std::count_if(before.begin(), before.end(),
+                          [](const QString& one) { return one.contains("Blade in the mouth"); }),
+            1);
+  EXPECT_DOUBLE_EQ(second().findChild<ForceBars*>()->tongue_peak_n(), peak_n);
+  const auto clock_s = [](const TrialReadings& readings) {
+    double longest_s = 0.0;
+    for (const auto* label : readings.findChildren<QLabel*>())
+      if (label->text().endsWith(" s") && !label->text().startsWith("at most"))
+        longest_s = std::max(longest_s, label->text().chopped(2).toDouble());
+    return longest_s;
+  };
+  EXPECT_GT(clock_s(*second().findChild<TrialReadings*>()), 3.0) << "since the blade came in, not since the window did";
+  EXPECT_NEAR(clock_s(*second().findChild<TrialReadings*>()), clock_s(page.panels().readings_panel()), 1.5);
+  // Closed and opened again it misses nothing of what was meanwhile.
+  second().close();
+  page.reset();
+  ASSERT_TRUE(wait_for([&] { return now_s < 4.0; }, 20000));
+  ASSERT_TRUE(wait_for([&] { return now_s > 2.5; }, 60000));
+  open_second();
+  ASSERT_TRUE(wait_for([&] { return second_is_open(); }, 20000));
+  EXPECT_TRUE(told("Begun anew"));
+  const QStringList after = events();
+  EXPECT_EQ(
+      std::count_if(after.begin(), after.end(), [](const QString& one) { return one.contains("Blade in the mouth"); }),
+      2);
+  EXPECT_DOUBLE_EQ(second().findChild<ForceBars*>()->tongue_peak_n(), page.panels().bars().tongue_peak_n());
+  page.close_trial();
 }
 
 TEST_F(WindowInstructor, WhatIsFrozenHereOnlyThisWindowLetsGo) {

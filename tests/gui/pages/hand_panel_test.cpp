@@ -95,6 +95,28 @@ TEST_F(Hands, ButtonsHoldAsLongAsTheyArePressedAndSayWhatCanBeDone) {
   EXPECT_FALSE(key(Qt::Key_B, true));
 }
 
+TEST_F(Hands, WhatIsGreyDoesNothingByItsKeyEither) {
+  engine::Snapshot snapshot;
+  snapshot.has_intubation = true;
+  snapshot.intubation.in_hand = engine::InHand::tube;
+  panel_.show_snapshot(snapshot);
+  for (const int code : {Qt::Key_V, Qt::Key_T}) {  // no catheter to draw with, no stylet to draw
+    EXPECT_TRUE(key(code, true)) << "nobody else's either";
+    EXPECT_EQ(actions_.bits(), 0u);
+    EXPECT_TRUE(key(code, false));
+  }
+  snapshot.intubation.in_hand = engine::InHand::catheter;
+  panel_.show_snapshot(snapshot);
+  EXPECT_TRUE(key(Qt::Key_V, true));
+  EXPECT_EQ(actions_.bits(), engine::kActionSuction);
+  snapshot.intubation.in_hand = engine::InHand::tube;
+  panel_.show_snapshot(snapshot);
+  EXPECT_TRUE(key(Qt::Key_V, false));
+  EXPECT_EQ(actions_.bits(), 0u) << "held while it turned grey, it is let go of all the same";
+  panel_.serve(nullptr, false);
+  for (auto* one : panel_.findChildren<QPushButton*>()) EXPECT_FALSE(one->isEnabled()) << one->text().toStdString();
+}
+
 engine::Snapshot at(engine::TipPlace place) {
   engine::Snapshot snapshot;
   snapshot.has_intubation = true;
@@ -155,6 +177,13 @@ TEST(Hint, GoesAlongWithTheProcedure) {
   now.glottis_visible = 0.5;
   EXPECT_TRUE(says(hint(now, true), "X takes the tube"));
   EXPECT_FALSE(says(hint_for(now, 25.0, true, "").toStdString(), "X takes")) << "a device for each hand";
+  const auto with_one_device = [&](Tool in_hand) {
+    return hint_for(now, 25.0, true, key_to_the_tube(true, in_hand)).toStdString();
+  };
+  EXPECT_TRUE(says(with_one_device(Tool::blade), "X takes the tube"));
+  EXPECT_FALSE(says(with_one_device(Tool::tube), "X takes")) << "it has been taken";
+  EXPECT_TRUE(says(with_one_device(Tool::tube), "right corner"));
+  EXPECT_EQ(key_to_the_tube(false, Tool::blade), QString()) << "a device for each hand";
   now.intubation.place = engine::TipPlace::mouth;
   EXPECT_TRUE(says(hint(now), "beside the blade"));
   now.intubation.place = engine::TipPlace::trachea;

@@ -1,17 +1,21 @@
 // The trial page's panels: switched by key and menu, moved, remembered, closed by what the scenario allows; the helps
 // beside them; what is said; and the list of keys, which is the table they are taken by.
+#include <QAbstractButton>
 #include <QCheckBox>
 #include <QDialog>
 #include <QDockWidget>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QMenu>
+#include <QPointer>
 #include <QPushButton>
 #include <QSettings>
 #include <QTextBrowser>
 #include <QToolButton>
 #include <QtTest/QTest>
 #include <cstdlib>
+#include <memory>
+#include <utility>
 
 #include "gui/pages/distraction_panel.h"
 #include "gui/pages/help_panel.h"
@@ -246,6 +250,129 @@ TEST_F(WindowPanels, HelpsAreAKeyAndAButtonAndTheSameBit) {
   EXPECT_EQ(actions.bits(), engine::kActionExtend);
   key(page, Qt::Key_H);
   EXPECT_EQ(actions.bits(), 0u);
+}
+
+TEST_F(WindowPanels, WhatIsGreyDoesNothingByItsKeyEitherBeforeTheStartAndAfterTheEnd) {
+  MainWindow window;
+  open(window, "helped");
+  TrialPage& page = window.trial_page();
+  const std::shared_ptr<TrialSession> session = page.session();
+  const auto nothing_by_any_key = [&](const char* when) {
+    for (const auto& [code, modifier] : {std::pair{Qt::Key_H, Qt::NoModifier},
+                                         {Qt::Key_G, Qt::NoModifier},
+                                         {Qt::Key_F, Qt::NoModifier},
+                                         {Qt::Key_R, Qt::NoModifier},
+                                         {Qt::Key_Left, Qt::ControlModifier},
+                                         {Qt::Key_Right, Qt::ControlModifier},
+                                         {Qt::Key_Up, Qt::ControlModifier},
+                                         {Qt::Key_Down, Qt::ControlModifier}})
+      key(page, code, modifier);
+    EXPECT_EQ(session->actions().bits(), 0u) << when;
+    EXPECT_FALSE(page.expert_shown()) << when;
+    EXPECT_FALSE(session->led_in()) << when;
+    for (auto* button : page.findChild<HelpPanel*>()->findChildren<QAbstractButton*>()) {
+      EXPECT_FALSE(button->isEnabled()) << when << ": " << button->text().toStdString();
+      EXPECT_FALSE(button->isChecked()) << when << ": " << button->text().toStdString();
+    }
+  };
+  nothing_by_any_key("before the start");
+  EXPECT_FALSE(page.running());
+  page.start();
+  drawn(page, 3);
+  key(page, Qt::Key_H);
+  EXPECT_EQ(session->actions().bits(), engine::kActionExtend) << "what is not grey works";
+  key(page, Qt::Key_H);
+  page.end("ended by trainee");
+  nothing_by_any_key("after the end");
+  ASSERT_TRUE(wait_for([&] { return window.page_name() == "result"; }));
+}
+
+TEST_F(WindowPanels, WhatWasTakenOutOfTheWindowGoesWithTheTrialAndComesBackWithTheNext) {
+  {
+    MainWindow window;
+    open(window, "helped");
+    TrialPage& page = window.trial_page();
+    QDockWidget* cut = page.panels().dock(TrialPanels::cut);
+    cut->setFloating(true);
+    page.start();
+    drawn(page, 3);
+    EXPECT_TRUE(cut->isVisible() && cut->isFloating());
+    key(page, Qt::Key_F1);
+    QPointer<QDialog> list = page.findChild<QDialog*>("key_list");
+    ASSERT_TRUE(list && list->isVisible());
+    page.end("ended by trainee");
+    EXPECT_FALSE(list && list->isVisible()) << "it is of the page that is left";
+    ASSERT_TRUE(wait_for([&] { return window.page_name() == "result"; }));
+    EXPECT_FALSE(cut->isVisible()) << "its picture is of a trial that is over";
+    EXPECT_TRUE(cut->isFloating());
+    open(window, "helped");
+    EXPECT_TRUE(cut->isVisible() && cut->isFloating()) << "where it was";
+    emit page.left();
+    EXPECT_EQ(page.session(), nullptr);
+    EXPECT_FALSE(cut->isVisible()) << "left before the start";
+    window.close();
+  }
+  MainWindow window;
+  window.show();
+  QApplication::processEvents();
+  QDockWidget* cut = window.trial_page().panels().dock(TrialPanels::cut);
+  EXPECT_TRUE(cut->isFloating()) << "remembered";
+  EXPECT_FALSE(cut->isVisible()) << "there is no trial to be seen in it";
+  open(window, "helped");
+  EXPECT_TRUE(cut->isVisible() && cut->isFloating());
+}
+
+TEST_F(WindowPanels, WhileTheKeysAreReadAPersonsPracticeWaits) {
+  MainWindow window;
+  open(window, "helped");
+  TrialPage& page = window.trial_page();
+  key(page, Qt::Key_F1);  // before the start there is nothing to hold
+  QPointer<QDialog> list = page.findChild<QDialog*>("key_list");
+  ASSERT_TRUE(list);
+  EXPECT_EQ(list->findChild<QLabel*>("key_list_note"), nullptr);
+  page.start();
+  EXPECT_FALSE(list && list->isVisible()) << "what was read before is put away: the clock runs";
+  drawn(page, 3);
+  EXPECT_FALSE(page.session()->frozen());
+  key(page, Qt::Key_F1);
+  EXPECT_TRUE(page.session()->frozen_by(Holder::reader));
+  QDialog* open_list = nullptr;
+  for (auto* one : page.findChildren<QDialog*>("key_list"))
+    if (one->isVisible()) open_list = one;
+  ASSERT_NE(open_list, nullptr);
+  auto* note = open_list->findChild<QLabel*>("key_list_note");
+  ASSERT_NE(note, nullptr);
+  EXPECT_TRUE(note->text().contains("waits")) << note->text().toStdString();
+  keep_picture(*open_list, "keys-held.png");
+  const double from_s = page.session()->paused_s();
+  ASSERT_TRUE(wait_for([&] { return page.session()->paused_s() > from_s + 0.3; }, 20000)) << "its clock stands";
+  page.reset();
+  EXPECT_TRUE(page.session()->frozen_by(Holder::reader)) << "begun anew while it is read, it waits as well";
+  QTest::keyClick(open_list, Qt::Key_Escape);
+  EXPECT_FALSE(open_list->isVisible());
+  EXPECT_TRUE(page.running()) << "Esc closed the list alone";
+  EXPECT_FALSE(page.session()->frozen());
+  ASSERT_TRUE(wait_for([&] { return page.session()->pause().empty(); }, 20000)) << "the hand has hold again";
+}
+
+TEST_F(WindowPanels, InAnAssessmentTheListOfKeysHoldsNothingAndSaysSo) {
+  MainWindow window;
+  open(window, "helped", curricula::Mode::assessment);
+  TrialPage& page = window.trial_page();
+  page.start();
+  drawn(page, 3);
+  key(page, Qt::Key_F1);
+  auto* list = page.findChild<QDialog*>("key_list");
+  ASSERT_NE(list, nullptr);
+  auto* note = list->findChild<QLabel*>("key_list_note");
+  ASSERT_NE(note, nullptr);
+  EXPECT_TRUE(note->text().contains("clock runs on")) << note->text().toStdString();
+  EXPECT_FALSE(page.session()->frozen());
+  list->close();
+  bool finished = false;
+  QObject::connect(&window, &MainWindow::trial_finished, [&] { finished = true; });
+  page.end("ended by trainee");
+  ASSERT_TRUE(wait_for([&] { return finished; }));
 }
 
 TEST_F(WindowPanels, WhatCannotBeHadSaysWhy) {
