@@ -7,6 +7,7 @@
 #include <QListWidget>
 #include <QPushButton>
 #include <QScreen>
+#include <QShortcut>
 #include <QTabWidget>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -23,6 +24,7 @@
 #include "gui/views/force_bars.h"
 #include "gui/views/monitor_panel.h"
 #include "gui/views/operator_view.h"
+#include "gui/views/theme.h"
 #include "gui/views/trial_readings.h"
 
 namespace vallecula::gui {
@@ -68,8 +70,14 @@ InstructorWindow::InstructorWindow(TrialPage& trial, RecordsDesk& trainee) : tri
   connect(controls_, &InstructorControls::vital_sign, this, &InstructorWindow::drive);
   connect(controls_, &InstructorControls::say_wanted, this, &InstructorWindow::say);
   connect(checklist_, &RunChecklist::keep_wanted, this, &InstructorWindow::keep_ratings_given);
+  add_keys();
   resize(1280, 800);
   take_session();
+}
+
+/// Esc means this window here: it is no key of the trial's while this has the focus.
+void InstructorWindow::add_keys() {
+  connect(new QShortcut(Qt::Key_Escape, this), &QShortcut::activated, this, &QWidget::close);
 }
 
 QWidget* InstructorWindow::make_left() {
@@ -85,6 +93,11 @@ QWidget* InstructorWindow::make_left() {
   next_ = new QPushButton(tr("&Next trainee ..."), left);
   next_->setToolTip(tr("The present trainee is signed out, the next one signs in (Ctrl+T); not while a trial runs"));
   connect(next_, &QPushButton::clicked, this, &InstructorWindow::next_trainee_wanted);
+  auto* close = new QPushButton(tr("C&lose"), left);
+  close->setObjectName("close_instructor");
+  close->setToolTip(
+      tr("Closes this window and lets the trial go on (Esc, Ctrl+I); whoever signed in here is signed out"));
+  connect(close, &QPushButton::clicked, this, &QWidget::close);
   view_ = new OperatorView(left);
   view_->setMinimumSize(360, 240);
   view_->setAccessibleName(tr("The operator's view, live"));
@@ -92,6 +105,7 @@ QWidget* InstructorWindow::make_left() {
   auto* head = new QHBoxLayout;
   head->addWidget(title_, 1);
   head->addWidget(next_, 0, Qt::AlignTop);
+  head->addWidget(close, 0, Qt::AlignTop);
   auto* line = new QHBoxLayout;
   line->addWidget(state_);
   line->addSpacing(14);
@@ -107,7 +121,8 @@ QWidget* InstructorWindow::make_left() {
   events_->setToolTip(tr("What happens, by the trial's clock (min:s)"));
   events_->setWordWrap(true);
   events_->setSelectionMode(QAbstractItemView::NoSelection);
-  events_->setFixedHeight(6 * events_->fontMetrics().lineSpacing());
+  events_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  theme::keep_high(*events_, 100);
   events_->setStyleSheet("QListWidget::item { padding: 1px 4px; }");
   column->addWidget(view_, 1);
   column->addWidget(monitor_);
@@ -154,7 +169,7 @@ void InstructorWindow::showEvent(QShowEvent* event) {
 void InstructorWindow::closeEvent(QCloseEvent* event) {
   controls_->release_all();
   if (session_) session_->freeze(Holder::instructor, false);  // nobody could let it go any more
-  desk_.sign_out();  // who opens it next may be somebody else
+  desk_.sign_out();                                           // who opens it next may be somebody else
   event->accept();
 }
 
@@ -217,8 +232,7 @@ void InstructorWindow::wait() {
 }
 
 void InstructorWindow::follow(const engine::Snapshot& snapshot) {
-  add_events(
-      live_.watch(snapshot, in_words(session_->pause()), session_->paused_s(), &session_->dual_task()));
+  add_events(live_.watch(snapshot, in_words(session_->pause()), session_->paused_s(), &session_->dual_task()));
   show_state();
 }
 

@@ -247,11 +247,12 @@ QWidget* ReplayPage::make_foot() {
   row->addStretch(1);
   progress_ = new QProgressBar(foot);
   progress_->setRange(0, 1000);
-  progress_->setTextVisible(false);
+  progress_->setTextVisible(false);  // the line above says it in words
   progress_->setFixedWidth(110);
-  progress_->setAccessibleName(tr("Computing the tissue's shape"));
+  progress_->setAccessibleName(tr("Simulating the trial again"));
   progress_->setToolTip(
-      tr("The tissue's shape is not in the log and is computed anew; what is blue on the timeline is there"));
+      tr("Simulating the trial again: the tissue's shape is not in the log and is computed anew. What is "
+         "blue on the timeline is there; Stop ends it, and what is computed stays."));
   row->addWidget(progress_);
   stop_ = button(tr("Stop"), tr("Stop computing"), tr("What is computed stays"));
   auto* picture = button(tr("Picture ..."), tr("Save a picture"), tr("Ctrl+S: both views as a PNG"));

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "curricula/score/handle_loads.h"
+#include "gui/session/words_from_below.h"
 #include "gui/views/theme.h"
 
 namespace vallecula::gui {
@@ -15,7 +16,7 @@ namespace {
 constexpr double kSmall = 8.0, kName = 10.5;  // points
 constexpr double kBetweenWords = 6.0;         // px
 
-QString newtons(double force_n) { return QString::number(force_n, 'f', 1); }
+QString newtons(double force_n) { return decimal(force_n, 1); }
 
 QFont with_points(QFont font, double points, bool bold = false) {
   font.setPointSizeF(theme::points(points));
@@ -43,8 +44,7 @@ BladeForces blade_forces(const std::array<engine::StructureLoad, engine::kLoaded
   const auto magnitude = [&](engine::Structure structure) {
     return loads[static_cast<std::size_t>(structure)].force_n.norm();
   };
-  return {magnitude(engine::Structure::tongue), magnitude(engine::Structure::gum), handle.lifted_n(),
-          handle.levered_n};
+  return {magnitude(engine::Structure::tongue), magnitude(engine::Structure::gum), handle.lifted_n(), handle.levered_n};
 }
 
 ForceMarks force_marks(const curricula::Scenario& scenario, double device_limit_n) {
@@ -69,8 +69,8 @@ void ForceBars::set_marks(const ForceMarks& marks) {
   tongue_.pass = marks.tongue_pass_n;
   gum_.pass = marks.gum_pass_n;
   device_limit_ = marks.device_limit_n;
-  scale_ = std::max(
-      1.0, std::ceil(1.2 * std::max({device_limit_, tongue_.target, gum_.target, tongue_.pass, gum_.pass})));
+  scale_ =
+      std::max(1.0, std::ceil(1.2 * std::max({device_limit_, tongue_.target, gum_.target, tongue_.pass, gum_.pass})));
   QStringList lines{
       tr("Model force of the tissue on the blade, in newton. White line: the highest so far."),
       tr("Target: what to train for, %1 N on the tongue and %2 N on the gum; a trial passes with at most %3 s above "
@@ -79,8 +79,9 @@ void ForceBars::set_marks(const ForceMarks& marks) {
       tr("Pass limit: a peak above %1 N on the tongue or %2 N on the gum does not pass.")
           .arg(newtons(tongue_.pass), newtons(gum_.pass))};
   if (device_limit_ > 0.0) lines << tr("Device limit: the device can show %1 N.").arg(newtons(device_limit_));
-  lines << tr("Below the tongue's bar: what your hand lifts of the load along the handle, and what is levered on the "
-              "upper jaw (hatched).");
+  lines << tr(
+      "Below the tongue's bar: what your hand lifts of the load along the handle, and what is levered on the "
+      "upper jaw (hatched).");
   setToolTip(lines.join('\n'));
   clear();
 }
@@ -101,8 +102,7 @@ void ForceBars::show(const BladeForces& now, bool of_expert) {
   levered_ = now.levered_n;
   const QString words = of_expert ? tr("An expert's: tongue %1 N, gum %2 N, lift %3 N, lever %4 N")
                                   : tr("tongue %1 N, gum %2 N, lift %3 N, lever %4 N");
-  setAccessibleDescription(
-      words.arg(newtons(now.tongue_n), newtons(now.gum_n), newtons(lifted_), newtons(levered_)));
+  setAccessibleDescription(words.arg(newtons(now.tongue_n), newtons(now.gum_n), newtons(lifted_), newtons(levered_)));
   update();
 }
 
