@@ -3941,7 +3941,7 @@
     </message>
     <message>
         <source>frozen</source>
-        <translation>angehalten</translation>
+        <translation>eingefroren</translation>
     </message>
     <message>
         <source>ended by trainee</source>
@@ -4134,6 +4134,14 @@
     <message>
         <source>no cut above the cords is the larynx&apos; own: its inlet is taken to be as wide as the cords</source>
         <translation>kein Schnitt über den Stimmlippen gehört dem Kehlkopf allein: Sein Eingang wird so weit angenommen wie die Stimmlippen</translation>
+    </message>
+    <message>
+        <source>%1 mm, at %2 s</source>
+        <translation>%1 mm, bei %2 s</translation>
+    </message>
+    <message>
+        <source>yellow with breath %1</source>
+        <translation>gelb mit Hub %1</translation>
     </message>
 </context>
 <context>

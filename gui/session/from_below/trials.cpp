@@ -170,6 +170,8 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("FromBelow", "with breath %1"),
     QT_TRANSLATE_NOOP("FromBelow", "yellow, with breath %1"),
     QT_TRANSLATE_NOOP("FromBelow", "%1 mm"),
+    QT_TRANSLATE_NOOP("FromBelow", "%1 mm, at %2 s"),
+    QT_TRANSLATE_NOOP("FromBelow", "yellow with breath %1"),
     QT_TRANSLATE_NOOP("FromBelow", "from %1 %"),
     QT_TRANSLATE_NOOP("FromBelow", "%1 late, %2 steps dropped"),
     QT_TRANSLATE_NOOP("FromBelow", "%1 breaths"),
