@@ -1,8 +1,11 @@
 #include "gui/pages/open_dialog.h"
 
-#include <QDialogButtonBox>
+#include <QDir>
 #include <QFileInfo>
+#include <QGridLayout>
 #include <QPushButton>
+
+#include "gui/views/theme.h"
 
 namespace vallecula::gui {
 namespace {
@@ -20,13 +23,16 @@ OpenDialog::OpenDialog(const QString& folder, QWidget* parent)
                      "*.mhd);;All files (*)")) {
   setOption(DontUseNativeDialog);  // the desktops' own choose files or folders, not both
   setFileMode(ExistingFile);
+  if (!QFileInfo(folder).isDir()) setDirectory(QDir::homePath());
+  resize(static_cast<int>(theme::points(760)), static_cast<int>(theme::points(500)));
   auto* whole = new QPushButton(tr("Open the &folder"), this);
   whole->setObjectName("whole_folder");
   whole->setToolTip(
       tr("Opens the folder that is chosen, or else the one that is shown: a patient (NAME.patient), a trial, "
          "a CT"));
   whole->setAutoDefault(false);
-  if (auto* buttons = findChild<QDialogButtonBox*>()) buttons->addButton(whole, QDialogButtonBox::ActionRole);
+  if (auto* rows = qobject_cast<QGridLayout*>(layout()))  // below the dialog's own, which leave no room for a third
+    rows->addWidget(whole, rows->rowCount(), 0, 1, -1, Qt::AlignRight);
   connect(whole, &QPushButton::clicked, this, [this] {
     const QStringList chosen = selectedFiles();
     take(chosen.size() == 1 && QFileInfo(chosen.front()).isDir() ? chosen.front() : directory().absolutePath());

@@ -156,7 +156,11 @@ void SettingsDialog::preview() {
   apply_look(chosen());
   show_share_of(*text_, *text_share_);
   show_share_of(*volume_, *volume_share_);
-  QTimer::singleShot(0, this, [this] { resize(size().expandedTo(sizeHint())); });  // larger words need more room
+  QTimer::singleShot(0, this, [this] {  // larger words need more room
+    layout()->invalidate();             // rows keep what their words needed
+    layout()->activate();
+    resize(size().expandedTo(sizeHint()));
+  });
 }
 
 void SettingsDialog::done(int result) {

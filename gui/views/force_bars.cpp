@@ -60,8 +60,13 @@ ForceBars::ForceBars(QWidget* parent) : QWidget(parent) {
 double ForceBars::line() const { return QFontMetricsF(with_points(font(), kSmall)).height(); }
 
 // Two bars with their labels above, the tongue's with its parts and their words below.
-QSize ForceBars::sizeHint() const { return {420, static_cast<int>(4.2 * line() + 86.0)}; }
-QSize ForceBars::minimumSizeHint() const { return {280, static_cast<int>(4.2 * line() + 76.0)}; }
+// A bar's figure and its peak stand above each other: with large text they are what it must be high for.
+QSize ForceBars::sizeHint() const { return {420, minimumSizeHint().height() + 10}; }
+QSize ForceBars::minimumSizeHint() const {
+  const double now = QFontMetricsF(with_points(font(), 13.0, true)).height();
+  return {280, static_cast<int>(std::max(4.2 * line() + 76.0, 2.0 * (2.0 * line() + now + 2.0) + parts_high()))};
+}
+double ForceBars::parts_high() const { return 9.0 + 4.0 + 1.2 * line(); }
 
 void ForceBars::set_marks(const ForceMarks& marks) {
   tongue_.target = marks.tongue_target_n;
@@ -210,22 +215,25 @@ void ForceBars::paint_parts(QPainter& painter, const QRectF& place) const {
   if (both - lifted > 0.5) fill_levered(painter, QRectF(track.left() + lifted, track.top(), both - lifted, strip));
   painter.setFont(with_points(font(), kSmall + 0.5));
   const QFontMetricsF type(painter.font());
-  double x = track.left();
+  const double box = 0.7 * type.ascent(), between = 16.0;
+  const QString lift = tr("lift %1 N").arg(newtons(lifted_)), lever = tr("lever %1 N").arg(newtons(levered_));
+  const double whole = 2.0 * (box + 5.0) + between + type.horizontalAdvance(lift) + type.horizontalAdvance(lever);
+  double x = std::max(0.0, std::min(track.left(), width() - whole));  // where the track is short, from before it
   const auto word = [&](const QString& text, void (*fill)(QPainter&, const QRectF&)) {
-    const double box = 0.7 * type.ascent(), y = track.bottom() + 3.0;
+    const double y = track.bottom() + 3.0;
     fill(painter, QRectF(x, y + type.ascent() - box, box, box));
     painter.setPen(theme::text());
     painter.drawText(QPointF(x + box + 5.0, y + type.ascent()), text);
-    x += box + 5.0 + type.horizontalAdvance(text) + 16.0;
+    x += box + 5.0 + type.horizontalAdvance(text) + between;
   };
-  word(tr("lift %1 N").arg(newtons(lifted_)), fill_lifted);
-  word(tr("lever %1 N").arg(newtons(levered_)), fill_levered);
+  word(lift, fill_lifted);
+  word(lever, fill_levered);
 }
 
 void ForceBars::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
-  const double parts = 9.0 + 4.0 + 1.2 * line(), half = 0.5 * (height() - parts);
+  const double parts = parts_high(), half = 0.5 * (height() - parts);
   const QRectF tongue(0, 1, width(), half);
   paint_bar(painter, tongue, tr("Tongue"), tongue_, true);
   const QRectF track = track_of(tongue);

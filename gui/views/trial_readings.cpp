@@ -125,8 +125,9 @@ TrialReadings::TrialReadings(QWidget* parent) : QWidget(parent) {
   drawing_ = new QLabel(this);
   grid->addWidget(drawing_, 7, 1);
   for (QLabel* figure :
-       {state_, loop_, steps_, drawing_, tube_})  // a narrow panel cuts them, and is not widened by them
+       {state_, loop_, steps_, drawing_, tube_})  // a narrow panel is not widened by them
     figure->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  for (QLabel* sentence : {tube_, drawing_}) sentence->setWordWrap(true);  // two lines where one is too short
   grid->setColumnStretch(1, 1);
   grid->setColumnMinimumWidth(0, 100);
   show_tube(false);
@@ -150,7 +151,7 @@ void TrialReadings::clear() {
   best_percent_ = 0.0;
   attempt_start_s_ = mouth_ ? -1.0 : 0.0;
   attempt_s_ = 0.0;
-  clock_->setText("0.0 s");
+  clock_->setText(QString("%1 s").arg(decimal(0.0, 1)));
   clock_->setStyleSheet(QString());
   seen_->setText("0 %");
   sight_->show_percent(0.0, 0.0, sight_percent_);

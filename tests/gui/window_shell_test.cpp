@@ -26,6 +26,7 @@
 #include "gui/session/user_settings.h"
 #include "gui/views/gl_view.h"
 #include "gui/views/theme.h"
+#include "tests/gui/accessible.h"
 #include "tests/gui/block_patient.h"
 #include "tests/gui/program.h"
 #include "tests/gui/window_home.h"
@@ -300,6 +301,7 @@ TEST_F(WindowShell, SettingsAreSeenAtOnceAndTakenBackByCancel) {
   dialog->findChild<QSlider*>("text_scale")->setValue(140);
   EXPECT_EQ(theme::look().ground, theme::Ground::light) << "seen at once";
   ASSERT_TRUE(wait_for([] { return std::abs(theme::look().text_scale - 1.4) < 1e-9; }, 5000));
+  EXPECT_TRUE(wait_for([&] { return cut_texts(*dialog).empty(); }, 5000)) << lines(cut_texts(*dialog));
   keep_picture(*dialog, "settings-light-large.png");
   QTest::keyClick(dialog, Qt::Key_Escape);
   ASSERT_TRUE(wait_for([&] { return dialog.isNull() || !dialog->isVisible(); }, 5000));

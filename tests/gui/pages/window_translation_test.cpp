@@ -201,6 +201,8 @@ class WindowTranslation : public Screen {
     AuthoringPage authoring;
     authoring.begin();
     look_at(authoring, "authoring-" + language);
+    ReplayPage replay;
+    look_at(replay, "replay-" + language);
     ResultPage result;
     look_at(result, "result-" + language);
     // The longest title there is beside each verdict that is a sentence.
