@@ -68,6 +68,7 @@ FirstRun::FirstRun(QWidget* parent) : QDialog(parent), look_(look_settings()) {
   column->addWidget(steps_, 1);
   column->addLayout(foot);
   resize(640, 440);
+  give_room_for_mnemonics(*this);
   go(0);
 }
 

@@ -57,6 +57,7 @@ SettingsDialog::SettingsDialog(QWidget* parent) : QDialog(parent), before_(look_
   column->addStretch(1);
   column->addWidget(buttons);
   setMinimumWidth(480);
+  give_room_for_mnemonics(*this);
 }
 
 void SettingsDialog::add_look(QFormLayout* form) {
