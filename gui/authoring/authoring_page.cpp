@@ -254,7 +254,7 @@ void AuthoringPage::show_state() {
   } else {
     state_->setText(tr("%n thing(s) to mend; a click leads there:", "", static_cast<int>(count)));
   }
-  state_->setStyleSheet(QString("color: %1;").arg((count == 0 ? theme::within() : theme::over()).name()));
+  theme::dress(*state_, count == 0 ? "color: @within@;" : "color: @over@;");
   problems_->setVisible(count > 0);
   const bool scenario = tree_->part().startsWith("scenarios");
   try_->setEnabled(scenario && count == 0 && document_.yaml() != nullptr);

@@ -13,9 +13,8 @@ CourseText::CourseText(CourseDocument& document, QWidget* parent) : QPlainTextEd
   setAccessibleName(tr("The course's text"));
   setLineWrapMode(QPlainTextEdit::NoWrap);
   setUndoRedoEnabled(false);  // the document has its own, for form and text together
-  QFont font = QFontDatabase::systemFont(QFontDatabase::FixedFont);
-  font.setPointSizeF(9.5);
-  setFont(font);
+  theme::dress(*this, QString("QPlainTextEdit { font-family: \"%1\"; font-size: @10pt@; }")
+                          .arg(QFontDatabase::systemFont(QFontDatabase::FixedFont).family()));
   connect(&document_, &CourseDocument::changed, this, &CourseText::follow);
   connect(&document_, &CourseDocument::problems_changed, this, &CourseText::mark_problems);
   connect(this, &QPlainTextEdit::textChanged, this, [this] {

@@ -14,6 +14,7 @@
 #include "gui/authoring/text_field.h"
 #include "gui/session/words_from_below.h"
 #include "gui/views/capitalised.h"
+#include "gui/views/theme.h"
 
 namespace vallecula::gui {
 
@@ -24,6 +25,7 @@ using Kind = curricula::FieldRule::Kind;
 namespace {
 
 constexpr int kLabelWidth = 210;
+constexpr double kLeastHint = 210.0;  // pixels at a text scale of one
 
 /// A wheel over a closed list scrolls the form.
 class WordBox : public QComboBox {
@@ -52,9 +54,9 @@ FieldRow::FieldRow(const FieldRule& rule, const QString& path, const QStringList
   label->setFixedWidth(kLabelWidth);
   label->setWordWrap(true);
   label->setToolTip(tr("In the file: %1").arg(rule.name));
-  auto* help = new QLabel(remark(rule), this);
-  help->setObjectName("faint");
-  help->setWordWrap(true);
+  help_ = new QLabel(remark(rule), this);
+  help_->setObjectName("faint");
+  help_->setWordWrap(true);
   problem_ = new QLabel(this);
   problem_->setWordWrap(true);
   problem_->setProperty("role", "warning");
@@ -65,26 +67,39 @@ FieldRow::FieldRow(const FieldRule& rule, const QString& path, const QStringList
   editor_->setToolTip(remark(rule));
   const bool small = rule.kind == Kind::number || rule.kind == Kind::whole_number || rule.kind == Kind::range ||
                      rule.kind == Kind::word || rule.kind == Kind::truth;
-  auto* row = new QHBoxLayout;
-  row->addWidget(label, 0, Qt::AlignTop);
-  row->addWidget(editor_, small ? 0 : 1, small ? Qt::AlignTop : Qt::Alignment());
+  row_ = new QHBoxLayout;
+  row_->addWidget(label, 0, Qt::AlignTop);
+  row_->addWidget(editor_, small ? 0 : 1, small ? Qt::AlignTop : Qt::Alignment());
   if (small) {
-    auto* unit = new QLabel(rule.unit, this);
-    unit->setFixedWidth(58);
-    row->addWidget(unit);
-    row->addWidget(help, 1);
+    unit_ = new QLabel(rule.unit, this);
+    theme::keep_wide(*unit_, 58);
+    row_->addWidget(unit_);
+    row_->addWidget(help_, 1);
   }
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 2, 0, 2);
   column->setSpacing(2);
-  column->addLayout(row);
-  for (QLabel* below : small ? QList<QLabel*>{problem_} : QList<QLabel*>{help, problem_}) {
-    if (below == help && help->text().isEmpty()) continue;
+  column->addLayout(row_);
+  for (QLabel* below : {help_, problem_}) {
     auto* line = new QHBoxLayout;
     line->addSpacing(kLabelWidth + 6);
-    line->addWidget(below, 1);
+    if (below == help_) below_ = line;
+    if (below == problem_ || !small) line->addWidget(below, 1);
     column->addLayout(line);
   }
+  help_->setVisible(!help_->text().isEmpty());
+}
+
+void FieldRow::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  if (unit_ == nullptr || help_->text().isEmpty()) return;
+  // A hint of two words a line is not read: where there is too little room beside the editor, it stands below.
+  const double left = width() - kLabelWidth - editor_->sizeHint().width() - unit_->width() - 24;
+  const bool below = left < theme::points(kLeastHint) + (help_is_below_ ? 30.0 : 0.0);
+  if (below == help_is_below_) return;
+  help_is_below_ = below;
+  (below ? row_ : below_)->removeWidget(help_);
+  (below ? below_ : row_)->addWidget(help_, 1);
 }
 
 void FieldRow::make_editor(const QStringList& choices) {

@@ -7,6 +7,7 @@
 #include "curricula/authoring/field_rules.h"
 #include "curricula/authoring/yaml_text.h"
 
+class QHBoxLayout;
 class QLabel;
 
 namespace vallecula::gui {
@@ -27,6 +28,9 @@ class FieldRow : public QWidget {
   void edited(const QString& path, const vallecula::curricula::YamlNode& value);
   void left_out(const QString& path);
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
   void make_editor(const QStringList& choices);
   void make_number();
@@ -41,7 +45,9 @@ class FieldRow : public QWidget {
   curricula::FieldRule rule_;
   QString path_;
   QWidget* editor_ = nullptr;
-  QLabel* problem_;
+  QLabel *problem_, *help_, *unit_ = nullptr;  ///< a unit where the editor is small
+  QHBoxLayout *row_, *below_ = nullptr;        ///< the editor's, and the one below it
+  bool help_is_below_ = false;
   std::function<void(const curricula::YamlNode*)> show_;
 };
 

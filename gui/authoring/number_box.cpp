@@ -1,11 +1,22 @@
 #include "gui/authoring/number_box.h"
 
 #include <QLineEdit>
+#include <QLocale>
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
 
 namespace vallecula::gui {
+namespace {
+
+/// A file's number as it is written here; what is no number stays.
+QString shown(QString value) {
+  bool is_number = false;
+  value.toDouble(&is_number);
+  return is_number ? value.replace('.', QLocale().decimalPoint()) : value;
+}
+
+}  // namespace
 
 NumberBox::NumberBox(const curricula::FieldRule& rule, QWidget* parent)
     : QAbstractSpinBox(parent), minimum_(rule.minimum), maximum_(rule.maximum) {
@@ -30,7 +41,7 @@ QString NumberBox::value() const {
 }
 
 void NumberBox::set_value(const QString& value) {
-  if (this->value() != value) lineEdit()->setText(value);
+  if (this->value() != value) lineEdit()->setText(shown(value));
 }
 
 void NumberBox::stepBy(int steps) {
@@ -38,7 +49,7 @@ void NumberBox::stepBy(int steps) {
   const double now = value().toDouble(&is_number);
   const double next = is_number ? now + steps * step_ : minimum_;
   const double rounded = std::round(std::clamp(next, minimum_, maximum_) / step_) * step_;
-  lineEdit()->setText(QString::number(std::clamp(rounded, minimum_, maximum_), 'g', 8));
+  lineEdit()->setText(shown(QString::number(std::clamp(rounded, minimum_, maximum_), 'g', 8)));
   emit edited();
 }
 

@@ -72,7 +72,7 @@ QWidget* BuildPage::make_choices() {
   name_->setAccessibleName(tr("Name of the new patient"));
   name_->setMaximumWidth(320);
   name_problem_ = new QLabel(panel);
-  name_problem_->setStyleSheet(QString("color: %1;").arg(theme::over().name()));
+  theme::dress(*name_problem_, "color: @over@;");
   auto* how = new QHBoxLayout;
   how->setSpacing(18);
   how->addWidget(keep_position_);
@@ -154,7 +154,7 @@ void BuildPage::show_written(const QString& package) {
 }
 
 void BuildPage::say(const QString& message, bool problem) {
-  message_->setStyleSheet(QString("color: %1;").arg((problem ? theme::over() : theme::text()).name()));
+  theme::dress(*message_, problem ? "color: @over@;" : "color: @text@;");
   message_->setText(message);
 }
 

@@ -47,7 +47,7 @@ CheckPage::CheckPage(ImportWork& work, QWidget* parent) : QWidget(parent), work_
   in_frame->setContentsMargins(1, 1, 1, 1);
   in_frame->addWidget(view_3d_);
   const auto show_focus = [this](bool has) {
-    frame_3d_->setStyleSheet(QString("background: %1;").arg((has ? theme::device() : theme::track()).name()));
+    theme::dress(*frame_3d_, has ? "background: @device@;" : "background: @track@;");
   };
   show_focus(false);
   connect(view_3d_, &LabelView::focus_changed, this, show_focus);
@@ -295,7 +295,7 @@ void CheckPage::show_segmentation(const SegmentedScan& scan) {
 }
 
 void CheckPage::show_message(const QString& message, bool problem) {
-  message_->setStyleSheet(QString("color: %1;").arg((problem ? theme::over() : theme::text()).name()));
+  theme::dress(*message_, problem ? "color: @over@;" : "color: @text@;");
   message_->setText(message);
   show_state();
 }

@@ -96,8 +96,8 @@ void ImportWizard::show_page(QWidget* page) {
   pages_->setCurrentWidget(page);
   for (std::size_t i = 0; i < steps_.size(); ++i) {
     const bool here = static_cast<int>(i) == pages_->currentIndex();
-    steps_[i]->setStyleSheet(here ? QString("color: %1; font-weight: bold; font-size: 12pt;").arg(theme::text().name())
-                                  : QString("color: %1; font-size: 12pt;").arg(theme::faint().name()));
+    theme::dress(*steps_[i],
+                 here ? "color: @text@; font-weight: bold; font-size: @12pt@;" : "color: @faint@; font-size: @12pt@;");
   }
 }
 

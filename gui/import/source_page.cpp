@@ -61,7 +61,7 @@ SourcePage::SourcePage(ImportWork& work, QWidget* parent) : QWidget(parent), wor
   name_problem_ = new QLabel(this);
   message_ = new QLabel(this);
   message_->setWordWrap(true);
-  for (QLabel* label : {name_problem_, message_}) label->setStyleSheet(QString("color: %1;").arg(theme::over().name()));
+  for (QLabel* label : {name_problem_, message_}) theme::dress(*label, "color: @over@;");
   generic_face_ = new QCheckBox(tr("&Use the shipped generic face instead"), this);
   auto* about = new QLabel(about_face(), this);
   about->setWordWrap(true);

@@ -147,8 +147,8 @@ void CheckRun::look_at_rate() {
                                           : tr("%1 Hz over %2 s, %3 % of the forces late by more than 1 ms, without "
                                                "real-time priority"))
                             .arg(rate_hz, 0, 'f', 0)
-                            .arg(state_.measured_s, 0, 'f', 1)
-                            .arg(100.0 * late, 0, 'f', 1);
+                            .arg(decimal(state_.measured_s, 1))
+                            .arg(decimal(100.0 * late, 1));
   if (rate_hz >= kLeastRateHz && late <= kMostLateShare) return end_step(Verdict::good, words);
   end_step(Verdict::bad,
            tr("%1: too slow (at least %2 Hz, at most %3 % late). End other programs; use a port of its own")
@@ -233,7 +233,7 @@ void CheckRun::felt(int axis, int sign) {
   else if (axis != part_ || sign != pushed_sign_)
     wrong_ << tr("pushed %1, felt %2").arg(direction_words(part_, pushed_sign_), direction_words(axis, sign));
   if (++part_ < 3) return;
-  const QString size = tr("%1 N").arg(largest_push_n_, 0, 'f', 1);
+  const QString size = tr("%1 N").arg(decimal(largest_push_n_, 1));
   if (wrong_.isEmpty()) return end_step(Verdict::good, tr("felt as pushed, with %1").arg(size));
   end_step(Verdict::bad,
            tr("%1 (with %2): do not practise with this device before it is mended").arg(wrong_.join("; "), size));
@@ -277,14 +277,15 @@ QString CheckRun::ask() const {
       return (probe_.info().kind == "mouse"        ? tr("Move the blade %1, about %2 cm: drag, wheel or keys.")
               : probe_.info().kind == "spacemouse" ? tr("Push the cap %1, until the blade has gone about %2 cm.")
                                                    : tr("Move the handle %1, about %2 cm."))
-          .arg(direction_words(part_, 1)).arg(1e2 * kMoveM + 0.5, 0, 'f', 0);
+          .arg(direction_words(part_, 1))
+          .arg(1e2 * kMoveM + 0.5, 0, 'f', 0);
     case Step::reach:
       return tr("Go to the four corners, then far and near. Still to come: %1.").arg(missing_marks());
     case Step::force:
       if (may_push())
         return tr("Hold the handle as in a trial. Push %1 of 3, with at most %2 N: press Push when you are ready.")
             .arg(part_ + 1)
-            .arg(probe_.push_n(), 0, 'f', 1);
+            .arg(decimal(probe_.push_n(), 1));
       return may_answer() ? tr("Which way were you pushed?") : tr("Feel which way it pushes ...");
     case Step::buttons:
       return tr("Press and hold button %1, the clutch, and let it go.").arg(clutch_);

@@ -7,6 +7,7 @@
 #include <QListWidget>
 #include <QPushButton>
 #include <QScreen>
+#include <QShortcut>
 #include <QTabWidget>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -24,6 +25,7 @@
 #include "gui/views/force_bars.h"
 #include "gui/views/monitor_panel.h"
 #include "gui/views/operator_view.h"
+#include "gui/views/theme.h"
 #include "gui/views/trial_readings.h"
 
 namespace vallecula::gui {
@@ -72,8 +74,14 @@ InstructorWindow::InstructorWindow(TrialPage& trial, LiveWatch& watch, RecordsDe
   connect(controls_, &InstructorControls::vital_sign, this, &InstructorWindow::drive);
   connect(controls_, &InstructorControls::say_wanted, this, &InstructorWindow::say);
   connect(checklist_, &RunChecklist::keep_wanted, this, &InstructorWindow::keep_ratings_given);
+  add_keys();
   resize(1280, 800);
   take_session();
+}
+
+/// Esc means this window here: it is no key of the trial's while this has the focus.
+void InstructorWindow::add_keys() {
+  connect(new QShortcut(Qt::Key_Escape, this), &QShortcut::activated, this, &QWidget::close);
 }
 
 QWidget* InstructorWindow::make_left() {
@@ -89,6 +97,11 @@ QWidget* InstructorWindow::make_left() {
   next_ = new QPushButton(tr("&Next trainee ..."), left);
   next_->setToolTip(tr("The present trainee is signed out, the next one signs in (Ctrl+T); not while a trial runs"));
   connect(next_, &QPushButton::clicked, this, &InstructorWindow::next_trainee_wanted);
+  auto* close = new QPushButton(tr("C&lose"), left);
+  close->setObjectName("close_instructor");
+  close->setToolTip(
+      tr("Closes this window and lets the trial go on (Esc, Ctrl+I); whoever signed in here is signed out"));
+  connect(close, &QPushButton::clicked, this, &QWidget::close);
   view_ = new OperatorView(left);
   view_->setMinimumSize(360, 240);
   view_->setAccessibleName(tr("The operator's view, live"));
@@ -96,6 +109,7 @@ QWidget* InstructorWindow::make_left() {
   auto* head = new QHBoxLayout;
   head->addWidget(title_, 1);
   head->addWidget(next_, 0, Qt::AlignTop);
+  head->addWidget(close, 0, Qt::AlignTop);
   auto* line = new QHBoxLayout;
   line->addWidget(state_);
   line->addSpacing(14);
@@ -111,7 +125,8 @@ QWidget* InstructorWindow::make_left() {
   events_->setToolTip(tr("What happens, by the trial's clock (min:s)"));
   events_->setWordWrap(true);
   events_->setSelectionMode(QAbstractItemView::NoSelection);
-  events_->setFixedHeight(6 * events_->fontMetrics().lineSpacing());
+  events_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  theme::keep_high(*events_, 100);
   events_->setStyleSheet("QListWidget::item { padding: 1px 4px; }");
   column->addWidget(view_, 1);
   column->addWidget(monitor_);
@@ -159,7 +174,7 @@ void InstructorWindow::showEvent(QShowEvent* event) {
 void InstructorWindow::closeEvent(QCloseEvent* event) {
   controls_->release_all();
   if (session_) session_->freeze(Holder::instructor, false);  // nobody could let it go any more
-  desk_.sign_out();  // who opens it next may be somebody else
+  desk_.sign_out();                                           // who opens it next may be somebody else
   event->accept();
 }
 

@@ -47,6 +47,7 @@ class InstructorWindow : public QWidget {
 
  private:
   QWidget* make_left();
+  void add_keys();
   QWidget* make_right();
   void take_session();
   void let_go();

@@ -62,7 +62,7 @@ void LiveEvents::watch_blade(const engine::Snapshot& snapshot) {
 
 void LiveEvents::watch_force(const QString& what, double force_n, double target_n, bool& over) {
   if (!over && force_n > target_n)
-    tell(tr("Over the target on the %1: %2 N of %3 N").arg(what).arg(force_n, 0, 'f', 1).arg(target_n, 0, 'f', 1));
+    tell(tr("Over the target on the %1: %2 N of %3 N").arg(what).arg(decimal(force_n, 1)).arg(decimal(target_n, 1)));
   over = force_n > (over ? kBackWithin : 1.0) * target_n;
 }
 

@@ -51,15 +51,13 @@ RunChecklist::RunChecklist(QWidget* parent) : QWidget(parent) {
   message_ = new QLabel(this);
   message_->setObjectName("checklist_message");
   message_->setWordWrap(true);
-  auto* foot = new QHBoxLayout;
-  foot->addWidget(message_, 1);
-  foot->addWidget(keep_);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(8, 8, 8, 4);
   column->setSpacing(6);
   column->addWidget(scroll, 1);
   column->addLayout(all_in_all);
-  column->addLayout(foot);
+  column->addWidget(message_);
+  column->addWidget(keep_, 0, Qt::AlignRight);
   connect(keep_, &QPushButton::clicked, this, [this] {
     keep_->setEnabled(false);
     emit keep_wanted();

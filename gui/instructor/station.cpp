@@ -39,6 +39,7 @@ bool InstructorStation::eventFilter(QObject* watched, QEvent* event) {
 
 void InstructorStation::open() {
   if (second_ && second_->isVisible()) {
+    if (second_->isActiveWindow()) return void(second_->close());  // by the key that opened it
     second_->raise();
     second_->activateWindow();
     return;

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "gui/session/user_settings.h"
+#include "gui/session/words_from_below.h"
 #include "gui/views/operator_view.h"
 
 namespace vallecula::gui {
@@ -25,8 +26,10 @@ struct Keys {
   const char* what;
 };
 constexpr Keys kKeys[] = {
-    {Qt::Key_Right, Qt::Key_Left, false, QT_TRANSLATE_NOOP("vallecula::gui::BladeControl", "move it to the right and left")},
-    {Qt::Key_Up, Qt::Key_Down, false, QT_TRANSLATE_NOOP("vallecula::gui::BladeControl", "move it up and down in the picture")},
+    {Qt::Key_Right, Qt::Key_Left, false,
+     QT_TRANSLATE_NOOP("vallecula::gui::BladeControl", "move it to the right and left")},
+    {Qt::Key_Up, Qt::Key_Down, false,
+     QT_TRANSLATE_NOOP("vallecula::gui::BladeControl", "move it up and down in the picture")},
     {Qt::Key_PageUp, Qt::Key_PageDown, false, QT_TRANSLATE_NOOP("vallecula::gui::BladeControl", "deeper, back")},
     {Qt::Key_W, Qt::Key_S, false, QT_TRANSLATE_NOOP("vallecula::gui::BladeControl", "raise and lower its outer end")},
     {Qt::Key_A, Qt::Key_D, false, QT_TRANSLATE_NOOP("vallecula::gui::BladeControl", "turn it to the left and right")},
@@ -108,8 +111,9 @@ std::vector<KeyRow> BladeControl::keys() const {
   std::vector<KeyRow> rows;
   for (const Keys& keys : kKeys)
     if (!keys.of_blade_alone || tool_ == Tool::blade)
-      rows.push_back({keys.back == 0 ? key_name(keys.there) : tr("%1, %2").arg(key_name(keys.there), key_name(keys.back)),
-                      tr(keys.what)});
+      rows.push_back(
+          {keys.back == 0 ? key_name(keys.there) : tr("%1, %2").arg(key_name(keys.there), key_name(keys.back)),
+           tr(keys.what)});
   return rows;
 }
 
@@ -117,7 +121,7 @@ QString BladeControl::help() const {
   if (tool_ == Tool::tube)
     return QString(tr("Drag: move the tube   |   wheel or PgUp PgDn: in, out   |   Q E: turn it about its length   |   "
                       "Ctrl-drag, right-drag or W A S D: tilt it   |   Shift: fine   |   + -: gain, now %1"))
-        .arg(gain_, 0, 'g', 3);
+        .arg(short_decimal(gain_, 3));
   return QString(
              tr("Drag: move the blade   |   Ctrl-drag, right-drag or W A S D: turn it (Q E: roll)   |   wheel or PgUp "
                 "PgDn: "
@@ -125,7 +129,7 @@ QString BladeControl::help() const {
                 "lower  "
                 " |  "
                 " + -: gain, now %1"))
-      .arg(gain_, 0, 'g', 3);
+      .arg(short_decimal(gain_, 3));
 }
 
 bool BladeControl::eventFilter(QObject*, QEvent* event) {

@@ -15,6 +15,7 @@
 
 #include "gui/pages/devices_page.h"
 #include "gui/session/device_rows.h"
+#include "gui/session/languages.h"
 #include "gui/session/user_settings.h"
 
 namespace vallecula::gui {
@@ -27,7 +28,9 @@ constexpr int kLastStep = 2;
 
 bool is_first_run() {
   const auto kept = user_settings();
-  return !kept->contains(kKey) && kept->allKeys().isEmpty();
+  QStringList keys = kept->allKeys();
+  keys.removeAll("language/code");  // chosen in the first steps, which then begin anew
+  return keys.isEmpty();
 }
 
 FirstRun::FirstRun(QWidget* parent) : QDialog(parent), look_(look_settings()) {
@@ -65,6 +68,7 @@ FirstRun::FirstRun(QWidget* parent) : QDialog(parent), look_(look_settings()) {
   column->addWidget(steps_, 1);
   column->addLayout(foot);
   resize(640, 440);
+  give_room_for_mnemonics(*this);
   go(0);
 }
 
@@ -85,14 +89,17 @@ QWidget* FirstRun::make_step(const QString& title, const QString& text, QVBoxLay
 
 QWidget* FirstRun::make_hands() {
   QVBoxLayout* column = nullptr;
-  QWidget* page = make_step(tr("How will you steer?"),
-                            tr("A mouse is enough: the force of your blade is drawn beside the picture. A haptic device lets "
-                               "you feel it."),
-                            &column);
+  QWidget* page =
+      make_step(tr("How will you steer?"),
+                tr("A mouse is enough: the force of your blade is drawn beside the picture. A haptic device lets "
+                   "you feel it."),
+                &column);
+  column->insertLayout(0, make_language(page));
   hands_ = new QButtonGroup(this);
   hands_column_ = new QVBoxLayout;
   column->addLayout(hands_column_);
-  none_found_ = new QLabel(tr("No other device was found. One that is plugged in later is chosen under Devices."), page);
+  none_found_ =
+      new QLabel(tr("No other device was found. One that is plugged in later is chosen under Devices."), page);
   none_found_->setWordWrap(true);
   none_found_->setProperty("role", "faint");
   column->addWidget(none_found_);
@@ -100,6 +107,25 @@ QWidget* FirstRun::make_hands() {
   offer(tr("The &mouse and the keyboard"), "mouse");
   hands_->buttons().front()->setChecked(true);
   return page;
+}
+
+/// Each by its own name: whoever cannot read the rest finds it.
+QLayout* FirstRun::make_language(QWidget* page) {
+  auto* box = new QComboBox(page);
+  box->setObjectName("language");
+  for (const Language& one : available_languages()) box->addItem(one.name, one.code);
+  box->setCurrentIndex(std::max(0, box->findData(language())));
+  box->setToolTip(tr("Of all words of the window; to be changed in the settings as well (Ctrl+,)"));
+  auto* label = new QLabel(tr("&Language / Sprache"), page);
+  label->setBuddy(box);
+  auto* row = new QHBoxLayout;
+  row->addStretch(1);
+  row->addWidget(label);
+  row->addWidget(box);
+  connect(box, qOverload<int>(&QComboBox::activated), this, [this, box] {
+    if (box->currentData().toString() != language()) emit language_chosen(box->currentData().toString());
+  });
+  return row;
 }
 
 void FirstRun::offer(const QString& label, const QString& device) {
@@ -123,9 +149,9 @@ QString FirstRun::device() const { return hands_->checkedButton()->property("dev
 
 QWidget* FirstRun::make_senses() {
   QVBoxLayout* column = nullptr;
-  QWidget* page = make_step(tr("Can you read and hear well?"),
-                            tr("Both can be changed at any time: Ctrl++ and Ctrl+- for the text, Ctrl+, for all settings."),
-                            &column);
+  QWidget* page = make_step(
+      tr("Can you read and hear well?"),
+      tr("Both can be changed at any time: Ctrl++ and Ctrl+- for the text, Ctrl+, for all settings."), &column);
   auto* form = new QFormLayout;
   form->setVerticalSpacing(12);
   auto* text = new QSlider(Qt::Horizontal, page);
@@ -170,8 +196,10 @@ QWidget* FirstRun::make_begin() {
   QVBoxLayout* column = nullptr;
   QWidget* page = make_step(
       tr("Your first laryngoscopy"),
-      tr("A newborn lies before you, its head towards you. You hold the laryngoscope in your left hand: bring the blade "
-         "over the tongue into the vallecula, lift along the handle, and see the glottis. The key G shows an expert doing it, "
+      tr("A newborn lies before you, its head towards you. You hold the laryngoscope in your left hand: bring the "
+         "blade "
+         "over the tongue into the vallecula, lift along the handle, and see the glottis. The key G shows an expert "
+         "doing it, "
          "at this very infant.\n\n"
          "Nothing can break, and every try is a new one. Before it begins a card tells what mouse and keys do."),
       &column);

@@ -9,6 +9,7 @@
 
 class QButtonGroup;
 class QLabel;
+class QLayout;
 class QPushButton;
 class QStackedWidget;
 class QVBoxLayout;
@@ -29,6 +30,7 @@ class FirstRun : public QDialog {
  signals:
   void begin_wanted(const QString& device);  ///< the first laryngoscopy
   void device_chosen(const QString& device, const QString& label);
+  void language_chosen(const QString& code);  ///< another than the window's: it is to be made anew, this with it
 
  protected:
   void done(int result) override;
@@ -38,6 +40,7 @@ class FirstRun : public QDialog {
   QWidget* make_hands();
   QWidget* make_senses();
   QWidget* make_begin();
+  QLayout* make_language(QWidget* page);
   void go(int step);
   void offer(const QString& label, const QString& device);
 

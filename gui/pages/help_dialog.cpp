@@ -11,6 +11,7 @@
 #include <map>
 
 #include "gui/session/languages.h"
+#include "gui/views/theme.h"
 
 /// The files lie in a static library: without this the linker leaves them out. Must not stand in a namespace.
 static void reach_help() { Q_INIT_RESOURCE(help); }
@@ -66,7 +67,7 @@ HelpDialog::HelpDialog(QWidget* parent) : QDialog(parent) {
     auto* item = new QListWidgetItem(title_of(chapter), list_);
     item->setData(Qt::UserRole, chapter);
   }
-  list_->setFixedWidth(230);
+  theme::keep_wide(*list_, 230);
   list_->setWordWrap(true);
   text_ = new QTextBrowser(this);
   text_->setObjectName("help_text");

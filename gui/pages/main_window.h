@@ -62,6 +62,7 @@ class MainWindow : public QMainWindow {
   void open_files(const std::vector<std::filesystem::path>& paths);
   /// On the very first start: with what one steers, how the window looks, the first laryngoscopy.
   void welcome();
+  void show_first_steps();
   /// Tells of what an earlier program that ended too early left: trials, a course that was being written.
   void look_back();
   /// Writes what the program did, and on what, into one text file; it names nobody.
@@ -79,6 +80,7 @@ class MainWindow : public QMainWindow {
   QString page_name() const;
 
  signals:
+  void words_changed();  ///< another language is installed: what is open keeps its words until it is made anew
   void prepared();
   void trial_finished(const vallecula::gui::TrialOutcome& outcome);
   void trial_failed(const QString& message);
@@ -95,7 +97,6 @@ class MainWindow : public QMainWindow {
   void connect_menu();
   void connect_help();
   void show_help();
-  void show_first_steps();
   void follow(const QString& link);
   void restore_place();
   void keep_place();
@@ -123,8 +124,8 @@ class MainWindow : public QMainWindow {
   /// A trial or a replay is being prepared: that is given up, and once it has ended (it has the device) `next` begins.
   void instead_of_work(std::function<void()> next);
   void give_up_work();
-  /// To be called first when it ended, nothing of it being left when it was given up. False: it was, and what was wanted
-  /// instead has begun, or `leave` was called where its page is still seen.
+  /// To be called first when it ended, nothing of it being left when it was given up. False: it was, and what was
+  /// wanted instead has begun, or `leave` was called where its page is still seen.
   bool work_ended(const std::function<void()>& leave);
   /// The next trial's patient is read and made ready, its scene with it, while one looks at the first page.
   void make_ready();
@@ -172,13 +173,13 @@ class MainWindow : public QMainWindow {
   std::function<void()> next_work_;
   std::string failure_;  ///< kind of what ended the work that was prepared; empty: it failed later, on its page
   std::unique_ptr<ReadyPatient> ready_;
-  std::filesystem::path ready_package_;  ///< to be made ready; empty: there is none yet
-  std::optional<Choice> ready_wanted_;   ///< for it; none: no scenario is chosen
-  std::string ready_asked_;              ///< what is made ready, or was last
+  std::filesystem::path ready_package_;   ///< to be made ready; empty: there is none yet
+  std::optional<Choice> ready_wanted_;    ///< for it; none: no scenario is chosen
+  std::string ready_asked_;               ///< what is made ready, or was last
   std::filesystem::path ready_asked_of_;  ///< the patient that was chosen for it; empty: the scenario's own
   std::atomic<bool> ready_left_{false}, ready_patient_left_{false};  ///< something else is wanted; of another patient
   int courses_asked_ = 0;
-  QWidget* first_;  ///< home or the course: where one goes back to
+  QWidget* first_;                                     ///< home or the course: where one goes back to
   std::vector<curricula::Curriculum> opened_courses_;  ///< from elsewhere than the folders of courses
   std::atomic<bool> cancelled_{false};
   curricula::Scenario scenario_;

@@ -1,7 +1,9 @@
 // The window's help, its log, the first steps, and what is found at the start of a program that ended too early.
+#include <QApplication>
 #include <QDialog>
 #include <QElapsedTimer>
 #include <QFileDialog>
+#include <QMetaMethod>
 #include <QStackedWidget>
 
 #include "gui/authoring/authoring_page.h"
@@ -17,10 +19,12 @@
 #include "gui/pages/versions.h"
 #include "gui/records_pages/records_page.h"
 #include "gui/session/curricula_files.h"
+#include "gui/session/languages.h"
 #include "gui/session/program_log.h"
 #include "gui/session/trial_record.h"
 #include "gui/session/user_paths.h"
 #include "gui/session/user_settings.h"
+#include "gui/session/words_from_below.h"
 
 namespace vallecula::gui {
 namespace {
@@ -56,8 +60,8 @@ void MainWindow::connect_help() {
   });
   connect(this, &MainWindow::prepared, this, [this] {
     const bool ours = is_shipped(prepared_.curriculum);
-    program_log::note("trial prepared in " + std::to_string(prepare_time_.elapsed()) + " ms: " +
-                      (ours ? prepared_.scenario : "a scenario of an own course") + ", " +
+    program_log::note("trial prepared in " + std::to_string(prepare_time_.elapsed()) +
+                      " ms: " + (ours ? prepared_.scenario : "a scenario of an own course") + ", " +
                       (prepared_.mode == curricula::Mode::assessment ? "assessment" : "practice") + ", device " +
                       prepared_.device.substr(0, prepared_.device.find(':')) +
                       (prepared_.second.empty() ? "" : " + " + prepared_.second.substr(0, prepared_.second.find(':'))));
@@ -72,9 +76,8 @@ void MainWindow::connect_help() {
     program_log::note(what + (failure_.empty() ? std::string("on its page") : failure_));
   };
   connect(this, &MainWindow::trial_failed, this, [failed] { failed("trial failed: "); });
-  connect(this, &MainWindow::replay_opened, this, [this] {
-    program_log::note("replay opened in " + std::to_string(prepare_time_.elapsed()) + " ms");
-  });
+  connect(this, &MainWindow::replay_opened, this,
+          [this] { program_log::note("replay opened in " + std::to_string(prepare_time_.elapsed()) + " ms"); });
   connect(this, &MainWindow::replay_failed, this, [failed] { failed("replay failed: "); });
 }
 
@@ -93,7 +96,9 @@ void MainWindow::save_log(const std::filesystem::path& to) {
         program_log::save(to, head);
         return true;
       },
-      [this](bool) { tell(tr("The log is saved. It names no person, no patient and no folder; look through it before you send it.")); },
+      [this](bool) {
+        tell(tr("The log is saved. It names no person, no patient and no folder; look through it before you send it."));
+      },
       [this](const QString& message) { tell(message); });
 }
 
@@ -111,17 +116,27 @@ void MainWindow::show_first_steps() {
     start_->select(QString::fromStdString(start_->curricula().front().scenarios.front().id), device);
     practise();
   });
+  connect(dialog, &FirstRun::language_chosen, this, [this, dialog](const QString& code) {
+    keep_language(code);
+    install_language(*qApp, code);
+    dialog->reject();
+    if (isSignalConnected(QMetaMethod::fromSignal(&MainWindow::words_changed))) return void(emit words_changed());
+    show_first_steps();
+  });
   devices_->refresh();
   dialog->open();
 }
 
 void MainWindow::look_back() {
   run_in_background<FoundAtStart>(
-      this, [folder = user_data_folder() / "unsaved"] { return FoundAtStart{tidy_records(), left_draft(folder)}; },
+      this,
+      [folder = user_data_folder() / "unsaved"] {
+        return FoundAtStart{tidy_records(), left_draft(folder)};
+      },
       [this](const FoundAtStart& found) {
         QStringList lines;
         for (const Tidied& one : found.tidied) {
-          QString line = QString::fromStdString(one.sentence).toHtmlEscaped();
+          QString line = in_words(one.sentence).toHtmlEscaped();
           if (!line.isEmpty()) line[0] = line[0].toUpper();
           if (!one.log.empty())
             line += QString(". <a href=\"%1%2\">%3</a>")

@@ -1,7 +1,6 @@
 // What frames the window's pages: home, menu, files that are dropped or opened, the look.
 #include <QDragEnterEvent>
 #include <QDropEvent>
-#include <QFileDialog>
 #include <QMessageBox>
 #include <QMimeData>
 #include <QStackedWidget>
@@ -17,6 +16,7 @@
 #include "gui/pages/look_settings.h"
 #include "gui/pages/main_menu.h"
 #include "gui/pages/main_window.h"
+#include "gui/pages/open_dialog.h"
 #include "gui/pages/ready_patient.h"
 #include "gui/pages/replay_page.h"
 #include "gui/pages/self_rating_page.h"
@@ -109,13 +109,13 @@ void MainWindow::connect_menu() {
   connect(menu_, &MainMenu::writing_wanted, this, [this] { write_course(); });
   connect(menu_, &MainMenu::recent_wanted, this, [this](const QString& path) { open_files({path.toStdString()}); });
   connect(menu_, &MainMenu::open_wanted, this, [this] {
-    const QString file = QFileDialog::getOpenFileName(
-        this, tr("Open a trial, a patient's patient.yaml, a course or a CT's file"), folder_to_open(),
-        tr("What can be opened (*.vtrial *.yaml *.yml *.dcm *.ima *.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd);;All files "
-           "(*)"));
-    if (file.isEmpty()) return;
-    keep_opened(file);
-    open_files({file.toStdString()});
+    auto* dialog = new OpenDialog(folder_to_open(), this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &OpenDialog::chosen, this, [this](const QString& path) {
+      keep_opened(path);
+      open_files({path.toStdString()});
+    });
+    dialog->open();
   });
   connect(menu_, &MainMenu::quit_wanted, this, &QWidget::close);
   connect(menu_, &MainMenu::settings_wanted, this, [this] {

@@ -3,6 +3,8 @@
 #include <QCoreApplication>
 #include <QStringList>
 
+#include "gui/session/words_from_below.h"
+
 namespace vallecula::gui {
 namespace {
 
@@ -34,8 +36,8 @@ QString progress_line(const curricula::Module& module, const curricula::ModulePr
               .arg(module.scenarios.size());
   if (module.mastery.by_cusum)
     line += QCoreApplication::translate("ModuleWords", ", cumulative sum %1 (mastered at %2)")
-                .arg(progress.cusum.empty() ? 0.0 : progress.cusum.back().sum, 0, 'f', 1)
-                .arg(curricula::cusum_lines(module.mastery.cusum).lower, 0, 'f', 1);
+                .arg(decimal(progress.cusum.empty() ? 0.0 : progress.cusum.back().sum, 1))
+                .arg(decimal(curricula::cusum_lines(module.mastery.cusum).lower, 1));
   return line;
 }
 
@@ -46,7 +48,7 @@ QString mastery_rule(const curricula::Module& module) {
                                   "ModuleWords",
                                   "Mastered when the cumulative sum (CUSUM) over all its trials reaches %1 and each "
                                   "scenario has been passed"))
-                          .arg(curricula::cusum_lines(rule.cusum).lower, 0, 'f', 1)
+                          .arg(decimal(curricula::cusum_lines(rule.cusum).lower, 1))
       : rule.passes == 1
           ? QCoreApplication::translate("ModuleWords", "Mastered when each scenario has been passed")
           : QCoreApplication::translate("ModuleWords", "Mastered when each scenario has been passed %1 times running")

@@ -14,13 +14,13 @@ QString passes_with(const curricula::Scenario& scenario) {
                   "Passes with: at most %1 N on the tongue and %2 N on the gum, at least %3 % of the glottis seen, "
                   "within %4 s, at most %5 s above the training target of %6 N on the tongue and %7 s at the device's "
                   "force limit."))
-          .arg(scenario.pass.peak_tongue_force_n, 0, 'f', 1)
-          .arg(scenario.pass.peak_gum_force_n, 0, 'f', 1)
+          .arg(decimal(scenario.pass.peak_tongue_force_n, 1))
+          .arg(decimal(scenario.pass.peak_gum_force_n, 1))
           .arg(scenario.pass.glottis_visible_percent, 0, 'f', 0)
           .arg(scenario.pass.attempt_time_s, 0, 'f', 0)
-          .arg(scenario.pass.time_over_target_s, 0, 'f', 1)
-          .arg(scenario.targets.tongue_force_n, 0, 'f', 1)
-          .arg(scenario.pass.time_over_device_limit_s, 0, 'f', 1);
+          .arg(decimal(scenario.pass.time_over_target_s, 1))
+          .arg(decimal(scenario.targets.tongue_force_n, 1))
+          .arg(decimal(scenario.pass.time_over_device_limit_s, 1));
   if (!scenario.intubation) return text;
   const curricula::IntubationPass& pass = scenario.intubation->pass;
   QStringList tube, outcomes;

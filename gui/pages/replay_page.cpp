@@ -119,7 +119,7 @@ void ReplayPage::show_lists() {
     QString source;
     if (points != trial_->points.end()) {
       text += tr(" (%1 of %2 points)").arg(points->earned, 0, 'f', 0).arg(points->of, 0, 'f', 0);
-      source = tr("Pass mark: %1").arg(QString::fromStdString(points->source));
+      source = tr("Pass mark: %1").arg(in_words(points->source));
     }
     reasons_->add(criterion.at_s, text, criterion.met ? theme::text() : theme::over(), source);
   }
@@ -236,11 +236,15 @@ void ReplayPage::show_film_progress() {
   const ReplayFilm& film = *trial_->film;
   const bool done = film.finished();
   timeline_->set_ready(film.computed() > 0 ? film.time_s(film.computed() - 1) : 0.0);
-  progress_->setValue(static_cast<int>(1000 * film.computed() / std::max<std::size_t>(1, film.plan().frames)));
+  const std::size_t all = std::max<std::size_t>(1, film.plan().frames);
+  progress_->setValue(static_cast<int>(1000 * film.computed() / all));
   progress_->setVisible(!done);
   stop_->setVisible(!done);
   QStringList said;
-  if (waiting_ && !done) said << tr("Computing on to %1 ...").arg(clock_text(at_s_));
+  const int percent = static_cast<int>(100 * film.computed() / all);
+  if (waiting_ && !done)
+    said << tr("Simulating the trial again up to %1 ... %2 % (Stop ends it)").arg(clock_text(at_s_)).arg(percent);
+  if (!waiting_ && !done) said << tr("Simulating the trial again ... %1 % (Stop ends it)").arg(percent);
   if (waiting_ && done) said << tr("The replay was stopped before this second.");
   if (done && !film.remark().empty() && !waiting_) said << in_words(film.remark());
   for (const std::string& notice : trial_->notices) said << QString::fromStdString(notice);
@@ -291,13 +295,13 @@ void ReplayPage::show_figures() {
   QStringList figures;
   for (const auto& [from_s, to_s] : attempt_spans(trial_->score))
     if (at_s_ >= from_s && at_s_ <= to_s)
-      figures << tr("attempt %1 s").arg(at_s_ - from_s - paused_between(trial_->score, from_s, at_s_), 0, 'f', 1);
+      figures << tr("attempt %1 s").arg(decimal(at_s_ - from_s - paused_between(trial_->score, from_s, at_s_), 1));
   if (figures.isEmpty()) figures << tr("between attempts");
   if (shown_ >= 0 && !waiting_)  // else the picture is of another moment than the figures
     figures << tr("glottis seen %1 %")
                    .arg(100.0 * trial_->film->frame(static_cast<std::size_t>(shown_))->glottis_visible, 0, 'f', 0);
   if (tick.has_intubation && tick.intubation.at_mouth_m > 0.0)
-    figures << tr("tube %1 cm at the lips").arg(100.0 * tick.intubation.at_mouth_m, 0, 'f', 1);
+    figures << tr("tube %1 cm at the lips").arg(decimal(100.0 * tick.intubation.at_mouth_m, 1));
   const StateWords words = words_for(static_cast<engine::HapticState>(tick.state), curricula::paused(tick));
   if (tick.state != curricula::LoggedState::tracking || curricula::paused(tick))
     figures << tr("device %1").arg(words.name);

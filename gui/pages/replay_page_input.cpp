@@ -16,6 +16,7 @@
 #include "gui/pages/replay_page.h"
 #include "gui/pages/timeline.h"
 #include "gui/session/files.h"
+#include "gui/session/words_from_below.h"
 #include "gui/views/operator_view.h"
 #include "gui/views/sagittal_view.h"
 
@@ -112,8 +113,8 @@ QImage ReplayPage::picture() {
   if (trial_) {
     const curricula::LogTick& tick = trial_->tick_at(at_s_);
     words += tr("  \u00b7  tongue %1 N, gum %2 N")
-                 .arg(ReplayTrial::load_n(tick, curricula::kTongue), 0, 'f', 1)
-                 .arg(ReplayTrial::load_n(tick, curricula::kGum), 0, 'f', 1);
+                 .arg(decimal(ReplayTrial::load_n(tick, curricula::kTongue), 1))
+                 .arg(decimal(ReplayTrial::load_n(tick, curricula::kGum), 1));
   }
   painter.drawText(QRect(10, high, whole.width() - 20, line), Qt::AlignVCenter | Qt::AlignLeft, words);
   return whole;

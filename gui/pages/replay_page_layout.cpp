@@ -137,7 +137,7 @@ QWidget* ReplayPage::make_pictures() {
   auto* splitter = new QSplitter(Qt::Vertical, this);
   auto* top = new QWidget(splitter);
   operator_view_ = new OperatorView(top);
-  operator_view_->setMinimumSize(400, 220);
+  operator_view_->setMinimumSize(360, 200);
   legend_ = new QLabel(top);
   legend_->setMargin(5);
   legend_->setStyleSheet("background: palette(window);");  // follows the look, as the words on it do
@@ -176,7 +176,7 @@ QWidget* ReplayPage::make_side() {
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(6);
   sagittal_view_ = new SagittalView(side);
-  sagittal_view_->setMinimumSize(300, 200);
+  sagittal_view_->setMinimumSize(260, 130);
   bars_ = new ForceBars(side);
   auto* bars_panel = new QFrame(side);
   bars_panel->setObjectName("panel");
@@ -193,7 +193,7 @@ QWidget* ReplayPage::make_side() {
   lists_->addTab(reasons_, tr("Score"));
   lists_->addTab(events_, tr("Events"));
   lists_->addTab(notes_, tr("Notes"));
-  lists_->setMinimumHeight(150);
+  lists_->setMinimumHeight(120);
   column->addWidget(sagittal_view_, 3);
   column->addWidget(bars_panel);
   column->addWidget(lists_, 2);
@@ -222,6 +222,7 @@ QWidget* ReplayPage::make_foot() {
   auto* foot = new QWidget(this);
   auto* row = new QHBoxLayout(foot);
   row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(4);  // all of it, with the bar, in a small window
   const auto button = [&](const QString& text, const QString& name, const QString& tip) {
     auto* made = new QPushButton(text, foot);
     made->setAccessibleName(name);
@@ -247,11 +248,12 @@ QWidget* ReplayPage::make_foot() {
   row->addStretch(1);
   progress_ = new QProgressBar(foot);
   progress_->setRange(0, 1000);
-  progress_->setTextVisible(false);
-  progress_->setFixedWidth(110);
-  progress_->setAccessibleName(tr("Computing the tissue's shape"));
+  progress_->setTextVisible(false);  // the line above says it in words
+  progress_->setFixedWidth(80);
+  progress_->setAccessibleName(tr("Simulating the trial again"));
   progress_->setToolTip(
-      tr("The tissue's shape is not in the log and is computed anew; what is blue on the timeline is there"));
+      tr("Simulating the trial again: the tissue's shape is not in the log and is computed anew. What is "
+         "blue on the timeline is there; Stop ends it, and what is computed stays."));
   row->addWidget(progress_);
   stop_ = button(tr("Stop"), tr("Stop computing"), tr("What is computed stays"));
   auto* picture = button(tr("Picture ..."), tr("Save a picture"), tr("Ctrl+S: both views as a PNG"));

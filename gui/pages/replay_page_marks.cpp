@@ -3,6 +3,7 @@
 #include <QLabel>
 
 #include "gui/pages/replay_page.h"
+#include "gui/session/words_from_below.h"
 #include "gui/views/heat_look.h"
 #include "gui/views/operator_view.h"
 #include "gui/views/replay_marks.h"
@@ -55,13 +56,15 @@ void ReplayPage::show_legend() {
     lines << tr("Tip's path: %1 below half the target force on the tongue %2 up to it (%4 N) %3 over it; in white the "
                 "expert's")
                  .arg(swatch(theme::device()), swatch(theme::target()), swatch(theme::bad()))
-                 .arg(trial_->scenario.targets.tongue_force_n, 0, 'f', 1);
+                 .arg(decimal(trial_->scenario.targets.tongue_force_n, 1));
   if (heat_->isChecked() && trial_)
-    lines << tr("Highest pressure on tongue and epiglottis so far: %1 little %2 %3 %4 %5 kPa and more, in every trial; at "
+    lines << tr("Highest pressure on tongue and epiglottis so far: %1 little %2 %3 %4 %5 kPa and more, in every trial; "
+                "at "
                 "most %6 kPa in this one")
-                 .arg(swatch(heat_swatch(0.15)), swatch(heat_swatch(0.4)), swatch(heat_swatch(0.7)), swatch(heat_swatch(1.0)))
+                 .arg(swatch(heat_swatch(0.15)), swatch(heat_swatch(0.4)), swatch(heat_swatch(0.7)),
+                      swatch(heat_swatch(1.0)))
                  .arg(kHeatTopKpa)
-                 .arg(trial_->heat->highest_kpa(), 0, 'f', 1);
+                 .arg(decimal(trial_->heat->highest_kpa(), 1));
   legend_->setText(lines.join("<br>"));
   legend_->setVisible(!lines.isEmpty());
 }

@@ -13,10 +13,10 @@
 #include <QVBoxLayout>
 
 #include "curricula/trial_log.h"
-#include "gui/report/advice.h"
 #include "gui/pages/background.h"
 #include "gui/pages/replay_page.h"
 #include "gui/pages/result_figures.h"
+#include "gui/report/advice.h"
 #include "gui/report/figure_row.h"
 #include "gui/report/monitor_chart.h"
 #include "gui/session/replay_trial.h"
@@ -32,10 +32,7 @@ QString linked(const std::string& sentence, const curricula::Score& score, bool 
   const QString text = in_words(sentence).toHtmlEscaped();
   for (const curricula::Criterion& criterion : score.criteria)
     if (replayed && criterion.sentence == sentence && criterion.at_s >= 0.0)
-      return QString("<a style='color:%1' href='%2'>%3</a>")
-          .arg(theme::device().name())
-          .arg(criterion.at_s, 0, 'f', 3)
-          .arg(text);
+      return QString("<a href='%1'>%2</a>").arg(criterion.at_s, 0, 'f', 3).arg(text);
   return text;
 }
 
@@ -51,7 +48,7 @@ ResultPage::ResultPage(QWidget* parent) : QWidget(parent) {
   verdict_->setMinimumWidth(150);
   outcome_ = new QLabel(this);
   outcome_->setWordWrap(true);
-  outcome_->setStyleSheet("font-size: 15pt; font-weight: bold;");
+  theme::dress(*outcome_, "font-size: @15pt@; font-weight: bold;");
   change_ = new QLabel(this);
   change_->setWordWrap(true);
   change_->setObjectName("heading");
@@ -70,13 +67,14 @@ ResultPage::ResultPage(QWidget* parent) : QWidget(parent) {
   reasons_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   reasons_->setObjectName("reasons");
   reasons_->setTextInteractionFlags(Qt::LinksAccessibleByMouse | Qt::LinksAccessibleByKeyboard);
-  reasons_->setToolTip(tr("A link opens the replay %1 s before its moment, so that it is seen coming; on the timeline the "
-                          "moment itself is framed in yellow.")
-                           .arg(kBeforeReason_s, 0, 'f', 0));
+  reasons_->setToolTip(
+      tr("A link opens the replay %1 s before its moment, so that it is seen coming; on the timeline the "
+         "moment itself is framed in yellow.")
+          .arg(kBeforeReason_s, 0, 'f', 0));
   connect(reasons_, &QLabel::linkActivated, this, [this](const QString& at_s) { emit replay_wanted(at_s.toDouble()); });
   told_ = new QLabel(this);
   told_->setWordWrap(true);
-  told_->setStyleSheet(QString("color: %1; font-weight: bold;").arg(theme::over().name()));
+  theme::dress(*told_, "color: @over@; font-weight: bold;");
   told_->hide();
   where_ = new QLabel(this);
   where_->setObjectName("faint");
@@ -148,11 +146,12 @@ void ResultPage::show_outcome(const TrialOutcome& outcome, const curricula::Scen
   title_->setText(QString::fromStdString(scenario.title));
   const bool aside = !score.set_aside.empty();  // it counts neither way; the reasons begin with why
   verdict_->setText(aside ? in_words(verdict(score)) : score.passed ? tr("PASSED") : tr("NOT PASSED"));
-  verdict_->setStyleSheet(
-      QString(
-          "background: %1; color: white; font-size: %2pt; font-weight: bold; padding: 6px 14px; border-radius: 6px;")
-          .arg((aside ? theme::accent() : score.passed ? theme::within() : theme::bad()).name())
-          .arg(theme::points(aside ? 11.0 : 14.0)));  // why it does not count is a sentence
+  theme::dress(*verdict_, QString("background: @%1@; color: white; font-size: @%2pt@; font-weight: bold; padding: 6px "
+                                  "14px; border-radius: 6px;")
+                              .arg(aside          ? "accent"
+                                   : score.passed ? "within"
+                                                  : "bad")
+                              .arg(aside ? 11 : 14));  // why it does not count is a sentence
   outcome_->setVisible(score.intubation.has_value());
   if (score.intubation) outcome_->setText(in_words(curricula::outcome_in_words(*score.intubation)) + ".");
   const QString locked = in_words(replay_refusal(scenario));
@@ -228,11 +227,9 @@ void ResultPage::show_figures(const TrialOutcome& outcome, const curricula::Scen
     caption->setObjectName("faint");
     caption->setWordWrap(true);
     auto* figure = new QLabel(in_words(line.value));
-    QFont font = figure->font();
-    font.setPointSizeF(theme::points(score.intubation ? 11.0 : 12.0));
-    font.setBold(true);
-    figure->setFont(font);
-    if (line.verdict == "missed") figure->setStyleSheet(QString("color: %1").arg(theme::over().name()));
+    theme::dress(*figure, QString("font-size: @%1pt@; font-weight: bold; color: @%2@;")
+                              .arg(score.intubation ? 11 : 12)
+                              .arg(line.verdict == "missed" ? "over" : "text"));
     auto* demand =
         new QLabel(line.verdict.empty() ? in_words(line.limit)
                                         : QString("%1: %2").arg(in_words(line.verdict), in_words(line.limit)));

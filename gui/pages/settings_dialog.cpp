@@ -21,9 +21,14 @@ QHBoxLayout* with_share(QSlider* slider, QLabel* share) {
   auto* row = new QHBoxLayout;
   row->addWidget(slider, 1);
   row->addWidget(share);
-  share->setMinimumWidth(share->fontMetrics().horizontalAdvance("0000 %"));
   share->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   return row;
+}
+
+/// As wide for one figure as for three: the slider stays where it is.
+void show_share_of(const QSlider& slider, QLabel& share) {
+  share.setText(SettingsDialog::tr("%1 %").arg(slider.value()));
+  share.setMinimumWidth(share.fontMetrics().horizontalAdvance("0000 %"));
 }
 
 QLabel* heading(const QString& text, QWidget* parent) {
@@ -52,6 +57,7 @@ SettingsDialog::SettingsDialog(QWidget* parent) : QDialog(parent), before_(look_
   column->addStretch(1);
   column->addWidget(buttons);
   setMinimumWidth(480);
+  give_room_for_mnemonics(*this);
 }
 
 void SettingsDialog::add_look(QFormLayout* form) {
@@ -77,9 +83,10 @@ void SettingsDialog::add_look(QFormLayout* form) {
   text_share_ = new QLabel(this);
   trachea_ = choice("trachea", {{tr("Natural"), "natural"}, {tr("Blue, as in the paper"), "blue"}}, before_.trachea);
   trachea_->setToolTip(tr("Colour of the windpipe in the views of the airway"));
-  quality_ = choice("quality", {{tr("Automatic: effects give way to fluency"), "auto"},
-                                {tr("High, whatever it costs"), "high"},
-                                {tr("Low, for slow computers"), "low"}},
+  quality_ = choice("quality",
+                    {{tr("Automatic: effects give way to fluency"), "auto"},
+                     {tr("High, whatever it costs"), "high"},
+                     {tr("Low, for slow computers"), "low"}},
                     before_.quality);
   quality_->setToolTip(tr("How the patient is drawn"));
   form->addRow(heading(tr("Look"), this));
@@ -93,7 +100,7 @@ void SettingsDialog::add_look(QFormLayout* form) {
   soon->setSingleShot(true);
   soon->setInterval(150);
   connect(soon, &QTimer::timeout, this, &SettingsDialog::preview);
-  const auto show_share = [this] { text_share_->setText(tr("%1 %").arg(text_->value())); };
+  const auto show_share = [this] { show_share_of(*text_, *text_share_); };
   connect(text_, &QSlider::valueChanged, this, [soon, show_share] {
     show_share();
     soon->start();
@@ -111,14 +118,15 @@ void SettingsDialog::add_sound(QFormLayout* form) {
   volume_->setObjectName("volume");
   volume_->setRange(0, 100);
   volume_->setPageStep(10);
-  volume_->setValue(static_cast<int>(std::lround(100 * std::clamp(kept->value("sound/volume", 0.5).toDouble(), 0.0, 1.0))));
+  volume_->setValue(
+      static_cast<int>(std::lround(100 * std::clamp(kept->value("sound/volume", 0.5).toDouble(), 0.0, 1.0))));
   volume_->setToolTip(tr("Loudness of the monitor in per cent"));
   volume_share_ = new QLabel(this);
   form->addRow(heading(tr("Sound"), this));
   form->addRow(monitor_);
   form->addRow(tr("&Volume"), with_share(volume_, volume_share_));
   qobject_cast<QLabel*>(form->itemAt(form->rowCount() - 1, QFormLayout::LabelRole)->widget())->setBuddy(volume_);
-  const auto show_share = [this] { volume_share_->setText(tr("%1 %").arg(volume_->value())); };
+  const auto show_share = [this] { show_share_of(*volume_, *volume_share_); };
   connect(volume_, &QSlider::valueChanged, this, show_share);
   connect(monitor_, &QCheckBox::toggled, volume_, &QWidget::setEnabled);
   volume_->setEnabled(monitor_->isChecked());
@@ -147,7 +155,13 @@ LookSettings SettingsDialog::chosen() const {
 
 void SettingsDialog::preview() {
   apply_look(chosen());
-  QTimer::singleShot(0, this, [this] { resize(size().expandedTo(sizeHint())); });  // larger words need more room
+  show_share_of(*text_, *text_share_);
+  show_share_of(*volume_, *volume_share_);
+  QTimer::singleShot(0, this, [this] {  // larger words need more room
+    layout()->invalidate();             // rows keep what their words needed
+    layout()->activate();
+    resize(size().expandedTo(sizeHint()));
+  });
 }
 
 void SettingsDialog::done(int result) {

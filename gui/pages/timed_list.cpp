@@ -3,6 +3,7 @@
 #include <QKeyEvent>
 
 #include "gui/pages/timeline.h"
+#include "gui/views/theme.h"
 
 namespace vallecula::gui {
 
@@ -43,6 +44,13 @@ void TimedList::follow(double at_s) {
   int last = -1;
   for (int row = 0; row < count() && time_of(row) <= at_s + 1e-3; ++row) last = row;
   if (last != currentRow()) setCurrentRow(last);
+}
+
+void TimedList::changeEvent(QEvent* event) {
+  QListWidget::changeEvent(event);
+  if (event->type() != QEvent::PaletteChange && event->type() != QEvent::StyleChange) return;
+  for (int row = 0; row < count(); ++row)
+    item(row)->setForeground(theme::of_this_ground(item(row)->foreground().color()));
 }
 
 void TimedList::keyPressEvent(QKeyEvent* event) {

@@ -20,6 +20,7 @@ class TimedList : public QListWidget {
   void wanted(double at_s);
 
  protected:
+  void changeEvent(QEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
 };
 

@@ -2,6 +2,7 @@
 
 #include <QHelpEvent>
 #include <QKeyEvent>
+#include <QLocale>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QPainterPath>
@@ -9,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gui/session/words_from_below.h"
 #include "gui/views/theme.h"
 
 namespace vallecula::gui {
@@ -35,7 +37,11 @@ double label_step(double end_s, double width) {
 
 QString clock_text(double at_s) {
   const auto tenths = static_cast<long long>(std::floor(10.0 * std::max(0.0, at_s) + 0.5));
-  return QString("%1:%2.%3").arg(tenths / 600).arg(tenths / 10 % 60, 2, 10, QChar('0')).arg(tenths % 10);
+  return QString("%1:%2%3%4")
+      .arg(tenths / 600)
+      .arg(tenths / 10 % 60, 2, 10, QChar('0'))
+      .arg(QLocale().decimalPoint())
+      .arg(tenths % 10);
 }
 
 QColor event_colour(Kind kind) {
@@ -179,14 +185,14 @@ void Timeline::paintEvent(QPaintEvent*) {
   }
 
   QFont font = painter.font();
-  font.setPointSizeF(8.0);
+  font.setPointSizeF(theme::points(8.0));
   painter.setFont(font);
   painter.setPen(theme::faint());
   const double step = label_step(end_s_, track.width());
   for (double at_s = 0.0; at_s <= end_s_ * 1.0001; at_s += step) {
     painter.drawLine(QPointF(x_of(at_s), track.bottom()), QPointF(x_of(at_s), track.bottom() + 3.0));
-    painter.drawText(QRectF(x_of(at_s) - 40.0, track.bottom() + 8.0, 80.0, 14.0), Qt::AlignHCenter | Qt::AlignTop,
-                     QString("%1 s").arg(at_s, 0, 'f', 0));
+    painter.drawText(QRectF(x_of(at_s) - 40.0, track.bottom() + 8.0, 80.0, painter.fontMetrics().height()),
+                     Qt::AlignHCenter | Qt::AlignTop, QString("%1 s").arg(at_s, 0, 'f', 0));
   }
   const double x = x_of(1e-3 * value());
   painter.setPen(QPen(theme::text(), 2.0));
@@ -200,6 +206,8 @@ void Timeline::paintEvent(QPaintEvent*) {
     painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), 3, 3);
   }
 }
+
+QSize Timeline::sizeHint() const { return {600, 48 + static_cast<int>(theme::points(14.0))}; }
 
 void Timeline::mousePressEvent(QMouseEvent* event) {
   if (event->button() != Qt::LeftButton) return event->ignore();
@@ -226,8 +234,7 @@ bool Timeline::event(QEvent* event) {
     const ReplayEvent* near = event_near(help->pos().x());
     const double at_s = near != nullptr ? near->at_s : time_at(help->pos().x());
     QToolTip::showText(help->globalPos(),
-                       clock_text(at_s) + (near != nullptr ? "  " + QString::fromStdString(near->text) : QString()),
-                       this);
+                       clock_text(at_s) + (near != nullptr ? "  " + in_words(near->text) : QString()), this);
     return true;
   }
   return QSlider::event(event);

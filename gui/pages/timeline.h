@@ -27,7 +27,7 @@ class Timeline : public QSlider {
   double time_at(double x) const;
   /// The event whose mark is nearest to a place, within a few pixels; null: none.
   const ReplayEvent* event_near(double x) const;
-  QSize sizeHint() const override { return {600, 62}; }
+  QSize sizeHint() const override;
   QSize minimumSizeHint() const override { return {300, 62}; }
 
  signals:

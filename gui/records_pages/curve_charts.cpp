@@ -38,10 +38,11 @@ TrialChart::Content learning_chart(const std::vector<RecordRow>& rows, const Fig
                  : row.score.passed  ? TrialChart::Mark::good
                                      : TrialChart::Mark::bad;
     if (!row.score.counts()) point.value.reset();  // set aside or a part of a trial: comparable with nothing
-    point.tip = QCoreApplication::translate("CurveCharts", "trial %1, %2: %3%4")
-                    .arg(++number)
-                    .arg(for_people(row.finished_utc), result_of(row),
-                         point.value ? QString(", %1 %2").arg(*point.value, 0, 'g', 4).arg(figure.unit) : QString());
+    point.tip =
+        QCoreApplication::translate("CurveCharts", "trial %1, %2: %3%4")
+            .arg(++number)
+            .arg(for_people(row.finished_utc), result_of(row),
+                 point.value ? QString(", %1 %2").arg(short_decimal(*point.value, 4)).arg(figure.unit) : QString());
     content.points.push_back(point);
   }
   if (scenario != nullptr) {
@@ -75,7 +76,7 @@ TrialChart::Content cusum_chart(const CurveReading& reading) {
                               .arg(i + 1)
                               .arg(reading.successes[i] ? QCoreApplication::translate("CurveCharts", "success")
                                                         : QCoreApplication::translate("CurveCharts", "failure"))
-                              .arg(point.sum, 0, 'f', 2)
+                              .arg(decimal(point.sum, 2))
                               .arg(in_words(name_of(point.verdict)))});
   }
   if (!sum.points.empty())

@@ -68,7 +68,7 @@ QWidget* ProgressTab::make_left() {
   calendar_->setAccessibleName(tr("Days with trials"));
   calendar_->setVerticalHeaderFormat(QCalendarWidget::NoVerticalHeader);
   calendar_->setFirstDayOfWeek(Qt::Monday);
-  calendar_->setFixedHeight(190);
+  theme::keep_high(*calendar_, 190);
   QTextCharFormat weekend;  // red on this ground can hardly be read
   weekend.setForeground(theme::faint());
   for (const auto day : {Qt::Saturday, Qt::Sunday}) calendar_->setWeekdayTextFormat(day, weekend);

@@ -79,7 +79,10 @@ RecordsPage::RecordsPage(QWidget* parent) : QWidget(parent) {
   connect(&desk_, &RecordsDesk::waiting, waiting_, &QLabel::setVisible);
   connect(account_, &AccountTab::people_changed, this, &RecordsPage::refresh);
   connect(people_, &PeopleTab::people_changed, this, &RecordsPage::refresh);
-  connect(progress_, &ProgressTab::trial_wanted, this, &RecordsPage::trial_wanted);
+  connect(progress_, &ProgressTab::trial_wanted, this, [this](const QString& log, bool with_replay) {
+    left_at_ = focusWidget() == nullptr ? progress_ : focusWidget();
+    emit trial_wanted(log, with_replay);
+  });
   const auto open_progress = [this](const curricula::CurveKey& key) {
     progress_->show_progress_of(key);
     tabs_->setCurrentWidget(progress_);
@@ -92,6 +95,7 @@ RecordsPage::RecordsPage(QWidget* parent) : QWidget(parent) {
 }
 
 void RecordsPage::show_tabs() {
+  left_at_.clear();  // whoever comes now opened nothing here
   const bool signed_in = desk_.who().has_value();
   who_->setText(signed_in ? words_of(desk_.person()) : tr("nobody is signed in"));
   tabs_->setTabText(tabs_->indexOf(account_), signed_in ? tr("My account") : tr("Sign in"));
@@ -109,8 +113,17 @@ void RecordsPage::show_tabs() {
 
 void RecordsPage::showEvent(QShowEvent* event) {
   QWidget::showEvent(event);
+  if (left_at_) return take_back();
   if (!desk_.who()) tabs_->setCurrentWidget(account_);
   refresh();
+}
+
+/// From a trial that was opened here: the tab, and in it the row, are as they were left.
+void RecordsPage::take_back() {
+  QWidget* keys = left_at_;
+  left_at_.clear();
+  refresh();
+  QTimer::singleShot(0, keys, [keys] { keys->setFocus(); });
 }
 
 void RecordsPage::refresh() {

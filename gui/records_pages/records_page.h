@@ -1,6 +1,7 @@
 // Records: who sits here, what was learned, and for instructors who learns.
 #pragma once
 
+#include <QPointer>
 #include <QWidget>
 #include <vector>
 
@@ -40,6 +41,7 @@ class RecordsPage : public QWidget {
 
  private:
   void show_tabs();
+  void take_back();
   void refresh();  ///< of the tab that is seen
   void show_trouble(const QString& message);
 
@@ -50,6 +52,7 @@ class RecordsPage : public QWidget {
   ProgressTab* progress_;
   CohortTab* cohort_;
   PeopleTab* people_;
+  QPointer<QWidget> left_at_;  ///< what had the keys when a trial was opened from here; null: none was
   QLabel *who_, *waiting_, *trouble_;
   QPushButton* again_;
   StatementsLine* statements_;

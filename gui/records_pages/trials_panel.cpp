@@ -104,9 +104,9 @@ void TrialsPanel::show_figure(const Figure* figure) {
     const auto value = figure == nullptr ? std::nullopt : value_of(row, *figure);
     fill_row(table_, i,
              {QString::number(rows() - i), for_people(row.finished_utc), in_words(curricula::name_of(row.mode)),
-              result_of(row), value ? QString::number(*value, 'g', 4) : QString("-"),
+              result_of(row), value ? short_decimal(*value, 4) : QString("-"),
               row.attempts > 0 ? QString::number(row.attempts) : QString("-"),
-              row.duration_s ? QString::number(*row.duration_s, 'f', 1) : QString("-")});
+              row.duration_s ? decimal(*row.duration_s, 1) : QString("-")});
   }
 }
 

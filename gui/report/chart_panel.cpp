@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gui/session/words_from_below.h"
+
 namespace vallecula::gui {
 
 namespace {
@@ -23,7 +25,7 @@ double tick_step(double span, int count) {
   return 10.0 * power;
 }
 
-QString chart::number(double value, int digits) { return QString::number(value, 'f', digits); }
+QString chart::number(double value, int digits) { return decimal(value, digits); }
 
 double Panel::y(double value) const { return frame_.bottom() - frame_.height() * std::clamp(value / top_, 0.0, 1.0); }
 
@@ -42,12 +44,12 @@ void Panel::axes(const QString& title, int value_ticks, bool times) {
   painter_.drawLine(frame_.bottomLeft(), frame_.topLeft());
   for (double v = 0.0; v <= top_ * 1.0001; v += value_step) {
     painter_.drawText(QRectF(frame_.left() - 5.5 * em_, y(v) - em_, 5.0 * em_, 2.0 * em_),
-                      Qt::AlignRight | Qt::AlignVCenter, QString::number(v));
+                      Qt::AlignRight | Qt::AlignVCenter, short_decimal(v, 6));
   }
   if (times) {
     for (double t = 0.0; t <= end_s_ * 1.0001; t += time_step) {
       painter_.drawText(QRectF(x(t) - 3.0 * em_, frame_.bottom() + 0.25 * em_, 6.0 * em_, 1.5 * em_),
-                        Qt::AlignHCenter | Qt::AlignTop, QString::number(t));
+                        Qt::AlignHCenter | Qt::AlignTop, short_decimal(t, 6));
     }
     painter_.drawText(QRectF(frame_.left(), frame_.bottom() + 1.7 * em_, frame_.width(), 1.6 * em_),
                       Qt::AlignHCenter | Qt::AlignTop,

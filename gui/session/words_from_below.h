@@ -7,9 +7,14 @@
 
 namespace vallecula::gui {
 
-/// The text in the window's language; as it is where it is none of sentences_from_below() (it holds a number or a name,
-/// or nobody has listed it).
+/// The text in the window's language, its figures with this language's decimal point; as it is where it is none of
+/// sentences_from_below() and not put together of them (it holds a name, or nobody has listed it).
 QString in_words(const std::string& text);
+
+/// A figure for the window, with so many digits after its language's decimal point. Files keep points.
+QString decimal(double value, int digits);
+/// The same with so many significant digits, as short as it can be.
+QString short_decimal(double value, int significant);
 
 /// All that in_words() may know, as the folders below write them.
 std::vector<std::string> sentences_from_below();

@@ -3644,6 +3644,538 @@
         <translation>die Zeit des Intubationsversuchs war nicht zu messen.</translation>
     </message>
     <message>
+        <source>%1; asked for: %2</source>
+        <translation>%1; verlangt: %2</translation>
+    </message>
+    <message>
+        <source>The tube was pushed against what stood before its tip (%1) with %2 N at %3 s, within the %4 N allowed</source>
+        <translation>Der Tubus wurde gegen das, was vor seiner Spitze stand (%1), mit %2 N bei %3 s gedrückt, innerhalb der erlaubten %4 N</translation>
+    </message>
+    <message>
+        <source>The tube was pushed against what stood before its tip (%1) with %2 N at %3 s, more than the %4 N allowed</source>
+        <translation>Der Tubus wurde gegen das, was vor seiner Spitze stand (%1), mit %2 N bei %3 s gedrückt, mehr als die erlaubten %4 N</translation>
+    </message>
+    <message>
+        <source>The tube was pushed against what stood before its tip (%1) with %2 N, within the %3 N allowed</source>
+        <translation>Der Tubus wurde gegen das, was vor seiner Spitze stand (%1), mit %2 N gedrückt, innerhalb der erlaubten %3 N</translation>
+    </message>
+    <message>
+        <source>The tube was pushed against what stood before its tip (%1) with %2 N, more than the %3 N allowed</source>
+        <translation>Der Tubus wurde gegen das, was vor seiner Spitze stand (%1), mit %2 N gedrückt, mehr als die erlaubten %3 N</translation>
+    </message>
+    <message>
+        <source>The trial was interrupted (%1): its log ends at %2 s</source>
+        <translation>Der Durchgang wurde unterbrochen (%1): Seine Aufzeichnung endet bei %2 s</translation>
+    </message>
+    <message>
+        <source>The blade %1 was taken, which is right for this infant</source>
+        <translation>Der Spatel %1 wurde genommen, der für dieses Kind richtige</translation>
+    </message>
+    <message>
+        <source>The blade %1 was taken; right for this infant is %2</source>
+        <translation>Der Spatel %1 wurde genommen; richtig für dieses Kind ist %2</translation>
+    </message>
+    <message>
+        <source>The tube %1 was taken, which is right for this infant</source>
+        <translation>Der Tubus %1 wurde genommen, der für dieses Kind richtige</translation>
+    </message>
+    <message>
+        <source>The tube %1 was taken; right for this infant is %2</source>
+        <translation>Der Tubus %1 wurde genommen; richtig für dieses Kind ist %2</translation>
+    </message>
+    <message>
+        <source>%1; not validated</source>
+        <translation>%1; nicht validiert</translation>
+    </message>
+    <message>
+        <source>%1 time (%2)</source>
+        <translation>%1-mal (%2)</translation>
+    </message>
+    <message>
+        <source>%1 times (%2)</source>
+        <translation>%1-mal (%2)</translation>
+    </message>
+    <message>
+        <source>%1 N, at %2 s (%3)</source>
+        <translation>%1 N, bei %2 s (%3)</translation>
+    </message>
+    <message>
+        <source>%1: recognised late</source>
+        <translation>%1: spät erkannt</translation>
+    </message>
+    <message>
+        <source>pause: %1</source>
+        <translation>Pause: %1</translation>
+    </message>
+    <message>
+        <source>from %1 s on the tissue&apos;s shape may be a little different from what it was (%2 is the first to differ); figures are the recorded ones</source>
+        <translation>ab %1 s kann die Form des Gewebes ein wenig anders sein, als sie war (%2 weicht als Erstes ab); Werte sind die aufgezeichneten</translation>
+    </message>
+    <message>
+        <source>at %1 s %2 (the %3 ticks up to it are in %4)</source>
+        <translation>bei %1 s: %2 (die %3 Takte bis dahin stehen in %4)</translation>
+    </message>
+    <message>
+        <source>the replay stopped: %1</source>
+        <translation>die Wiedergabe hielt an: %1</translation>
+    </message>
+    <message>
+        <source>the expert&apos;s loop stopped: %1</source>
+        <translation>die Schleife des Experten hielt an: %1</translation>
+    </message>
+    <message>
+        <source>a trial that was cut off could not be kept: %1</source>
+        <translation>ein abgebrochener Durchgang konnte nicht aufgehoben werden: %1</translation>
+    </message>
+    <message>
+        <source>a trial that was cut off is kept, but has no report: %1</source>
+        <translation>ein abgebrochener Durchgang ist aufgehoben, hat aber keinen Bericht: %1</translation>
+    </message>
+    <message>
+        <source>a deleted person&apos;s files are still there: %1</source>
+        <translation>Dateien einer gelöschten Person sind noch da: %1</translation>
+    </message>
+    <message>
+        <source>The attempt took %1 s (%2 s to %3 s, the blade went in %4 times), within the %5 s allowed</source>
+        <translation>Der Intubationsversuch dauerte %1 s (%2 s bis %3 s, der Spatel ging %4-mal hinein), innerhalb der erlaubten %5 s</translation>
+    </message>
+    <message>
+        <source>The attempt took %1 s (%2 s to %3 s, the blade went in %4 times), more than the %5 s allowed</source>
+        <translation>Der Intubationsversuch dauerte %1 s (%2 s bis %3 s, der Spatel ging %4-mal hinein), mehr als die erlaubten %5 s</translation>
+    </message>
+    <message>
+        <source>The attempt took %1 s (%2 s to %3 s, the blade went in %4 times, the blade was still in the mouth), within the %5 s allowed</source>
+        <translation>Der Intubationsversuch dauerte %1 s (%2 s bis %3 s, der Spatel ging %4-mal hinein, der Spatel war noch im Mund), innerhalb der erlaubten %5 s</translation>
+    </message>
+    <message>
+        <source>The attempt took %1 s (%2 s to %3 s, the blade went in %4 times, the blade was still in the mouth), more than the %5 s allowed</source>
+        <translation>Der Intubationsversuch dauerte %1 s (%2 s bis %3 s, der Spatel ging %4-mal hinein, der Spatel war noch im Mund), mehr als die erlaubten %5 s</translation>
+    </message>
+    <message>
+        <source>The attempt took %1 s (%2 s to %3 s, paused for %4 s), within the %5 s allowed</source>
+        <translation>Der Intubationsversuch dauerte %1 s (%2 s bis %3 s, davon %4 s pausiert), innerhalb der erlaubten %5 s</translation>
+    </message>
+    <message>
+        <source>The attempt took %1 s (%2 s to %3 s, paused for %4 s), more than the %5 s allowed</source>
+        <translation>Der Intubationsversuch dauerte %1 s (%2 s bis %3 s, davon %4 s pausiert), mehr als die erlaubten %5 s</translation>
+    </message>
+    <message>
+        <source>The attempt took %1 s (%2 s to %3 s, paused for %4 s, the blade was still in the mouth), within the %5 s allowed</source>
+        <translation>Der Intubationsversuch dauerte %1 s (%2 s bis %3 s, davon %4 s pausiert, der Spatel war noch im Mund), innerhalb der erlaubten %5 s</translation>
+    </message>
+    <message>
+        <source>The attempt took %1 s (%2 s to %3 s, paused for %4 s, the blade was still in the mouth), more than the %5 s allowed</source>
+        <translation>Der Intubationsversuch dauerte %1 s (%2 s bis %3 s, davon %4 s pausiert, der Spatel war noch im Mund), mehr als die erlaubten %5 s</translation>
+    </message>
+    <message>
+        <source>The attempt took %1 s (%2 s to %3 s, paused for %4 s, the blade went in %5 times), within the %6 s allowed</source>
+        <translation>Der Intubationsversuch dauerte %1 s (%2 s bis %3 s, davon %4 s pausiert, der Spatel ging %5-mal hinein), innerhalb der erlaubten %6 s</translation>
+    </message>
+    <message>
+        <source>The attempt took %1 s (%2 s to %3 s, paused for %4 s, the blade went in %5 times), more than the %6 s allowed</source>
+        <translation>Der Intubationsversuch dauerte %1 s (%2 s bis %3 s, davon %4 s pausiert, der Spatel ging %5-mal hinein), mehr als die erlaubten %6 s</translation>
+    </message>
+    <message>
+        <source>The attempt took %1 s (%2 s to %3 s, paused for %4 s, the blade went in %5 times, the blade was still in the mouth), within the %6 s allowed</source>
+        <translation>Der Intubationsversuch dauerte %1 s (%2 s bis %3 s, davon %4 s pausiert, der Spatel ging %5-mal hinein, der Spatel war noch im Mund), innerhalb der erlaubten %6 s</translation>
+    </message>
+    <message>
+        <source>The attempt took %1 s (%2 s to %3 s, paused for %4 s, the blade went in %5 times, the blade was still in the mouth), more than the %6 s allowed</source>
+        <translation>Der Intubationsversuch dauerte %1 s (%2 s bis %3 s, davon %4 s pausiert, der Spatel ging %5-mal hinein, der Spatel war noch im Mund), mehr als die erlaubten %6 s</translation>
+    </message>
+    <message>
+        <source>Attempt %1 of %2, the longest, took %3 s (%4 s to %5 s), within the %6 s allowed</source>
+        <translation>Intubationsversuch %1 von %2, der längste, dauerte %3 s (%4 s bis %5 s), innerhalb der erlaubten %6 s</translation>
+    </message>
+    <message>
+        <source>Attempt %1 of %2, the longest, took %3 s (%4 s to %5 s), more than the %6 s allowed</source>
+        <translation>Intubationsversuch %1 von %2, der längste, dauerte %3 s (%4 s bis %5 s), mehr als die erlaubten %6 s</translation>
+    </message>
+    <message>
+        <source>Attempt %1 of %2, the longest, took %3 s (%4 s to %5 s, the blade was still in the mouth), within the %6 s allowed</source>
+        <translation>Intubationsversuch %1 von %2, der längste, dauerte %3 s (%4 s bis %5 s, der Spatel war noch im Mund), innerhalb der erlaubten %6 s</translation>
+    </message>
+    <message>
+        <source>Attempt %1 of %2, the longest, took %3 s (%4 s to %5 s, the blade was still in the mouth), more than the %6 s allowed</source>
+        <translation>Intubationsversuch %1 von %2, der längste, dauerte %3 s (%4 s bis %5 s, der Spatel war noch im Mund), mehr als die erlaubten %6 s</translation>
+    </message>
+    <message>
+        <source>Attempt %1 of %2, the longest, took %3 s (%4 s to %5 s, paused for %6 s), within the %7 s allowed</source>
+        <translation>Intubationsversuch %1 von %2, der längste, dauerte %3 s (%4 s bis %5 s, davon %6 s pausiert), innerhalb der erlaubten %7 s</translation>
+    </message>
+    <message>
+        <source>Attempt %1 of %2, the longest, took %3 s (%4 s to %5 s, paused for %6 s), more than the %7 s allowed</source>
+        <translation>Intubationsversuch %1 von %2, der längste, dauerte %3 s (%4 s bis %5 s, davon %6 s pausiert), mehr als die erlaubten %7 s</translation>
+    </message>
+    <message>
+        <source>Attempt %1 of %2, the longest, took %3 s (%4 s to %5 s, paused for %6 s, the blade was still in the mouth), within the %7 s allowed</source>
+        <translation>Intubationsversuch %1 von %2, der längste, dauerte %3 s (%4 s bis %5 s, davon %6 s pausiert, der Spatel war noch im Mund), innerhalb der erlaubten %7 s</translation>
+    </message>
+    <message>
+        <source>Attempt %1 of %2, the longest, took %3 s (%4 s to %5 s, paused for %6 s, the blade was still in the mouth), more than the %7 s allowed</source>
+        <translation>Intubationsversuch %1 von %2, der längste, dauerte %3 s (%4 s bis %5 s, davon %6 s pausiert, der Spatel war noch im Mund), mehr als die erlaubten %7 s</translation>
+    </message>
+    <message>
+        <source>The trial was interrupted: its log ends at %1 s</source>
+        <translation>Der Durchgang wurde unterbrochen: Seine Aufzeichnung endet bei %1 s</translation>
+    </message>
+    <message>
+        <source>The attempt cannot be timed: the log lacks usable landmarks of the gums and the vallecula</source>
+        <translation>Die Dauer des Intubationsversuchs ist unbekannt: Der Aufzeichnung fehlen brauchbare Landmarken von Zahnleisten und Vallecula</translation>
+    </message>
+    <message>
+        <source>A recorded force is not a number at %1 s: please report this trial&apos;s log</source>
+        <translation>Eine aufgezeichnete Kraft ist bei %1 s keine Zahl: Bitte melden Sie die Aufzeichnung dieses Durchgangs</translation>
+    </message>
+    <message>
+        <source>The tube&apos;s place was not confirmed: the detector did not turn yellow with %1 breaths through it, of %2 breaths allowed</source>
+        <translation>Die Lage des Tubus wurde nicht bestätigt: Der Detektor wurde mit %1 Hüben durch ihn nicht gelb, von %2 erlaubten</translation>
+    </message>
+    <message>
+        <source>With the head neutral the tube&apos;s tip lies about %1 mm past the cords, %2 % of the way to the carina: in the middle third</source>
+        <translation>Mit dem Kopf in Neutralstellung liegt die Tubusspitze etwa %1 mm hinter den Stimmlippen, %2 % des Weges zur Carina: im mittleren Drittel</translation>
+    </message>
+    <message>
+        <source>With the head neutral the tube&apos;s tip lies about %1 mm past the cords, %2 % of the way to the carina: to be drawn back</source>
+        <translation>Mit dem Kopf in Neutralstellung liegt die Tubusspitze etwa %1 mm hinter den Stimmlippen, %2 % des Weges zur Carina: zurückzuziehen</translation>
+    </message>
+    <message>
+        <source>With the head neutral the tube&apos;s tip lies about %1 mm past the cords, %2 % of the way to the carina: to be advanced</source>
+        <translation>Mit dem Kopf in Neutralstellung liegt die Tubusspitze etwa %1 mm hinter den Stimmlippen, %2 % des Weges zur Carina: vorzuschieben</translation>
+    </message>
+    <message>
+        <source>The tube in the oesophagus was recognised late: more than %1 breaths in one stay at %2 s</source>
+        <translation>Der Tubus im Ösophagus wurde spät erkannt: mehr als %1 Hübe in einem Aufenthalt, bei %2 s</translation>
+    </message>
+    <message>
+        <source>The tube in the oesophagus was recognised late: more than %1 breaths in one stay</source>
+        <translation>Der Tubus im Ösophagus wurde spät erkannt: mehr als %1 Hübe in einem Aufenthalt</translation>
+    </message>
+    <message>
+        <source>The tube in the oesophagus was recognised within %1 breaths in one stay</source>
+        <translation>Der Tubus im Ösophagus wurde innerhalb von %1 Hüben in einem Aufenthalt erkannt</translation>
+    </message>
+    <message>
+        <source>In attempt %1 of %2, begun at %3 s, saturation fell by %4 points or more, from %5 to %6 %</source>
+        <translation>Im Intubationsversuch %1 von %2, begonnen bei %3 s, fiel die Sättigung um %4 Punkte oder mehr, von %5 auf %6 %</translation>
+    </message>
+    <message>
+        <source>Saturation fell to %1 %, at least the %2 % asked for</source>
+        <translation>Die Sättigung fiel auf %1 %, mindestens die verlangten %2 %</translation>
+    </message>
+    <message>
+        <source>Saturation fell to %1 %, less than the %2 % asked for</source>
+        <translation>Die Sättigung fiel auf %1 %, weniger als die verlangten %2 %</translation>
+    </message>
+    <message>
+        <source>The heart fell to %1 per minute, at least the %2 per minute asked for</source>
+        <translation>Das Herz fiel auf %1 pro Minute, mindestens die verlangten %2 pro Minute</translation>
+    </message>
+    <message>
+        <source>The heart fell to %1 per minute, less than the %2 per minute asked for</source>
+        <translation>Das Herz fiel auf %1 pro Minute, weniger als die verlangten %2 pro Minute</translation>
+    </message>
+    <message>
+        <source>Yellow with breath %1</source>
+        <translation>Gelb mit Hub %1</translation>
+    </message>
+    <message>
+        <source>Not yellow after %1 breaths</source>
+        <translation>Nach %1 Hüben nicht gelb</translation>
+    </message>
+    <message>
+        <source>%1 breaths were given there</source>
+        <translation>%1 Hübe wurden dort gegeben</translation>
+    </message>
+    <message>
+        <source>or</source>
+        <translation>oder</translation>
+    </message>
+    <message>
+        <source>The tube was pushed against what stood before its tip with %1 N at %2 s, within the %3 N allowed</source>
+        <translation>Der Tubus wurde gegen das, was vor seiner Spitze stand, mit %1 N bei %2 s gedrückt, innerhalb der erlaubten %3 N</translation>
+    </message>
+    <message>
+        <source>The tube was pushed against what stood before its tip with %1 N, within the %2 N allowed</source>
+        <translation>Der Tubus wurde gegen das, was vor seiner Spitze stand, mit %1 N gedrückt, innerhalb der erlaubten %2 N</translation>
+    </message>
+    <message>
+        <source>From the view to the cords passed it took %1 s at %2 s, within the %3 s allowed</source>
+        <translation>Von der Sicht bis hinter die Stimmlippen dauerte es %1 s, bei %2 s, innerhalb der erlaubten %3 s</translation>
+    </message>
+    <message>
+        <source>From the view to the cords passed it took %1 s at %2 s, with the blade out already, within the %3 s allowed</source>
+        <translation>Von der Sicht bis hinter die Stimmlippen dauerte es %1 s, bei %2 s, mit dem Spatel schon heraus, innerhalb der erlaubten %3 s</translation>
+    </message>
+    <message>
+        <source>From the blade in the mouth to the cords passed, without a view, it took %1 s at %2 s, within the %3 s allowed</source>
+        <translation>Vom Spatel im Mund bis hinter die Stimmlippen, ohne Sicht, dauerte es %1 s, bei %2 s, innerhalb der erlaubten %3 s</translation>
+    </message>
+    <message>
+        <source>From the blade in the mouth to the cords passed, without a view, it took %1 s at %2 s, with the blade out already, within the %3 s allowed</source>
+        <translation>Vom Spatel im Mund bis hinter die Stimmlippen, ohne Sicht, dauerte es %1 s, bei %2 s, mit dem Spatel schon heraus, innerhalb der erlaubten %3 s</translation>
+    </message>
+    <message>
+        <source>The tube was pushed against what stood before its tip with %1 N at %2 s, more than the %3 N allowed</source>
+        <translation>Der Tubus wurde gegen das, was vor seiner Spitze stand, mit %1 N bei %2 s gedrückt, mehr als die erlaubten %3 N</translation>
+    </message>
+    <message>
+        <source>The tube was pushed against what stood before its tip with %1 N, more than the %2 N allowed</source>
+        <translation>Der Tubus wurde gegen das, was vor seiner Spitze stand, mit %1 N gedrückt, mehr als die erlaubten %2 N</translation>
+    </message>
+    <message>
+        <source>From the view to the cords passed it took %1 s at %2 s, more than the %3 s allowed</source>
+        <translation>Von der Sicht bis hinter die Stimmlippen dauerte es %1 s, bei %2 s, mehr als die erlaubten %3 s</translation>
+    </message>
+    <message>
+        <source>From the view to the cords passed it took %1 s at %2 s, with the blade out already, more than the %3 s allowed</source>
+        <translation>Von der Sicht bis hinter die Stimmlippen dauerte es %1 s, bei %2 s, mit dem Spatel schon heraus, mehr als die erlaubten %3 s</translation>
+    </message>
+    <message>
+        <source>From the blade in the mouth to the cords passed, without a view, it took %1 s at %2 s, more than the %3 s allowed</source>
+        <translation>Vom Spatel im Mund bis hinter die Stimmlippen, ohne Sicht, dauerte es %1 s, bei %2 s, mehr als die erlaubten %3 s</translation>
+    </message>
+    <message>
+        <source>From the blade in the mouth to the cords passed, without a view, it took %1 s at %2 s, with the blade out already, more than the %3 s allowed</source>
+        <translation>Vom Spatel im Mund bis hinter die Stimmlippen, ohne Sicht, dauerte es %1 s, bei %2 s, mit dem Spatel schon heraus, mehr als die erlaubten %3 s</translation>
+    </message>
+    <message>
+        <source>force exceeded</source>
+        <translation>Kraftgrenze überschritten</translation>
+    </message>
+    <message>
+        <source>communication lost</source>
+        <translation>Verbindung verloren</translation>
+    </message>
+    <message>
+        <source>unplugged</source>
+        <translation>ausgesteckt</translation>
+    </message>
+    <message>
+        <source>motor warm</source>
+        <translation>Motor zu warm</translation>
+    </message>
+    <message>
+        <source>non finite command</source>
+        <translation>ungültiger Kraftbefehl</translation>
+    </message>
+    <message>
+        <source>servo late</source>
+        <translation>Regelschleife zu spät</translation>
+    </message>
+    <message>
+        <source>not calibrated</source>
+        <translation>nicht kalibriert</translation>
+    </message>
+    <message>
+        <source>driver error</source>
+        <translation>Fehler des Treibers</translation>
+    </message>
+    <message>
+        <source>frozen</source>
+        <translation>eingefroren</translation>
+    </message>
+    <message>
+        <source>ended by trainee</source>
+        <translation>von der lernenden Person beendet</translation>
+    </message>
+    <message>
+        <source>no source given</source>
+        <translation>keine Quelle angegeben</translation>
+    </message>
+    <message>
+        <source>vestibule %1 N</source>
+        <translation>Vestibulum %1 N</translation>
+    </message>
+    <message>
+        <source>cords %1 N</source>
+        <translation>Stimmlippen %1 N</translation>
+    </message>
+    <message>
+        <source>subglottis %1 N</source>
+        <translation>Subglottis %1 N</translation>
+    </message>
+    <message>
+        <source>cricoid %1 N</source>
+        <translation>Ringknorpel %1 N</translation>
+    </message>
+    <message>
+        <source>trachea %1 N</source>
+        <translation>Trachea %1 N</translation>
+    </message>
+    <message>
+        <source>bronchus %1 N</source>
+        <translation>Bronchus %1 N</translation>
+    </message>
+    <message>
+        <source>oesophagus %1 N</source>
+        <translation>Ösophagus %1 N</translation>
+    </message>
+    <message>
+        <source>pharynx %1 N</source>
+        <translation>Rachen %1 N</translation>
+    </message>
+    <message>
+        <source>tongue %1 N</source>
+        <translation>Zunge %1 N</translation>
+    </message>
+    <message>
+        <source>epiglottis %1 N</source>
+        <translation>Epiglottis %1 N</translation>
+    </message>
+    <message>
+        <source>blade %1 N</source>
+        <translation>Spatel %1 N</translation>
+    </message>
+    <message>
+        <source>vestibule</source>
+        <translation>Vestibulum</translation>
+    </message>
+    <message>
+        <source>cords</source>
+        <translation>Stimmlippen</translation>
+    </message>
+    <message>
+        <source>subglottis</source>
+        <translation>Subglottis</translation>
+    </message>
+    <message>
+        <source>cricoid</source>
+        <translation>Ringknorpel</translation>
+    </message>
+    <message>
+        <source>trachea</source>
+        <translation>Trachea</translation>
+    </message>
+    <message>
+        <source>bronchus</source>
+        <translation>Bronchus</translation>
+    </message>
+    <message>
+        <source>pharynx</source>
+        <translation>Rachen</translation>
+    </message>
+    <message>
+        <source>blade</source>
+        <translation>Spatel</translation>
+    </message>
+    <message>
+        <source>%1 mm past the cords, %2 % of %3 mm to the carina</source>
+        <translation>%1 mm hinter den Stimmlippen, %2 % von %3 mm bis zur Carina</translation>
+    </message>
+    <message>
+        <source>%1 mm past the cords, %2 % of %3 mm to the carina; about %4 mm, %5 %, with the head neutral (assumed)</source>
+        <translation>%1 mm hinter den Stimmlippen, %2 % von %3 mm bis zur Carina; etwa %4 mm, %5 %, mit dem Kopf in Neutralstellung (angenommen)</translation>
+    </message>
+    <message>
+        <source>in the right main bronchus</source>
+        <translation>im rechten Hauptbronchus</translation>
+    </message>
+    <message>
+        <source>in the left main bronchus</source>
+        <translation>im linken Hauptbronchus</translation>
+    </message>
+    <message>
+        <source>in a main bronchus</source>
+        <translation>in einem Hauptbronchus</translation>
+    </message>
+    <message>
+        <source>not yellow, %1 breath through the tube</source>
+        <translation>nicht gelb, %1 Hub durch den Tubus</translation>
+    </message>
+    <message>
+        <source>not yellow, %1 breaths through the tube</source>
+        <translation>nicht gelb, %1 Hübe durch den Tubus</translation>
+    </message>
+    <message>
+        <source>%1 time</source>
+        <translation>%1-mal</translation>
+    </message>
+    <message>
+        <source>%1 times</source>
+        <translation>%1-mal</translation>
+    </message>
+    <message>
+        <source>%1 breath given there</source>
+        <translation>%1 Hub dort gegeben</translation>
+    </message>
+    <message>
+        <source>%1 breaths given there</source>
+        <translation>%1 Hübe dort gegeben</translation>
+    </message>
+    <message>
+        <source>%1 s until withdrawn</source>
+        <translation>%1 s bis herausgezogen</translation>
+    </message>
+    <message>
+        <source>%1 ml, at the end %2 ml</source>
+        <translation>%1 ml, am Ende %2 ml</translation>
+    </message>
+    <message>
+        <source>%1 right</source>
+        <translation>%1 richtig</translation>
+    </message>
+    <message>
+        <source>%1 wrong</source>
+        <translation>%1 falsch</translation>
+    </message>
+    <message>
+        <source>%1 missed</source>
+        <translation>%1 verpasst</translation>
+    </message>
+    <message>
+        <source>%1 answered to nothing</source>
+        <translation>%1 ohne Frage beantwortet</translation>
+    </message>
+    <message>
+        <source>%1 Hz</source>
+        <translation>%1 Hz</translation>
+    </message>
+    <message>
+        <source>talk silenced</source>
+        <translation>Gespräch stummgeschaltet</translation>
+    </message>
+    <message>
+        <source>alarm answered rightly</source>
+        <translation>Alarm richtig beantwortet</translation>
+    </message>
+    <message>
+        <source>alarm answered wrongly</source>
+        <translation>Alarm falsch beantwortet</translation>
+    </message>
+    <message>
+        <source>pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>SpO2 below %1 %</source>
+        <translation>SpO2 unter %1 %</translation>
+    </message>
+    <message>
+        <source>a trial that was cut off is kept as interrupted, up to second %1</source>
+        <translation>ein abgebrochener Durchgang ist als unterbrochen aufgehoben, bis Sekunde %1</translation>
+    </message>
+    <message>
+        <source>a finished trial that was cut off from its record has it now</source>
+        <translation>ein beendeter Durchgang, dessen Eintrag fehlte, hat ihn jetzt</translation>
+    </message>
+    <message>
+        <source>the airway&apos;s surface ends %1 mm below the cords: from there to the carina the trachea goes straight on as wide as it is</source>
+        <translation>die Oberfläche des Atemwegs endet %1 mm unter den Stimmlippen: Von dort bis zur Carina geht die Trachea gerade und gleich weit weiter</translation>
+    </message>
+    <message>
+        <source>no cut above the cords is the larynx&apos; own: its inlet is taken to be as wide as the cords</source>
+        <translation>kein Schnitt über den Stimmlippen gehört dem Kehlkopf allein: Sein Eingang wird so weit angenommen wie die Stimmlippen</translation>
+    </message>
+    <message>
+        <source>%1 mm, at %2 s</source>
+        <translation>%1 mm, bei %2 s</translation>
+    </message>
+    <message>
+        <source>yellow with breath %1</source>
+        <translation>gelb mit Hub %1</translation>
+    </message>
+    <message>
         <source>No attempt: not counted for the course</source>
         <translation>Kein Intubationsversuch: zählt nicht für den Kurs</translation>
     </message>
@@ -3925,7 +4457,7 @@
     <name>MouseIntroduction</name>
     <message>
         <source>&lt;tr&gt;&lt;td&gt;&lt;b&gt;Drag, wheel&lt;/b&gt;&lt;/td&gt;&lt;td&gt;moves it in the picture; wheel forward: deeper into the mouth&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Ctrl-drag&lt;/b&gt;&lt;/td&gt;&lt;td&gt;turns it about its tip; so do a drag with the right button and W A S D (Q E: roll)&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Space&lt;/b&gt;&lt;/td&gt;&lt;td&gt;held: lifts the blade along its handle; Backspace lowers&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Shift, + and -&lt;/b&gt;&lt;/td&gt;&lt;td&gt;held: all of it finer; farther, or less far, for the same way&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Arrows, PgUp, PgDn &amp;nbsp;&lt;/b&gt;&lt;/td&gt;&lt;td&gt;move it without a mouse&lt;/td&gt;&lt;/tr&gt;</source>
-        <translation>&lt;tr&gt;&lt;td&gt;&lt;b&gt;Ziehen, Mausrad&lt;/b&gt;&lt;/td&gt;&lt;td&gt;bewegt ihn im Bild; Rad nach vorn: tiefer in den Mund&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Strg-Ziehen&lt;/b&gt;&lt;/td&gt;&lt;td&gt;dreht ihn um seine Spitze; ebenso Ziehen mit der rechten Taste und W A S D (Q E: rollen)&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Leertaste&lt;/b&gt;&lt;/td&gt;&lt;td&gt;gehalten: hebt den Spatel längs seines Griffs; Rücktaste senkt&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Umschalt, + und -&lt;/b&gt;&lt;/td&gt;&lt;td&gt;gehalten: alles feiner; weiter oder weniger weit bei gleichem Weg&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Pfeile, Bild auf/ab &amp;nbsp;&lt;/b&gt;&lt;/td&gt;&lt;td&gt;bewegen ihn ohne Maus&lt;/td&gt;&lt;/tr&gt;</translation>
+        <translation>&lt;tr&gt;&lt;td&gt;&lt;b&gt;Ziehen, Mausrad&lt;/b&gt;&lt;/td&gt;&lt;td&gt;bewegt es im Bild; Rad nach vorn: tiefer in den Mund&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Strg-Ziehen&lt;/b&gt;&lt;/td&gt;&lt;td&gt;dreht es um seine Spitze; ebenso Ziehen mit der rechten Taste und W A S D (Q E: rollen)&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Leertaste&lt;/b&gt;&lt;/td&gt;&lt;td&gt;gehalten: hebt den Spatel längs seines Griffs; Rücktaste senkt&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Umschalt, + und -&lt;/b&gt;&lt;/td&gt;&lt;td&gt;gehalten: alles feiner; weiter oder weniger weit bei gleichem Weg&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Pfeile, Bild auf/ab &amp;nbsp;&lt;/b&gt;&lt;/td&gt;&lt;td&gt;bewegen es ohne Maus&lt;/td&gt;&lt;/tr&gt;</translation>
     </message>
     <message>
         <source>&lt;tr&gt;&lt;td&gt;&lt;b&gt;X&lt;/b&gt; (or Tab)&lt;/td&gt;&lt;td&gt;the other hand: blade or tube; what you let go of stays where it is&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;B, L&lt;/b&gt;&lt;/td&gt;&lt;td&gt;held: breaths, by mask, or by the tube once it is in; pressure on the larynx&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;C, V&lt;/b&gt;&lt;/td&gt;&lt;td&gt;suction catheter instead of the tube, and back; V held sucks&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;T&lt;/b&gt;&lt;/td&gt;&lt;td&gt;draws the stylet out of the tube&lt;/td&gt;&lt;/tr&gt;</source>
@@ -5884,6 +6416,14 @@ Nothing can break, and every try is a new one. Before it begins a card tells wha
 
 Nichts kann kaputtgehen, und jeder Versuch ist ein neuer. Bevor es beginnt, sagt eine Karte, was Maus und Tasten tun.</translation>
     </message>
+    <message>
+        <source>Of all words of the window; to be changed in the settings as well (Ctrl+,)</source>
+        <translation>Aller Wörter des Fensters; auch in den Einstellungen zu ändern (Strg+,)</translation>
+    </message>
+    <message>
+        <source>&amp;Language / Sprache</source>
+        <translation>&amp;Sprache / Language</translation>
+    </message>
 </context>
 <context>
     <name>vallecula::gui::ForceBars</name>
@@ -6664,6 +7204,14 @@ Gerät: %3</translation>
         <source>Stands at %1: an expert is shown</source>
         <translation>Steht bei %1: der Expertenablauf wird gezeigt</translation>
     </message>
+    <message>
+        <source>C&amp;lose</source>
+        <translation>S&amp;chließen</translation>
+    </message>
+    <message>
+        <source>Closes this window and lets the trial go on (Esc, Ctrl+I); whoever signed in here is signed out</source>
+        <translation>Schließt dieses Fenster und lässt den Durchgang weitergehen (Esc, Strg+I); wer hier angemeldet ist, wird abgemeldet</translation>
+    </message>
 </context>
 <context>
     <name>vallecula::gui::LabelView</name>
@@ -6962,14 +7510,6 @@ Gerät: %3</translation>
         <translation>Verwerfen</translation>
     </message>
     <message>
-        <source>Open a trial, a patient&apos;s patient.yaml, a course or a CT&apos;s file</source>
-        <translation>Einen Durchgang, die patient.yaml eines Patienten, einen Kurs oder die Datei eines CT öffnen</translation>
-    </message>
-    <message>
-        <source>What can be opened (*.vtrial *.yaml *.yml *.dcm *.ima *.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd);;All files (*)</source>
-        <translation>Was sich öffnen lässt (*.vtrial *.yaml *.yml *.dcm *.ima *.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd);;Alle Dateien (*)</translation>
-    </message>
-    <message>
         <source>Finish or leave what is under way on this page first; then it can be opened.</source>
         <translation>Beenden oder verlassen Sie erst, was auf dieser Seite im Gange ist; dann lässt es sich öffnen.</translation>
     </message>
@@ -7174,6 +7714,25 @@ Gerät: %3</translation>
     <message>
         <source>%1 mm inner diameter</source>
         <translation>%1 mm Innendurchmesser</translation>
+    </message>
+</context>
+<context>
+    <name>vallecula::gui::OpenDialog</name>
+    <message>
+        <source>Open a patient, a trial, a course or a CT</source>
+        <translation>Einen Patienten, einen Durchgang, einen Kurs oder ein CT öffnen</translation>
+    </message>
+    <message>
+        <source>What can be opened (*.vtrial *.yaml *.yml *.dcm *.ima *.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd);;All files (*)</source>
+        <translation>Was sich öffnen lässt (*.vtrial *.yaml *.yml *.dcm *.ima *.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Open the &amp;folder</source>
+        <translation>&amp;Ordner öffnen</translation>
+    </message>
+    <message>
+        <source>Opens the folder that is chosen, or else the one that is shown: a patient (NAME.patient), a trial, a CT</source>
+        <translation>Öffnet den gewählten Ordner, sonst den gezeigten: einen Patienten (NAME.patient), einen Durchgang, ein CT</translation>
     </message>
 </context>
 <context>
@@ -7639,10 +8198,6 @@ Gerät: %3</translation>
         <translation>Abspielen</translation>
     </message>
     <message>
-        <source>Computing on to %1 ...</source>
-        <translation>Wird bis %1 berechnet ...</translation>
-    </message>
-    <message>
         <source>The replay was stopped before this second.</source>
         <translation>Die Wiedergabe wurde vor dieser Sekunde angehalten.</translation>
     </message>
@@ -7803,14 +8358,6 @@ Gerät: %3</translation>
         <translation>+ und -</translation>
     </message>
     <message>
-        <source>Computing the tissue&apos;s shape</source>
-        <translation>Die Form des Gewebes wird berechnet</translation>
-    </message>
-    <message>
-        <source>The tissue&apos;s shape is not in the log and is computed anew; what is blue on the timeline is there</source>
-        <translation>Die Form des Gewebes steht nicht in der Aufzeichnung und wird neu berechnet; was auf der Zeitleiste blau ist, ist da</translation>
-    </message>
-    <message>
         <source>Stop</source>
         <translation>Anhalten</translation>
     </message>
@@ -7869,6 +8416,22 @@ Gerät: %3</translation>
     <message>
         <source>The film and its seconds go on in pauses, %1 s in all; the attempt&apos;s time stands in them, as in the result.</source>
         <translation>Der Film und seine Sekunden laufen in Pausen weiter, zusammen %1 s; die Zeit des Intubationsversuchs steht in ihnen, wie im Ergebnis.</translation>
+    </message>
+    <message>
+        <source>Simulating the trial again up to %1 ... %2 % (Stop ends it)</source>
+        <translation>Durchgang wird neu simuliert bis %1 ... %2 % (Anhalten beendet es)</translation>
+    </message>
+    <message>
+        <source>Simulating the trial again ... %1 % (Stop ends it)</source>
+        <translation>Durchgang wird neu simuliert ... %1 % (Anhalten beendet es)</translation>
+    </message>
+    <message>
+        <source>Simulating the trial again</source>
+        <translation>Durchgang wird neu simuliert</translation>
+    </message>
+    <message>
+        <source>Simulating the trial again: the tissue&apos;s shape is not in the log and is computed anew. What is blue on the timeline is there; Stop ends it, and what is computed stays.</source>
+        <translation>Der Durchgang wird neu simuliert: Die Form des Gewebes steht nicht in der Aufzeichnung und wird neu berechnet. Was auf der Zeitleiste blau ist, ist da; Anhalten beendet es, und was berechnet ist, bleibt.</translation>
     </message>
     <message>
         <source> (with pauses)</source>

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "curricula/score/handle_loads.h"
+#include "gui/session/words_from_below.h"
 #include "gui/views/theme.h"
 
 namespace vallecula::gui {
@@ -15,7 +16,7 @@ namespace {
 constexpr double kSmall = 8.0, kName = 10.5;  // points
 constexpr double kBetweenWords = 6.0;         // px
 
-QString newtons(double force_n) { return QString::number(force_n, 'f', 1); }
+QString newtons(double force_n) { return decimal(force_n, 1); }
 
 QFont with_points(QFont font, double points, bool bold = false) {
   font.setPointSizeF(theme::points(points));
@@ -43,8 +44,7 @@ BladeForces blade_forces(const std::array<engine::StructureLoad, engine::kLoaded
   const auto magnitude = [&](engine::Structure structure) {
     return loads[static_cast<std::size_t>(structure)].force_n.norm();
   };
-  return {magnitude(engine::Structure::tongue), magnitude(engine::Structure::gum), handle.lifted_n(),
-          handle.levered_n};
+  return {magnitude(engine::Structure::tongue), magnitude(engine::Structure::gum), handle.lifted_n(), handle.levered_n};
 }
 
 ForceMarks force_marks(const curricula::Scenario& scenario, double device_limit_n) {
@@ -60,8 +60,13 @@ ForceBars::ForceBars(QWidget* parent) : QWidget(parent) {
 double ForceBars::line() const { return QFontMetricsF(with_points(font(), kSmall)).height(); }
 
 // Two bars with their labels above, the tongue's with its parts and their words below.
-QSize ForceBars::sizeHint() const { return {420, static_cast<int>(4.2 * line() + 86.0)}; }
-QSize ForceBars::minimumSizeHint() const { return {280, static_cast<int>(4.2 * line() + 76.0)}; }
+// A bar's figure and its peak stand above each other: with large text they are what it must be high for.
+QSize ForceBars::sizeHint() const { return {420, minimumSizeHint().height() + 10}; }
+QSize ForceBars::minimumSizeHint() const {
+  const double now = QFontMetricsF(with_points(font(), 13.0, true)).height();
+  return {280, static_cast<int>(std::max(4.2 * line() + 76.0, 2.0 * (2.0 * line() + now + 2.0) + parts_high()))};
+}
+double ForceBars::parts_high() const { return 9.0 + 4.0 + 1.2 * line(); }
 
 void ForceBars::set_marks(const ForceMarks& marks) {
   tongue_.target = marks.tongue_target_n;
@@ -69,8 +74,8 @@ void ForceBars::set_marks(const ForceMarks& marks) {
   tongue_.pass = marks.tongue_pass_n;
   gum_.pass = marks.gum_pass_n;
   device_limit_ = marks.device_limit_n;
-  scale_ = std::max(
-      1.0, std::ceil(1.2 * std::max({device_limit_, tongue_.target, gum_.target, tongue_.pass, gum_.pass})));
+  scale_ =
+      std::max(1.0, std::ceil(1.2 * std::max({device_limit_, tongue_.target, gum_.target, tongue_.pass, gum_.pass})));
   QStringList lines{
       tr("Model force of the tissue on the blade, in newton. White line: the highest so far."),
       tr("Target: what to train for, %1 N on the tongue and %2 N on the gum; a trial passes with at most %3 s above "
@@ -79,8 +84,9 @@ void ForceBars::set_marks(const ForceMarks& marks) {
       tr("Pass limit: a peak above %1 N on the tongue or %2 N on the gum does not pass.")
           .arg(newtons(tongue_.pass), newtons(gum_.pass))};
   if (device_limit_ > 0.0) lines << tr("Device limit: the device can show %1 N.").arg(newtons(device_limit_));
-  lines << tr("Below the tongue's bar: what your hand lifts of the load along the handle, and what is levered on the "
-              "upper jaw (hatched).");
+  lines << tr(
+      "Below the tongue's bar: what your hand lifts of the load along the handle, and what is levered on the "
+      "upper jaw (hatched).");
   setToolTip(lines.join('\n'));
   clear();
 }
@@ -101,8 +107,7 @@ void ForceBars::show(const BladeForces& now, bool of_expert) {
   levered_ = now.levered_n;
   const QString words = of_expert ? tr("An expert's: tongue %1 N, gum %2 N, lift %3 N, lever %4 N")
                                   : tr("tongue %1 N, gum %2 N, lift %3 N, lever %4 N");
-  setAccessibleDescription(
-      words.arg(newtons(now.tongue_n), newtons(now.gum_n), newtons(lifted_), newtons(levered_)));
+  setAccessibleDescription(words.arg(newtons(now.tongue_n), newtons(now.gum_n), newtons(lifted_), newtons(levered_)));
   update();
 }
 
@@ -216,22 +221,25 @@ void ForceBars::paint_parts(QPainter& painter, const QRectF& place) const {
   if (both - lifted > 0.5) fill_levered(painter, QRectF(track.left() + lifted, track.top(), both - lifted, strip));
   painter.setFont(with_points(font(), kSmall + 0.5));
   const QFontMetricsF type(painter.font());
-  double x = track.left();
+  const double box = 0.7 * type.ascent(), between = 16.0;
+  const QString lift = tr("lift %1 N").arg(newtons(lifted_)), lever = tr("lever %1 N").arg(newtons(levered_));
+  const double whole = 2.0 * (box + 5.0) + between + type.horizontalAdvance(lift) + type.horizontalAdvance(lever);
+  double x = std::max(0.0, std::min(track.left(), width() - whole));  // where the track is short, from before it
   const auto word = [&](const QString& text, void (*fill)(QPainter&, const QRectF&)) {
-    const double box = 0.7 * type.ascent(), y = track.bottom() + 3.0;
+    const double y = track.bottom() + 3.0;
     fill(painter, QRectF(x, y + type.ascent() - box, box, box));
     painter.setPen(theme::text());
     painter.drawText(QPointF(x + box + 5.0, y + type.ascent()), text);
-    x += box + 5.0 + type.horizontalAdvance(text) + 16.0;
+    x += box + 5.0 + type.horizontalAdvance(text) + between;
   };
-  word(tr("lift %1 N").arg(newtons(lifted_)), fill_lifted);
-  word(tr("lever %1 N").arg(newtons(levered_)), fill_levered);
+  word(lift, fill_lifted);
+  word(lever, fill_levered);
 }
 
 void ForceBars::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
-  const double parts = 9.0 + 4.0 + 1.2 * line(), half = 0.5 * (height() - parts);
+  const double parts = parts_high(), half = 0.5 * (height() - parts);
   const QRectF tongue(0, 1, width(), half);
   paint_bar(painter, tongue, tr("Tongue"), tongue_, true);
   const QRectF track = track_of(tongue);

@@ -62,6 +62,7 @@ class ForceBars : public QWidget {
   void paint_parts(class QPainter& painter, const QRectF& place) const;
   QRectF track_of(const QRectF& place) const;
   /// Of a line of small type, px.
+  double parts_high() const;  ///< strip and words of lift and lever, px
   double line() const;
   Bar tongue_, gum_;
   double lifted_ = 0.0, levered_ = 0.0;

@@ -36,6 +36,12 @@ QFont sized(QPainter& painter, double pixels, bool bold) {
   return font;
 }
 
+/// Bold, as large as that, or as the width allows.
+QFont fitted(QPainter& painter, double pixels, const QString& text, double wide) {
+  const double asked = QFontMetricsF(sized(painter, pixels, true)).horizontalAdvance(text);
+  return sized(painter, asked > wide ? pixels * wide / asked : pixels, true);
+}
+
 }  // namespace
 
 QStringList alarms_of(const engine::IntubationRecord& record) {
@@ -138,7 +144,7 @@ void MonitorPanel::paint_trend(QPainter& painter, const QRectF& place, double Mo
 void MonitorPanel::paint_breaths(QPainter& painter, const QRectF& place) const {
   const double tall = place.height(), small = std::min(0.17 * tall, 0.135 * place.width());
   painter.setPen(kQuiet);
-  painter.setFont(sized(painter, small, true));
+  painter.setFont(fitted(painter, small, tr("Since breath"), place.width()));
   painter.drawText(place, Qt::AlignTop | Qt::AlignLeft, tr("Since breath"));
   const bool long_ago = there_ && since_breath_s() > 30.0;  // an attempt's ceiling
   painter.setPen(long_ago ? theme::over() : kQuiet);
@@ -157,7 +163,7 @@ void MonitorPanel::paint_breaths(QPainter& painter, const QRectF& place) const {
 void MonitorPanel::paint_detector(QPainter& painter, const QRectF& place) const {
   const double tall = place.height();
   painter.setPen(kQuiet);
-  painter.setFont(sized(painter, std::min(0.17 * tall, 0.135 * place.width()), true));
+  painter.setFont(fitted(painter, std::min(0.17 * tall, 0.135 * place.width()), tr("CO2 detector"), place.width()));
   painter.drawText(place, Qt::AlignTop | Qt::AlignLeft, tr("CO2 detector"));
   const bool yellow = there_ && record_.detector_yellow;
   const QRectF patch(place.left(), place.top() + 0.27 * tall, place.width(), 0.71 * tall);

@@ -12,7 +12,7 @@ namespace vallecula::gui {
 
 QString words_of(const std::string& name) { return in_words(pipeline::words_of(name)); }
 
-QString tenths_of(double mm) { return QString::number(std::round(10.0 * mm) / 10.0 + 0.0, 'f', 1); }
+QString tenths_of(double mm) { return decimal(std::round(10.0 * mm) / 10.0 + 0.0, 1); }
 
 SliceScene::SliceScene(QObject* parent) : QObject(parent) {
   overlay_.visible.fill(true);

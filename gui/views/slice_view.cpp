@@ -227,7 +227,7 @@ void SliceView::draw_seeds(QPainter& painter, Names& names) const {
 void SliceView::draw_edges(QPainter& painter) const {
   QFont font = painter.font();
   font.setBold(true);
-  font.setPointSizeF(12.0);
+  font.setPointSizeF(theme::points(12.0));
   painter.setFont(font);
   const double x = 0.5 * width(), y = 0.5 * height();
   rimmed_text(painter, {8, y}, axes_.left, theme::text());
@@ -235,7 +235,7 @@ void SliceView::draw_edges(QPainter& painter) const {
   rimmed_text(painter, {x - 5, 20}, axes_.top, theme::text());
   rimmed_text(painter, {x - 5, height() - 8.0}, axes_.bottom, theme::text());
   font.setBold(false);
-  font.setPointSizeF(10.0);
+  font.setPointSizeF(theme::points(10.0));
   painter.setFont(font);
   const int count = shown_->grid.size[axes_.through];
   rimmed_text(painter, {8, 18},

@@ -2,7 +2,9 @@
 
 #include <QApplication>
 #include <QFont>
+#include <QLabel>
 #include <QPalette>
+#include <QRegularExpression>
 #include <QStyle>
 #include <QStyleFactory>
 #include <algorithm>
@@ -20,13 +22,17 @@ struct Shade {
   const char *name, *dark, *light;
 };
 
-const Colours kDark{{22, 26, 31},  {31, 36, 43},   {52, 58, 67},   {232, 236, 240}, {150, 158, 168}, {0, 158, 115},
-                    {230, 159, 0}, {240, 228, 66}, {86, 180, 233}, {213, 94, 0},    {58, 130, 200}, {23, 74, 60},   {90, 45, 18}};
+const Colours kDark{{22, 26, 31},   {31, 36, 43},  {52, 58, 67},   {232, 236, 240}, {150, 158, 168},
+                    {0, 158, 115},  {230, 159, 0}, {240, 228, 66}, {86, 180, 233},  {213, 94, 0},
+                    {58, 130, 200}, {23, 74, 60},  {90, 45, 18}};
 // The same hues, dark enough to be read on white (4.5 to 1 where they colour text: WCAG 2.1, 1.4.3).
-const Colours kLight{{238, 241, 244}, {255, 255, 255}, {209, 215, 222}, {24, 29, 35}, {86, 95, 106}, {0, 121, 90},
-                     {150, 94, 0},    {122, 104, 0},   {0, 104, 158},   {176, 66, 0}, {28, 98, 168}, {205, 236, 224}, {246, 221, 204}};
+const Colours kLight{{238, 241, 244}, {255, 255, 255}, {209, 215, 222}, {24, 29, 35},  {86, 95, 106},
+                     {0, 121, 90},    {150, 94, 0},    {122, 104, 0},   {0, 104, 158}, {176, 66, 0},
+                     {28, 98, 168},   {205, 236, 224}, {246, 221, 204}};
 
-constexpr std::array<Shade, 22> kShades{{{"panel", "#1f242b", "#ffffff"},
+constexpr std::array<Shade, 24> kShades{{{"panel", "#1f242b", "#ffffff"},
+                                         {"dialog", "#1d2228", "#f5f7f9"},
+                                         {"dialog-edge", "#7d8896", "#7f8a96"},
                                          {"off", "#262b32", "#e6e9ed"},
                                          {"head", "#262c34", "#e1e6eb"},
                                          {"grid", "#2b323b", "#e1e6eb"},
@@ -50,6 +56,7 @@ constexpr std::array<Shade, 22> kShades{{{"panel", "#1f242b", "#ffffff"},
                                          {"faint", "#969ea8", "#565f6a"}}};
 
 const char* const kSheet = R"(
+    QDialog { background: @dialog@; border: 1px solid @dialog-edge@; }
     QPushButton { color: @text@; background: @button@; border: 1px solid @edge@; border-radius: 5px; padding: 7px 16px; }
     QPushButton:hover { background: @button-lit@; }
     QPushButton:focus { border: 1px solid @focus@; }
@@ -98,6 +105,7 @@ const char* const kSheet = R"(
     QLabel#title { font-size: @19pt@; font-weight: bold; }
     QLabel#heading { font-size: @12pt@; font-weight: bold; }
     QLabel#faint, QLabel[role="faint"] { color: @faint@; }
+    QLabel[role="figure"] { font-size: @22pt@; font-weight: bold; }
     QLabel[role="warning"] { color: @over@; }
     QLabel[role="good"] { color: @within@; }
     QFrame#panel { background: @panel@; border-radius: 7px; }
@@ -111,16 +119,35 @@ const char* const kSheet = R"(
 Look applied;
 const Colours* colours = &kDark;
 
-QString style_sheet() {
-  QString sheet = kSheet;
+constexpr const char *kOwnSheet = "theme_sheet", *kOwnWidth = "theme_width", *kOwnHeight = "theme_height";
+
+/// The look's colours and sizes in their places: "@over@", "@19pt@" (of a text scale of one).
+QString filled(QString sheet) {
   for (const Shade& shade : kShades)
     sheet.replace('@' + QString(shade.name) + '@', applied.ground == Ground::dark ? shade.dark : shade.light);
-  sheet.replace("@text@", colours->text.name())
-      .replace("@over@", colours->over.name())
-      .replace("@within@", colours->within.name());
-  for (const int size : {19, 12})
-    sheet.replace(QString("@%1pt@").arg(size), QString("%1pt").arg(points(size), 0, 'f', 1));
+  for (const auto& [name, colour] : {std::pair{"text", colours->text},
+                                     {"over", colours->over},
+                                     {"bad", colours->bad},
+                                     {"within", colours->within},
+                                     {"device", colours->device}})
+    sheet.replace('@' + QString(name) + '@', colour.name());
+  static const QRegularExpression size("@(\\d+)pt@");
+  for (auto found = size.match(sheet); found.hasMatch(); found = size.match(sheet))
+    sheet.replace(found.capturedStart(), found.capturedLength(),
+                  QString("%1pt").arg(points(found.captured(1).toDouble()), 0, 'f', 1));
   return sheet;
+}
+
+/// A link keeps the colour it was read with, and a widget the sheet and the size it was given.
+void bring_along(QWidget& widget) {
+  if (const QVariant own = widget.property(kOwnSheet); own.isValid()) widget.setStyleSheet(filled(own.toString()));
+  if (const QVariant wide = widget.property(kOwnWidth); wide.isValid()) keep_wide(widget, wide.toInt());
+  if (const QVariant high = widget.property(kOwnHeight); high.isValid()) keep_high(widget, high.toInt());
+  auto* label = qobject_cast<QLabel*>(&widget);
+  if (label == nullptr || !label->text().contains("<a ")) return;
+  const QString text = label->text();
+  label->clear();
+  label->setText(text);
 }
 
 }  // namespace
@@ -141,11 +168,34 @@ const QColor& gone_line() { return colours->gone_line; }
 double points(double at_scale_one) { return at_scale_one * applied.text_scale; }
 const Look& look() { return applied; }
 
+void dress(QWidget& widget, const QString& sheet) {
+  widget.setProperty(kOwnSheet, sheet);
+  widget.setStyleSheet(filled(sheet));
+}
+
+void keep_wide(QWidget& widget, int pixels) {
+  widget.setProperty(kOwnWidth, pixels);
+  widget.setFixedWidth(static_cast<int>(points(pixels)));
+}
+
+void keep_high(QWidget& widget, int pixels) {
+  widget.setProperty(kOwnHeight, pixels);
+  widget.setFixedHeight(static_cast<int>(points(pixels)));
+}
+
+QColor of_this_ground(const QColor& colour) {
+  const Colours& other = colours == &kDark ? kLight : kDark;
+  for (const auto part : {&Colours::text, &Colours::faint, &Colours::within, &Colours::over, &Colours::target,
+                          &Colours::device, &Colours::bad, &Colours::accent})
+    if (other.*part == colour) return colours->*part;
+  return colour;
+}
+
 void apply(QApplication& application, const Look& look) {
   applied = {look.ground, std::clamp(look.text_scale, kLeastTextScale, kMostTextScale)};
   colours = applied.ground == Ground::dark ? &kDark : &kLight;
-  // Without a style sheet the others are laid under every widget of every page in a tenth of the time, and a sheet put on
-  // where there is none touches only what has been seen.
+  // Without a style sheet the others are laid under every widget of every page in a tenth of the time, and a sheet put
+  // on where there is none touches only what has been seen.
   application.setStyleSheet({});
   if (application.style()->objectName() != "fusion") application.setStyle(QStyleFactory::create("Fusion"));
   QPalette palette;
@@ -170,7 +220,8 @@ void apply(QApplication& application, const Look& look) {
   QFont font("DejaVu Sans");
   font.setPointSizeF(points(10.0));
   application.setFont(font);
-  application.setStyleSheet(style_sheet());
+  application.setStyleSheet(filled(kSheet));
+  for (QWidget* widget : QApplication::allWidgets()) bring_along(*widget);
 }
 
 }  // namespace vallecula::gui::theme

@@ -5,6 +5,8 @@
 #include <QColor>
 
 class QApplication;
+class QString;
+class QWidget;
 
 namespace vallecula::gui::theme {
 
@@ -33,6 +35,14 @@ const QColor& new_line();   ///< behind text: what a comparison found added
 const QColor& gone_line();  ///< and removed
 /// A size in points as the look's text scale has it.
 double points(double at_scale_one);
+
+/// Gives a widget a style sheet of its own that follows the look: "@over@" and "@15pt@" in it are as in the window's.
+void dress(QWidget& widget, const QString& sheet);
+/// Fixes a widget's width or height to so many pixels of a text scale of one; it follows the text's size.
+void keep_wide(QWidget& widget, int pixels);
+void keep_high(QWidget& widget, int pixels);
+/// What a colour of the other ground is on this one (for what keeps its colour, as a list's rows do); else itself.
+QColor of_this_ground(const QColor& colour);
 
 /// Palette, font and style sheet of the whole application; whatever is open follows at once.
 void apply(QApplication& application, const Look& look = {});

@@ -5,6 +5,7 @@
 #include <QPainter>
 #include <algorithm>
 
+#include "gui/session/words_from_below.h"
 #include "gui/views/theme.h"
 
 namespace vallecula::gui {
@@ -88,19 +89,16 @@ TrialReadings::TrialReadings(QWidget* parent) : QWidget(parent) {
     grid->addWidget(label, row, column);
     return label;
   };
-  const auto figure = [&](double points, int row, int column) {
+  const auto figure = [&](int row, int column) {
     auto* label = new QLabel(this);
-    QFont font = label->font();
-    font.setPointSizeF(points);
-    font.setBold(true);
-    label->setFont(font);
+    label->setProperty("role", "figure");
     grid->addWidget(label, row, column);
     return label;
   };
   clock_caption_ = caption(tr("Attempt"), 0, 0);
   caption(tr("Glottis visible"), 0, 1);
-  clock_ = figure(22.0, 1, 0);
-  seen_ = figure(22.0, 1, 1);
+  clock_ = figure(1, 0);
+  seen_ = figure(1, 1);
   limit_ = new QLabel(this);
   limit_->setObjectName("faint");
   grid->addWidget(limit_, 2, 0);
@@ -127,8 +125,9 @@ TrialReadings::TrialReadings(QWidget* parent) : QWidget(parent) {
   drawing_ = new QLabel(this);
   grid->addWidget(drawing_, 7, 1);
   for (QLabel* figure :
-       {state_, loop_, steps_, drawing_, tube_})  // a narrow panel cuts them, and is not widened by them
+       {state_, loop_, steps_, drawing_, tube_})  // a narrow panel is not widened by them
     figure->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  for (QLabel* sentence : {tube_, drawing_}) sentence->setWordWrap(true);  // two lines where one is too short
   grid->setColumnStretch(1, 1);
   grid->setColumnMinimumWidth(0, 100);
   show_tube(false);
@@ -157,7 +156,7 @@ void TrialReadings::clear() {
   best_percent_ = 0.0;
   attempt_start_s_ = mouth_ ? -1.0 : 0.0;
   attempt_s_ = 0.0;
-  clock_->setText("0.0 s");
+  clock_->setText(QString("%1 s").arg(decimal(0.0, 1)));
   clock_->setStyleSheet(QString());
   seen_->setText("0 %");
   sight_->show_percent(0.0, 0.0, sight_percent_);
@@ -182,7 +181,7 @@ void TrialReadings::show_snapshot(const engine::Snapshot& snapshot, double pause
   if (attempt_start_s_ < 0.0 && mouth_->holds({tip.x(), tip.y(), tip.z()})) attempt_start_s_ = now_s;
   // The pause is told a little newer than the snapshot: at its beginning that must not turn the clock back.
   if (attempt_start_s_ >= 0.0) attempt_s_ = std::max(attempt_s_, now_s - attempt_start_s_);
-  clock_->setText(QString("%1 s").arg(attempt_s_, 0, 'f', 1));
+  clock_->setText(QString("%1 s").arg(decimal(attempt_s_, 1)));
   clock_->setStyleSheet(mouth_ && attempt_s_ > attempt_limit_s_ ? QString("color: %1").arg(theme::over().name())
                                                                 : QString());
   seen_->setText(QString("%1 %").arg(percent, 0, 'f', 0));
@@ -190,13 +189,13 @@ void TrialReadings::show_snapshot(const engine::Snapshot& snapshot, double pause
   if (snapshot.has_intubation) {
     const auto& now = snapshot.intubation;
     const bool catheter = now.in_hand == engine::InHand::catheter;
-    const QString depth_cm = QString::number(100.0 * now.at_mouth_m, 'f', 1);
+    const QString depth_cm = decimal(100.0 * now.at_mouth_m, 1);
     if (now.at_mouth_m > 0.0)
       tube_->setText((catheter ? tr("catheter %1 cm at the lips") : tr("%1 cm at the lips")).arg(depth_cm));
     else
       tube_->setText(catheter ? tr("catheter not in the mouth") : tr("not in the mouth"));
     if (force_shown_ && now.at_mouth_m > 0.0)
-      tube_->setText(tr("%1, %2 N").arg(tube_->text()).arg(now.model_force_n.norm(), 0, 'f', 1));
+      tube_->setText(tr("%1, %2 N").arg(tube_->text()).arg(decimal(now.model_force_n.norm(), 1)));
   }
   const bool invalid = (snapshot.faults & engine::kFaultDeviceInvalid) != 0;
   state_->setText(words_for(snapshot.state, invalid).name);

@@ -1,12 +1,15 @@
 // The window's frame: the first page, the menus, the settings, what is dropped on it.
 #include <QApplication>
 #include <QComboBox>
+#include <QDialogButtonBox>
 #include <QDropEvent>
 #include <QLabel>
+#include <QLineEdit>
 #include <QListWidget>
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QMimeData>
+#include <QPushButton>
 #include <QSlider>
 #include <QTest>
 #include <QUrl>
@@ -16,12 +19,14 @@
 #include "gui/import/source_page.h"
 #include "gui/pages/look_settings.h"
 #include "gui/pages/main_menu.h"
+#include "gui/pages/open_dialog.h"
 #include "gui/pages/settings_dialog.h"
 #include "gui/pages/trial_page.h"
 #include "gui/session/user_paths.h"
 #include "gui/session/user_settings.h"
 #include "gui/views/gl_view.h"
 #include "gui/views/theme.h"
+#include "tests/gui/accessible.h"
 #include "tests/gui/block_patient.h"
 #include "tests/gui/program.h"
 #include "tests/gui/window_home.h"
@@ -213,6 +218,55 @@ TEST_F(WindowShell, WhatIsDroppedIsOpenedOrToldInOneMessage) {
   EXPECT_EQ(page(), "records");
 }
 
+TEST_F(WindowShell, OneDialogOpensFilesAndFolders) {
+  const fs::path patient = test::write_block_patient(box_.folder());
+  const fs::path ct = box_ / "scans" / "ct";
+  fs::create_directories(ct);
+  test::write_text(ct / "I1", "no DICOM");
+  open();
+  QPointer<OpenDialog> dialog;
+  const auto ask = [&] {
+    key(Qt::Key_O, Qt::ControlModifier);
+    for (auto* one : window_->findChildren<OpenDialog*>())
+      if (one->isVisible()) dialog = one;
+    return !dialog.isNull() && dialog->isVisible();
+  };
+  const auto type_and_open = [&](const fs::path& path) {
+    dialog->findChild<QLineEdit*>("fileNameEdit")->setText(QString::fromStdString(path.string()));
+    dialog->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Open)->click();
+  };
+  const auto gone = [&] { return dialog.isNull() || !dialog->isVisible(); };
+  ASSERT_TRUE(ask());
+  keep_picture(*dialog, "open-dialog.png");
+  // A patient is a folder: Open takes it as a whole.
+  dialog->setDirectory(QString::fromStdString(patient.parent_path().string()));
+  type_and_open(patient);
+  ASSERT_TRUE(wait_for(gone, 5000));
+  ASSERT_TRUE(wait_for([&] { return window_->start_page().choice().patient == patient; }));
+
+  // It begins where something was found, and any other folder has a button: here a CT's.
+  ASSERT_TRUE(ask());
+  EXPECT_EQ(dialog->directory().absolutePath().toStdString(), patient.parent_path().string());
+  dialog->setDirectory(QString::fromStdString(ct.string()));
+  auto* whole = dialog->findChild<QPushButton*>("whole_folder");
+  ASSERT_TRUE(whole->isVisible());
+  whole->click();
+  ASSERT_TRUE(wait_for([&] { return page() == "import"; }));
+  EXPECT_EQ(window_->import_wizard().source_page().findChild<QLineEdit*>()->text().toStdString(), ct.string());
+  ASSERT_TRUE(wait_for([&] { return !window_->import_wizard().work().busy(); }));
+  key(Qt::Key_1, Qt::ControlModifier);
+
+  // A file, as ever.
+  std::string course = test::text_of(default_curriculum());
+  const std::string id = "id: " + curricula::load_curriculum(default_curriculum()).id;
+  course.replace(course.find(id), id.size(), "id: ours");
+  test::write_text(box_ / "ours.yaml", course);
+  ASSERT_TRUE(ask());
+  type_and_open(box_ / "ours.yaml");
+  ASSERT_TRUE(wait_for([&] { return page() == "start"; }));
+  EXPECT_EQ(window_->start_page().choice().curriculum, box_ / "ours.yaml");
+}
+
 TEST_F(WindowShell, TextSizeAndGroundChangeByKeysAndAreKept) {
   open();
   const double before = QApplication::font().pointSizeF();
@@ -247,6 +301,14 @@ TEST_F(WindowShell, SettingsAreSeenAtOnceAndTakenBackByCancel) {
   dialog->findChild<QSlider*>("text_scale")->setValue(140);
   EXPECT_EQ(theme::look().ground, theme::Ground::light) << "seen at once";
   ASSERT_TRUE(wait_for([] { return std::abs(theme::look().text_scale - 1.4) < 1e-9; }, 5000));
+  wait_for([] { return false; }, 300);
+  EXPECT_EQ(cut_texts(*dialog), std::vector<std::string>()) << lines(cut_texts(*dialog));
+  for (QLabel* label :
+       dialog->findChildren<QLabel*>()) {  // by its last pixels: a mnemonic parts letters that were joined
+    const QImage words = label->grab().toImage();
+    for (int y = 0; y < words.height(); ++y)
+      EXPECT_EQ(words.pixel(words.width() - 1, y), words.pixel(words.width() - 1, 0)) << label->text().toStdString();
+  }
   keep_picture(*dialog, "settings-light-large.png");
   QTest::keyClick(dialog, Qt::Key_Escape);
   ASSERT_TRUE(wait_for([&] { return dialog.isNull() || !dialog->isVisible(); }, 5000));

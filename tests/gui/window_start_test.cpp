@@ -24,6 +24,7 @@
 #include "gui/pages/versions.h"
 #include "gui/records_pages/records_page.h"
 #include "gui/session/files.h"
+#include "gui/session/languages.h"
 #include "gui/session/program_log.h"
 #include "gui/session/trial_record.h"
 #include "gui/session/user_paths.h"
@@ -44,6 +45,7 @@ class WindowStart : public Screen {
   ~WindowStart() override {
     window_.reset();
     program_log::end();
+    install_language(*qApp, "en");
     apply_look({});
     unsetenv("VALLECULA_HOME");
   }
@@ -99,6 +101,31 @@ TEST_F(WindowStart, TheFirstOneAsksThreeThingsAndBeginsTheFirstScenario) {
   EXPECT_NEAR(look_settings().text_scale, 1.2, 1e-9);
   EXPECT_FALSE(is_first_run());
   window_->close();
+}
+
+TEST_F(WindowStart, TheFirstStepsOfferTheLanguageAndGoOnInIt) {
+  open();
+  window_->welcome();
+  QPointer<FirstRun> steps = opened<FirstRun>();
+  ASSERT_NE(steps, nullptr);
+  auto* box = steps->findChild<QComboBox*>("language");
+  ASSERT_NE(box, nullptr);
+  EXPECT_EQ(box->currentText(), "English");
+  const int german = box->findText("Deutsch");
+  ASSERT_GE(german, 0) << "by its own name";
+  box->setCurrentIndex(german);
+  emit box->activated(german);
+  ASSERT_TRUE(wait_for([&] { return (steps.isNull() || !steps->isVisible()) && opened<FirstRun>() != nullptr; }, 5000));
+  EXPECT_EQ(opened<FirstRun>()->windowTitle().toStdString(), "Willkommen bei Vallecula");
+  EXPECT_EQ(chosen_language(), "de") << "and from the next start on";
+  keep_picture(*opened<FirstRun>(), "first-run-german.png");
+  bool anew = false;
+  QObject::connect(window_.get(), &MainWindow::words_changed, [&] { anew = true; });
+  box = opened<FirstRun>()->findChild<QComboBox*>("language");
+  box->setCurrentIndex(box->findText("English"));
+  emit box->activated(box->currentIndex());
+  EXPECT_TRUE(anew) << "whoever made the window makes it anew";
+  EXPECT_EQ(language(), "en");
 }
 
 TEST_F(WindowStart, ItsStepsCanBeSkippedAndComeAgainOnlyWhenAskedFor) {

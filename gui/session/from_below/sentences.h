@@ -1,5 +1,5 @@
-// The sentences that in_words() may know, a file for each place below that they come from; listed for lupdate, and read by
-// no one else than sentences_from_below(): whoever changes one below changes it here.
+// The sentences that in_words() may know, a file for each place below that they come from; listed for lupdate, and read
+// by no one else than sentences_from_below(): whoever changes one below changes it here.
 #pragma once
 
 #include <iterator>
@@ -13,7 +13,10 @@ using Sentences = std::vector<std::string>;
 Sentences device();
 Sentences pipeline();
 Sentences scores();
+Sentences reasons();
 Sentences courses();
 Sentences trials();
+/// Those with places for words: names, or others of these sentences.
+Sentences built();
 
 }  // namespace vallecula::gui::from_below

@@ -6,6 +6,7 @@
 #include <QListWidget>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QScrollBar>
 #include <QTabWidget>
 #include <QTest>
 #include <QTimer>
@@ -22,10 +23,12 @@
 #include "gui/pages/trial_page.h"
 #include "gui/pages/trial_panels.h"
 #include "gui/records_pages/person_dialog.h"
+#include "gui/session/languages.h"
 #include "gui/views/force_bars.h"
 #include "gui/views/operator_view.h"
 #include "gui/views/theme.h"
 #include "gui/views/trial_readings.h"
+#include "tests/gui/accessible.h"
 #include "tests/gui/arc_patient.h"
 #include "tests/gui/block_patient.h"
 #include "tests/gui/busy_course.h"
@@ -296,6 +299,69 @@ TEST_F(WindowInstructor, OpenedInTheMiddleOfATrialItHasAllOfIt) {
       2);
   EXPECT_DOUBLE_EQ(second().findChild<ForceBars*>()->tongue_peak_n(), page.panels().bars().tongue_peak_n());
   page.close_trial();
+}
+
+TEST_F(WindowInstructor, ItsKeysAndItsButtonCloseItAndTheTrialGoesOn) {
+  open_with_course();
+  open_second();
+  ASSERT_TRUE(wait_for([&] { return second_is_open(); }, 10000));
+  prepare(setup("busy"));
+  TrialPage& page = window_->trial_page();
+  page.start();
+  ASSERT_TRUE(wait_for([&] { return page.running(); }));
+  const auto by_key = [&](Qt::Key key, Qt::KeyboardModifiers with) {
+    QApplication::setActiveWindow(&second());
+    QTest::keyClick(&second(), key, with);
+    return wait_for([&] { return !second_is_open(); }, 5000);
+  };
+  const auto again = [&] {
+    open_second();
+    return wait_for([&] { return second_is_open(); }, 5000);
+  };
+  EXPECT_TRUE(by_key(Qt::Key_I, Qt::ControlModifier)) << "the key that opened it";
+  ASSERT_TRUE(again());
+  EXPECT_TRUE(by_key(Qt::Key_Escape, Qt::NoModifier));
+  EXPECT_TRUE(page.running()) << "Esc was this window's";
+  ASSERT_TRUE(again());
+  button("Freeze")->click();
+  ASSERT_TRUE(wait_for([&] { return page.session()->frozen_by(Holder::instructor); }, 5000));
+  QTest::mouseClick(button("Close"), Qt::LeftButton);
+  EXPECT_FALSE(second_is_open());
+  EXPECT_TRUE(page.running());
+  EXPECT_FALSE(page.session()->frozen_by(Holder::instructor)) << "nobody could let it go any more";
+}
+
+TEST_F(WindowInstructor, FitsItsScreenInBothLanguagesAndWithLargeText) {
+  struct Room {
+    QSize size;
+    double text;
+  };
+  for (const char* language : {"en", "de"})
+    for (const Room& room : {Room{{1280, 800}, 1.0}, {{1024, 700}, 1.0}, {{1280, 800}, 1.35}, {{1024, 700}, 1.35}}) {
+      const std::string name = std::string(language) + "-" + std::to_string(room.size.width()) + "-" +
+                               std::to_string(static_cast<int>(100 * room.text));
+      ASSERT_TRUE(install_language(*qApp, language));
+      theme::apply(*qApp, {theme::Ground::dark, room.text});
+      window_.reset();
+      open_with_course();
+      open_second();
+      ASSERT_TRUE(wait_for([&] { return second_is_open(); }, 10000));
+      TrialSetup whole = setup("tube");
+      whole.curriculum = test::write_tube_curriculum(box_.folder());
+      whole.patient = test::write_arc_patient(box_.folder());
+      prepare(whole);
+      second().resize(room.size);
+      wait_for([] { return false; }, 200);
+      EXPECT_LE(second().width(), room.size.width()) << name << lines(wider_than(second(), room.size.width() / 2));
+      EXPECT_LE(second().height(), room.size.height()) << name;
+      for (const QScrollBar* bar : second().findChildren<QScrollBar*>())
+        EXPECT_FALSE(bar->isVisible() && bar->orientation() == Qt::Horizontal) << name << described(*bar);
+      EXPECT_EQ(cut_texts(second()), std::vector<std::string>()) << name << lines(cut_texts(second()));
+      keep_picture(second(), "instructor-fits-" + name + ".png");
+      window_->trial_page().close_trial();
+    }
+  install_language(*qApp, "en");
+  theme::apply(*qApp, {});
 }
 
 TEST_F(WindowInstructor, WhatIsFrozenHereOnlyThisWindowLetsGo) {

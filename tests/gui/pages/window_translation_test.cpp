@@ -17,6 +17,7 @@
 #include "gui/pages/devices_page.h"
 #include "gui/session/languages.h"
 #include "gui/pages/home_page.h"
+#include "gui/pages/look_settings.h"
 #include "gui/pages/replay_page.h"
 #include "gui/pages/result_page.h"
 #include "gui/pages/self_rating_page.h"
@@ -162,13 +163,12 @@ class WindowTranslation : public Screen {
     one.info.model = "mouse and keyboard";
     return one;
   }
-  /// At the smallest size that is promised.
   void look_at(QWidget& page, const std::string& name) {
-    page.resize(1024, 700);
+    page.resize(room_);
     page.show();
     wait_for([] { return false; }, 150);
-    EXPECT_LE(page.minimumSizeHint().width(), 1024) << name << lines(wider_than(page, 1000));
-    EXPECT_LE(page.minimumSizeHint().height(), 700) << name;
+    EXPECT_LE(page.minimumSizeHint().width(), room_.width()) << name << lines(wider_than(page, room_.width() - 24));
+    EXPECT_LE(page.minimumSizeHint().height(), room_.height()) << name;
     EXPECT_EQ(nameless_controls(page), std::vector<std::string>()) << name << lines(nameless_controls(page));
     EXPECT_EQ(unreachable_controls(page), std::vector<std::string>()) << name << lines(unreachable_controls(page));
     EXPECT_EQ(cut_texts(page), std::vector<std::string>()) << name << lines(cut_texts(page));
@@ -201,6 +201,8 @@ class WindowTranslation : public Screen {
     AuthoringPage authoring;
     authoring.begin();
     look_at(authoring, "authoring-" + language);
+    ReplayPage replay;
+    look_at(replay, "replay-" + language);
     ResultPage result;
     look_at(result, "result-" + language);
     // The longest title there is beside each verdict that is a sentence.
@@ -217,8 +219,22 @@ class WindowTranslation : public Screen {
       look_at(result, std::string("result-") + (at_vallecula ? "helped-" : "changed-") + language);
     }
   }
+  QSize room_{1024, 700};  ///< the smallest size that is promised
   test::Sandbox box_;
 };
+
+/// With text a third larger a page has 1280 x 800.
+class WindowLargeText : public WindowTranslation {
+ protected:
+  WindowLargeText() {
+    apply_look({"dark", 1.35});
+    room_ = {1280, 800};
+  }
+  ~WindowLargeText() override { apply_look({}); }
+};
+
+TEST_F(WindowLargeText, GermanFitsOnThePages) { look_at_all("de"); }
+TEST_F(WindowLargeText, EnglishFitsOnThePages) { look_at_all("en"); }
 
 TEST_F(WindowTranslation, GermanFitsOnThePagesAndEveryControlHasAName) { look_at_all("de"); }
 TEST_F(WindowTranslation, EnglishFitsOnThePagesAndEveryControlHasAName) { look_at_all("en"); }
@@ -236,9 +252,9 @@ TEST_F(WindowTranslation, ACoursesTextsComeInTheWindowsLanguageWhereItHasThem) {
 TEST_F(WindowTranslation, FiguresAreFilledIntoTheTranslatedSentence) {
   ASSERT_TRUE(install_language(*qApp, "de"));
   EXPECT_EQ(in_words("Peak force on the gums 4.20 N at 3.51 s, more than the 3 N allowed").toStdString(),
-            u8"Höchste Kraft auf die Zahnleisten 4.20 N bei 3.51 s, mehr als die erlaubten 3 N");
+            u8"Höchste Kraft auf die Zahnleisten 4,20 N bei 3,51 s, mehr als die erlaubten 3 N");
   EXPECT_EQ(in_words("Glottis seen to 62.00 % at 7.10 s, at least the 50 % asked for").toStdString(),
-            "Glottis bei 7.10 s zu 62.00 % gesehen, mindestens die verlangten 50 %");
+            "Glottis bei 7,10 s zu 62,00 % gesehen, mindestens die verlangten 50 %");
   EXPECT_EQ(in_words("12 unknown things in 3 places").toStdString(), "12 unknown things in 3 places");
 }
 

@@ -132,6 +132,41 @@ TEST_F(WindowRecords, FromTheFirstInstructorToATraineesOwnProgress) {
   keep_picture(*window_, "records-6-start-signed-in.png");
 }
 
+TEST_F(WindowRecords, BackFromATrialOnesTabAndRowAreAsTheyWereLeft) {
+  const fs::path log = box_ / "done" / "trial.vtrial";
+  fs::create_directories(log.parent_path());
+  std::ofstream(log) << "no log";
+  {
+    Records records(records_location());
+    for (int day = 1; day <= 6; ++day) {
+      RecordRow one = row(0, day, true);
+      one.trial_path = log.string();
+      records.add(one);
+    }
+  }
+  open();
+  click(window_.get(), "Records ...");
+  settle();
+  show_tab("Progress");
+  auto* tabs = page().findChild<QTabWidget*>();
+  auto* trials = page().findChild<ProgressTab*>()->findChild<QTableWidget*>();
+  ASSERT_TRUE(wait_for([&] { return trials->rowCount() == 6; }, 20000));
+  trials->setFocus();
+  trials->setCurrentCell(3, 0);
+  bool failed = false;
+  QObject::connect(window_.get(), &MainWindow::replay_failed, [&] { failed = true; });
+  press(trials, Qt::Key_Return);
+  ASSERT_TRUE(wait_for([&] { return failed && window_->page_name() == "records"; }, 20000)) << "its log is none";
+  settle();
+  EXPECT_EQ(tabs->tabText(tabs->currentIndex()), "Progress");
+  EXPECT_EQ(trials->currentRow(), 3);
+  EXPECT_TRUE(text_of("records_trouble").contains("trial")) << text_of("records_trouble").toStdString();
+  // Whoever comes anew and is not signed in is asked to, as before.
+  click(&page(), "Back");
+  click(window_.get(), "Records ...");
+  EXPECT_EQ(tabs->tabText(tabs->currentIndex()), "Sign in");
+}
+
 TEST_F(WindowRecords, WrongPinsMakeOneWaitAndTheWaitIsCountedDown) {
   {
     Records records(records_location());

@@ -1,0 +1,133 @@
+// What is open follows the look at once: links, rows of lists, sheets, sizes; and a dialog is told from what lies
+// behind.
+#include <QDialog>
+#include <QLabel>
+#include <QVBoxLayout>
+#include <cmath>
+
+#include "gui/pages/result_page.h"
+#include "gui/pages/timed_list.h"
+#include "gui/views/theme.h"
+#include "gui/views/trial_readings.h"
+#include "tests/gui/program.h"
+#include "tests/gui/window_screen.h"
+
+namespace vallecula::gui::window_test {
+namespace {
+
+using theme::Ground;
+
+/// Relative luminance and contrast of WCAG 2.1.
+double luminance(const QColor& colour) {
+  const auto linear = [](double c) { return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4); };
+  return 0.2126 * linear(colour.redF()) + 0.7152 * linear(colour.greenF()) + 0.0722 * linear(colour.blueF());
+}
+double contrast(const QColor& a, const QColor& b) {
+  const double one = luminance(a), other = luminance(b);
+  return (std::max(one, other) + 0.05) / (std::min(one, other) + 0.05);
+}
+
+class WindowTheme : public Screen {
+ protected:
+  ~WindowTheme() override { theme::apply(*qApp, {}); }
+  static void show(QWidget& widget) {
+    widget.show();
+    wait_for([&] { return widget.isVisible(); }, 2000);
+    QApplication::processEvents();
+  }
+  /// The pixel of the widget that differs most from its ground: its ink.
+  static double best_contrast(QWidget& widget) {
+    const QImage picture = widget.grab().toImage();
+    const QColor ground = picture.pixelColor(1, 1);
+    double best = 1.0;
+    for (int y = 2; y < picture.height() - 2; ++y)
+      for (int x = 2; x < picture.width() - 2; ++x) best = std::max(best, contrast(ground, picture.pixelColor(x, y)));
+    return best;
+  }
+};
+
+TEST_F(WindowTheme, LinksAndRowsOfListsAreReadOnTheGroundTheyStandOn) {
+  QWidget page;
+  auto* link = new QLabel("<a href='1'>IIIIIII</a>", &page);
+  auto* list = new TimedList("events", &page);
+  list->add(1.0, "IIIIIII", theme::over());
+  auto* own = new QLabel("IIIIIII", &page);
+  theme::dress(*own, "color: @within@;");
+  auto* column = new QVBoxLayout(&page);
+  for (QWidget* one : {static_cast<QWidget*>(link), static_cast<QWidget*>(list), static_cast<QWidget*>(own)})
+    column->addWidget(one);
+  show(page);
+  for (const Ground ground : {Ground::light, Ground::dark, Ground::light}) {
+    theme::apply(*qApp, {ground, 1.0});
+    QApplication::processEvents();
+    EXPECT_GE(best_contrast(*link), 4.5) << "WCAG 2.1, 1.4.3";
+    EXPECT_GE(best_contrast(*own), 4.5);
+    EXPECT_GE(contrast(list->item(0)->foreground().color(), theme::panel()), 4.5);
+  }
+}
+
+TEST_F(WindowTheme, FontsAndSizesOfTheirOwnFollowTheTextsSize) {
+  QWidget page;
+  auto* own = new QLabel("12.5 N", &page);
+  theme::dress(*own, "font-size: @15pt@; font-weight: bold;");
+  auto* wide = new QWidget(&page);
+  theme::keep_wide(*wide, 100);
+  theme::keep_high(*wide, 40);
+  auto* readings = new TrialReadings(&page);
+  auto* column = new QVBoxLayout(&page);
+  for (QWidget* one : {static_cast<QWidget*>(own), wide, static_cast<QWidget*>(readings)}) column->addWidget(one);
+  show(page);
+  for (const double scale : {1.35, 0.8, 1.0}) {
+    theme::apply(*qApp, {Ground::dark, scale});
+    QApplication::processEvents();
+    EXPECT_NEAR(own->font().pointSizeF(), 15.0 * scale, 0.06);
+    EXPECT_EQ(wide->width(), static_cast<int>(100 * scale));
+    EXPECT_EQ(wide->height(), static_cast<int>(40 * scale));
+    int figures = 0;
+    for (const QLabel* label : readings->findChildren<QLabel*>())
+      if (label->font().bold()) {
+        ++figures;
+        EXPECT_NEAR(label->font().pointSizeF(), 22.0 * scale, 0.06);
+      }
+    EXPECT_EQ(figures, 2) << "the clock, and how much is seen";
+  }
+}
+
+TEST_F(WindowTheme, ValuesOfTheResultStayLargerThanTheirLabels) {
+  const test::Sandbox box;
+  ResultPage page;
+  TrialOutcome outcome;
+  outcome.score.intubation.emplace();
+  outcome.score.attempt_begun = true;
+  page.show_outcome(outcome, {}, box.folder(), {});
+  show(page);
+  for (const double scale : {1.35, 1.0}) {
+    theme::apply(*qApp, {Ground::dark, scale});
+    QApplication::processEvents();
+    int values = 0;
+    for (const QLabel* label : page.findChild<QFrame*>("panel")->findChildren<QLabel*>())
+      if (label->font().bold()) {
+        ++values;
+        EXPECT_NEAR(label->font().pointSizeF(), 11.0 * scale, 0.06) << label->text().toStdString();
+      } else {
+        EXPECT_NEAR(label->font().pointSizeF(), 10.0 * scale, 0.06) << label->text().toStdString();
+      }
+    EXPECT_GT(values, 5);
+  }
+}
+
+TEST_F(WindowTheme, ADialogHasAnEdge) {
+  for (const Ground ground : {Ground::dark, Ground::light}) {
+    theme::apply(*qApp, {ground, 1.0});
+    QDialog dialog;
+    dialog.resize(200, 120);
+    show(dialog);
+    const QImage picture = dialog.grab().toImage();
+    for (const QPoint at : {QPoint(0, 60), QPoint(199, 60), QPoint(100, 0), QPoint(100, 119)})
+      EXPECT_GE(contrast(picture.pixelColor(at), theme::ground()), 3.0) << "WCAG 2.1, 1.4.11";
+    EXPECT_LT(contrast(picture.pixelColor(100, 60), theme::ground()), 1.3) << "its inside stays a ground to read on";
+  }
+}
+
+}  // namespace
+}  // namespace vallecula::gui::window_test
