@@ -20,14 +20,14 @@
 namespace vallecula::gui {
 namespace {
 
-constexpr const char* kKey = "first_run/done";
+constexpr const char* kDoneKey = "first_run/done";
 constexpr int kLastStep = 2;
 
 }  // namespace
 
 bool is_first_run() {
   const auto kept = user_settings();
-  return !kept->contains(kKey) && kept->allKeys().isEmpty();
+  return !kept->contains(kDoneKey) && kept->allKeys().isEmpty();
 }
 
 FirstRun::FirstRun(QWidget* parent) : QDialog(parent), look_(look_settings()) {
@@ -190,7 +190,7 @@ void FirstRun::go(int step) {
 void FirstRun::done(int result) {
   keep_look(look_);
   apply_look(look_);
-  user_settings()->setValue(kKey, true);
+  user_settings()->setValue(kDoneKey, true);
   if (device() != "mouse") emit device_chosen(device(), hands_->checkedButton()->text().replace("&&", "&"));
   QDialog::done(result);
 }
