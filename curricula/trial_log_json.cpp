@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "curricula/qt_text.h"
 #include "curricula/trial_log_format.h"
 
 namespace vallecula::curricula::log_format {
@@ -17,8 +18,6 @@ double finite_or_throw(double value, const std::string& name) {
   if (!std::isfinite(value)) throw TrialLogError("'" + name + "' is not a finite number and cannot be stored");
   return value;
 }
-
-QString text(const std::string& s) { return QString::fromStdString(s); }
 
 QJsonObject parse_object(const std::string& json) {
   QJsonParseError error{};

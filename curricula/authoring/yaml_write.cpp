@@ -58,7 +58,7 @@ std::string inline_scalar(const YamlNode& value, const WriteStyle& style) {
   return plain ? value.value : double_quoted(value.value);
 }
 
-std::vector<std::string> lines_of(const std::string& text) {
+std::vector<std::string> lines_in(const std::string& text) {
   std::vector<std::string> lines;
   std::size_t at = 0;
   for (std::size_t stop; (stop = text.find('\n', at)) != std::string::npos; at = stop + 1)
@@ -90,7 +90,7 @@ std::string wrapped(const std::string& line, const std::string& margin, const st
 }
 
 std::string block_scalar(const std::string& value, std::size_t indent, char was, const std::string& newline) {
-  const std::vector<std::string> lines = lines_of(value);
+  const std::vector<std::string> lines = lines_in(value);
   const bool folds = was == '>' && std::none_of(lines.begin(), lines.end(), [](const std::string& line) {
                        return !line.empty() && (line[0] == ' ' || line[0] == '\t' || line.back() == ' ');
                      });

@@ -12,14 +12,14 @@
 #include <algorithm>
 #include <set>
 
+#include "curricula/qt_text.h"
+
 namespace vallecula::curricula {
 namespace {
 
 constexpr qint64 kLargestAnswer = 4 << 20;  // bytes; ours are lists of ids
 constexpr int kWatchMs = 50;
 constexpr int kReasonLetters = 200;
-
-QString text(const std::string& s) { return QString::fromStdString(s); }
 
 bool this_computer(const QString& host) {
   return host == "localhost" || QHostAddress(host).isLoopback();

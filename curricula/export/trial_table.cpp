@@ -12,7 +12,7 @@
 namespace vallecula::curricula {
 namespace {
 
-struct Column {
+struct TrialColumn {
   ColumnText text;
   std::string (*cell)(const ExportTrial& trial);
 };
@@ -20,8 +20,8 @@ struct Column {
 std::string whole(long long value) { return std::to_string(value); }
 
 /// What is known of a trial before its figures.
-const std::vector<Column>& first_columns() {
-  static const std::vector<Column> kColumns{
+const std::vector<TrialColumn>& first_columns() {
+  static const std::vector<TrialColumn> kColumns{
       {{"trial", "", "the trial's own random id; empty in records older than schema 4", ""},
        [](const ExportTrial& t) { return csv_text(t.row.uid); }},
       {{"trainee", "", "the trainee's number, never a name; empty: nobody was signed in", ""},
@@ -59,8 +59,8 @@ const std::vector<Column>& first_columns() {
   return kColumns;
 }
 
-const Column kName{{"trainee_name", "", "with `--names` only", ""},
-                   [](const ExportTrial& t) { return csv_text(t.trainee_name); }};
+const TrialColumn kName{{"trainee_name", "", "with `--names` only", ""},
+                        [](const ExportTrial& t) { return csv_text(t.trainee_name); }};
 
 /// Whose rows this person may have; within a transaction.
 QString may_have(Connection& connection, const Who& who, const ExportFilter& filter, QVariantList& values) {
@@ -112,15 +112,15 @@ std::vector<ExportTrial> trials_to_export(Records& records, const Who& who, cons
 }
 
 std::string trials_csv(const std::vector<ExportTrial>& trials, bool names) {
-  std::vector<Column> columns = first_columns();
+  std::vector<TrialColumn> columns = first_columns();
   if (names) columns.insert(columns.begin() + 2, kName);
   std::vector<std::string> cells;
-  for (const Column& column : columns) cells.push_back(column.text.name);
+  for (const TrialColumn& column : columns) cells.push_back(column.text.name);
   for (const Figure& figure : figures()) cells.emplace_back(figure.name);
   std::string csv = csv_line(cells);
   for (const ExportTrial& trial : trials) {
     cells.clear();
-    for (const Column& column : columns) cells.push_back(column.cell(trial));
+    for (const TrialColumn& column : columns) cells.push_back(column.cell(trial));
     for (const Figure& figure : figures()) {
       const auto found = trial.row.figures.find(figure.name);
       cells.push_back(found == trial.row.figures.end() ? std::string() : csv_number(found->second));
@@ -132,7 +132,7 @@ std::string trials_csv(const std::vector<ExportTrial>& trials, bool names) {
 
 std::string trial_column_table() {
   std::vector<ColumnText> all;
-  for (const Column& column : first_columns()) {
+  for (const TrialColumn& column : first_columns()) {
     all.push_back(column.text);
     if (column.text.name == "trainee") all.push_back(kName.text);
   }

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "curricula/qt_text.h"
 #include "curricula/records/connection.h"
 #include "curricula/records/random_id.h"
 #include "curricula/score/figures.h"
@@ -24,7 +25,6 @@ const QString kCmi5 = QStringLiteral("https://w3id.org/xapi/cmi5/context/");
 const QUuid kIds(QStringLiteral("{6f3b9d0e-93f5-4f0a-8a0e-0c5f1b7a7d21}"));
 constexpr double kTickS = 0.001;
 
-QString text(const std::string& s) { return QString::fromStdString(s); }
 QString in_address(const std::string& s) { return QString::fromLatin1(QUrl::toPercentEncoding(text(s))); }
 
 QString uuid_of(const QString& name) { return QUuid::createUuidV5(kIds, name).toString(QUuid::WithoutBraces); }

@@ -7,12 +7,12 @@
 #include <chrono>
 #include <thread>
 
+#include "curricula/qt_text.h"
+
 namespace vallecula::curricula {
 namespace {
 
 namespace fs = std::filesystem;
-
-QString text(const std::string& s) { return QString::fromStdString(s); }
 
 enum class Trouble { other, locked, conflict, lost, full, input_output, damaged, forbidden };
 

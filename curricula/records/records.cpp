@@ -7,6 +7,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "curricula/qt_text.h"
 #include "curricula/records/connection.h"
 #include "curricula/records/migrations.h"
 #include "curricula/records/random_id.h"
@@ -16,8 +17,6 @@
 
 namespace vallecula::curricula {
 namespace {
-
-QString text(const std::string& s) { return QString::fromStdString(s); }
 
 QString reasons_to_json(const std::vector<std::string>& reasons) {
   QJsonArray list;

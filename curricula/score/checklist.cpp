@@ -15,8 +15,6 @@ using Done = ChecklistItem::Done;
 /// A blade that enters so far to the left of the midline is at neither place where it may go in (assumed).
 constexpr double kStillMiddleM = 0.003;
 
-std::string millimetres(double m) { return fixed(1e3 * m, 1) + " mm"; }
-
 Item item(const char* id, const char* text, bool done, double at_s, const std::string& sentence) {
   return {id, text, done ? Done::yes : Done::no, at_s, sentence};
 }

@@ -5,6 +5,7 @@
 namespace vallecula::curricula {
 
 std::string fixed(double value, int decimals) { return QString::number(value, 'f', decimals).toStdString(); }
+std::string millimetres(double m) { return fixed(1e3 * m, 1) + " mm"; }
 std::string second(double time_s) { return fixed(time_s, 2) + " s"; }
 std::string limit_text(double value) { return QString::number(value, 'g', 6).toStdString(); }
 

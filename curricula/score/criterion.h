@@ -8,6 +8,7 @@
 namespace vallecula::curricula {
 
 std::string fixed(double value, int decimals);
+std::string millimetres(double m);       ///< "2.5 mm", of metres
 std::string second(double time_s);       ///< "6.50 s"
 std::string limit_text(double value);    ///< as it was written in the scenario
 std::string figure(const Criterion& c);  ///< its value beside its limit: never equal in print where it is not

@@ -2,6 +2,7 @@
 
 #include <QJsonArray>
 
+#include "curricula/qt_text.h"
 #include "curricula/score/intubation_json.h"
 
 namespace vallecula::curricula {
@@ -11,7 +12,6 @@ QJsonValue value_or_null(const std::optional<double>& value) {
   return number_or_null(value.value_or(0.0), value.has_value());
 }
 QJsonValue second_or_null(double at_s) { return number_or_null(at_s, at_s >= 0.0); }
-QString text(const std::string& s) { return QString::fromStdString(s); }
 
 QJsonObject force_to_json(const ForceFigures& force) {
   const std::optional<Peak>& pressed = force.tongue_pressure_pa;

@@ -8,8 +8,6 @@
 namespace vallecula::curricula {
 namespace {
 
-std::string millimetres(double m) { return fixed(1e3 * m, 1) + " mm"; }
-
 std::string at(double time_s) { return time_s < 0.0 ? std::string() : " at " + second(time_s); }
 
 Criterion outcome(const IntubationPass& pass, const IntubationScore& score) {

@@ -4,6 +4,7 @@
 #include <QJsonObject>
 #include <cmath>
 
+#include "curricula/qt_text.h"
 #include "curricula/score/figures_json.h"
 #include "curricula/score/intubation_json.h"
 #include "curricula/score/points.h"
@@ -11,8 +12,6 @@
 
 namespace vallecula::curricula {
 namespace {
-
-QString text(const std::string& s) { return QString::fromStdString(s); }
 
 QJsonObject use_to_json(const Use& use) {
   return {{"times", use.times},

@@ -12,10 +12,10 @@
 namespace vallecula::gui {
 namespace {
 
-QString text(const std::string& words) { return QString::fromStdString(words); }
+QString qt(const std::string& words) { return QString::fromStdString(words); }
 
 /// Null where there is nothing to tell.
-QJsonValue known(const std::string& words) { return words.empty() ? QJsonValue() : QJsonValue(text(words)); }
+QJsonValue known(const std::string& words) { return words.empty() ? QJsonValue() : QJsonValue(qt(words)); }
 
 QJsonObject json_of(const device::FoundDevice& found) {
   const device::DeviceInfo& info = found.info;
@@ -25,8 +25,8 @@ QJsonObject json_of(const device::FoundDevice& found) {
   const auto figure = [&found](const QJsonValue& value) { return found.figures_known ? value : QJsonValue(); };
   return {{"name", known(found.name)},
           {"usable", usable(found)},
-          {"kind", text(info.kind)},
-          {"model", text(info.model)},
+          {"kind", qt(info.kind)},
+          {"model", qt(info.model)},
           {"serial", known(info.serial)},
           {"driver", known(info.driver)},
           {"rate_hz", figure(info.rate_hz)},

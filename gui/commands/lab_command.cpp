@@ -144,7 +144,7 @@ void run_lab(const LabOptions& o) {
   }
 }
 
-void say(const std::string& line) { std::fprintf(stderr, "lab: %s\n", line.c_str()); }
+void tell(const std::string& line) { std::fprintf(stderr, "lab: %s\n", line.c_str()); }
 
 /// On the built-in patient of the shipped curriculum's first scenario (a term infant).
 void draw_figure(const std::string& figure, FigureSetting& setting) {
@@ -160,7 +160,7 @@ void draw_figure(const std::string& figure, FigureSetting& setting) {
         std::fprintf(stderr, "lab:   %3.0f %%  %s\n", 100.0 * fraction, now.c_str());
       });
   setting.package = pipeline::read_package(patient);
-  say("running the experiment on " + setting.scenario.title);
+  tell("running the experiment on " + setting.scenario.title);
   const FigureResult result = figure == "6"   ? write_figure_6(setting)
                               : figure == "7" ? write_figure_7(setting)
                               : figure == "8" ? write_figure_8(setting)
@@ -179,12 +179,12 @@ void run_figure(const LabOptions& o) {
   if (error || !std::filesystem::is_directory(setting.out))
     throw std::runtime_error(setting.out.string() + ": cannot be a folder for the figure (" +
                              (error ? error.message() : "it is a file") + "); name another with --out");
-  say("figure " + o.figure + " will be in " + setting.out.string());
+  tell("figure " + o.figure + " will be in " + setting.out.string());
 
   std::unique_ptr<VirtualDisplay> display;  // before anything takes long: what is missing is said at once
   if (const std::string problem = display_problem(); !problem.empty()) {
     display = std::make_unique<VirtualDisplay>();
-    say(problem + "; drawing on a virtual one (" + display->name() + ")");
+    tell(problem + "; drawing on a virtual one (" + display->name() + ")");
   }
   const WindowApplication application;
   try {

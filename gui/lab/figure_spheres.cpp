@@ -12,7 +12,7 @@ namespace vallecula::gui {
 
 namespace {
 
-constexpr int kCoverageSamples = 20000;
+constexpr int kSamples = 20000;
 // The paper's colours: blue the coarse level, green the split cells', orange what `full` adds at the surface.
 const QColor kLevels[] = {QColor(0x2F, 0x6F, 0xB5), QColor(0x2E, 0xA0, 0x5C), QColor(0xE6, 0x9F, 0x00),
                           QColor(0xCC, 0x79, 0xA7)};
@@ -41,7 +41,7 @@ QJsonObject write_one(const FigureSetting& setting, const TongueRig& rig, engine
   engine::FillSettings fill;
   fill.coverage = coverage;
   const engine::SphereTree tree = engine::fill_spheres(soft, surface, fill);
-  const engine::CoverageReport covered = engine::measure_coverage(tree, soft, surface, kCoverageSamples);
+  const engine::CoverageReport covered = engine::measure_coverage(tree, soft, surface, kSamples);
 
   Sheet sheet;
   sheet.title = title;

@@ -15,21 +15,23 @@
 namespace vallecula::gui {
 namespace {
 
-using Kind = curricula::Distraction::Kind;
+using DistractionKind = curricula::Distraction::Kind;
 
 constexpr int kBeepMs = 1500;
 constexpr int kBarSteps = 1000;
 constexpr int kHeight = 150;  // of a question and one more; what is seen beside it must not jump
 constexpr int kFirstAnswer = Qt::Key_1, kLastAnswer = Qt::Key_9, kSilence = Qt::Key_M;
 
-QColor colour_of(Kind kind) {
-  return kind == Kind::alarm ? theme::bad() : kind == Kind::question ? theme::device() : theme::faint();
+QColor colour_of(DistractionKind kind) {
+  return kind == DistractionKind::alarm      ? theme::bad()
+         : kind == DistractionKind::question ? theme::device()
+                                             : theme::faint();
 }
 
-QString name_of(Kind kind) {
-  return kind == Kind::alarm      ? DistractionPanel::tr("Alarm")
-         : kind == Kind::question ? DistractionPanel::tr("Question")
-                                  : DistractionPanel::tr("The team talks");
+QString name_of(DistractionKind kind) {
+  return kind == DistractionKind::alarm      ? DistractionPanel::tr("Alarm")
+         : kind == DistractionKind::question ? DistractionPanel::tr("Question")
+                                             : DistractionPanel::tr("The team talks");
 }
 
 QString headed(const QString& who, const QColor& colour, const QString& text) {
@@ -86,7 +88,7 @@ void DistractionPanel::serve(DualTask* task, bool by_person) {
   idle_->show();
 }
 
-int DistractionPanel::first_of(Kind kind) const {
+int DistractionPanel::first_of(DistractionKind kind) const {
   for (const Row& row : rows_)
     if (task_->distractions()[static_cast<std::size_t>(row.distraction - 1)].kind == kind) return row.distraction;
   return 0;
@@ -99,9 +101,9 @@ bool DistractionPanel::key(QKeyEvent* event, bool pressed) {
   if ((!number && event->key() != kSilence) || event->modifiers().testFlag(Qt::ControlModifier)) return false;
   if (!pressed || event->isAutoRepeat() || !by_person_) return true;
   if (number)
-    task_->answer(first_of(Kind::question), answer);
+    task_->answer(first_of(DistractionKind::question), answer);
   else
-    task_->silence(first_of(Kind::alarm));
+    task_->silence(first_of(DistractionKind::alarm));
   return true;
 }
 
@@ -135,7 +137,7 @@ DistractionPanel::Row DistractionPanel::make_row(const DualTask::Open& open, boo
   text->setWordWrap(true);
   text->setFont(larger(text->font()));
   inside->addWidget(text);
-  if (it.kind == Kind::talk) return row;
+  if (it.kind == DistractionKind::talk) return row;
   auto* buttons = new QHBoxLayout;
   buttons->setSpacing(6);
   const auto button = [&](const QString& label) {
@@ -146,7 +148,7 @@ DistractionPanel::Row DistractionPanel::make_row(const DualTask::Open& open, boo
     buttons->addWidget(made);
     return made;
   };
-  if (it.kind == Kind::alarm) {
+  if (it.kind == DistractionKind::alarm) {
     connect(button(has_keys ? tr("Silence (M)") : tr("Silence")), &QPushButton::clicked, this,
             [this, number] { task_->silence(number); });
   } else {
@@ -182,10 +184,10 @@ void DistractionPanel::refresh() {
     rows_.clear();
     bool question = false, alarm = false;
     for (const DualTask::Open& one : open) {
-      const Kind kind = task_->distractions()[static_cast<std::size_t>(one.distraction - 1)].kind;
-      bool& taken = kind == Kind::question ? question : alarm;
+      const DistractionKind kind = task_->distractions()[static_cast<std::size_t>(one.distraction - 1)].kind;
+      bool& taken = kind == DistractionKind::question ? question : alarm;
       rows_.push_back(make_row(one, !taken));
-      if (kind != Kind::talk) taken = true;
+      if (kind != DistractionKind::talk) taken = true;
       column_->insertWidget(static_cast<int>(rows_.size()) - 1, rows_.back().widget);
     }
     idle_->setVisible(rows_.empty() && said_->isHidden());
@@ -193,7 +195,7 @@ void DistractionPanel::refresh() {
   for (std::size_t i = 0; i < open.size(); ++i)
     if (rows_[i].left != nullptr)
       rows_[i].left->setValue(static_cast<int>(kBarSteps * open[i].left_s / std::max(1e-3, open[i].of_s)));
-  if (first_of(Kind::alarm) != 0 && (!since_beep_.isValid() || since_beep_.elapsed() > kBeepMs)) {
+  if (first_of(DistractionKind::alarm) != 0 && (!since_beep_.isValid() || since_beep_.elapsed() > kBeepMs)) {
     QApplication::beep();
     since_beep_.start();
   }

@@ -21,7 +21,7 @@
 namespace vallecula::gui {
 namespace {
 
-constexpr const char* kKey = "first_run/done";
+constexpr const char* kDoneKey = "first_run/done";
 constexpr int kLastStep = 2;
 
 }  // namespace
@@ -218,7 +218,7 @@ void FirstRun::go(int step) {
 void FirstRun::done(int result) {
   keep_look(look_);
   apply_look(look_);
-  user_settings()->setValue(kKey, true);
+  user_settings()->setValue(kDoneKey, true);
   if (device() != "mouse") emit device_chosen(device(), hands_->checkedButton()->text().replace("&&", "&"));
   QDialog::done(result);
 }

@@ -12,14 +12,14 @@ namespace {
 
 constexpr int kTitle = 0, kState = 1;
 /// What a row stands for: a scenario's id, a module's after a colon, which no id has.
-constexpr int kKey = Qt::UserRole;
+constexpr int kKeyRole = Qt::UserRole;
 const char* const kCourseKey = "::";
 QString module_key(const std::string& id) { return ":" + QString::fromStdString(id); }
 
 QTreeWidgetItem* row_in(QTreeWidgetItem* parent, const QString& title, const QString& key) {
   auto* row = new QTreeWidgetItem(parent);
   row->setText(kTitle, title);
-  row->setData(kTitle, kKey, key);
+  row->setData(kTitle, kKeyRole, key);
   return row;
 }
 
@@ -90,12 +90,12 @@ void ModuleTree::choose(const std::string& scenario_id) {
 }
 
 QString ModuleTree::chosen_key() const {
-  return currentItem() != nullptr ? currentItem()->data(kTitle, kKey).toString() : QString();
+  return currentItem() != nullptr ? currentItem()->data(kTitle, kKeyRole).toString() : QString();
 }
 
 QTreeWidgetItem* ModuleTree::item_of(const QString& key) const {
   for (QTreeWidgetItemIterator it(const_cast<ModuleTree*>(this)); *it != nullptr; ++it)
-    if ((*it)->data(kTitle, kKey).toString() == key) return *it;
+    if ((*it)->data(kTitle, kKeyRole).toString() == key) return *it;
   return nullptr;
 }
 

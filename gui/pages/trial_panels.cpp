@@ -29,7 +29,7 @@ constexpr int kTwoViews = 420;   // px in height from which two views stand one 
 constexpr int kArrangement = 1;  // of the kept state; another number is not taken back
 constexpr double kSideShare = 0.36;
 
-constexpr const char* kState = "trial_page/panels";
+constexpr const char* kStateKey = "trial_page/panels";
 constexpr const char* kHidden = "trial_page/hidden";
 
 const std::array<const char*, TrialPanels::kPanels> kNames{"monitor", "cut", "video", "force", "readings", "team"};
@@ -85,7 +85,8 @@ TrialPanels::TrialPanels(QWidget* centre, QWidget* parent) : QMainWindow(parent)
   for (int p = 0; p < kPanels; ++p) wanted_[p] = !hidden.contains(kNames[p]);
   if (!kept->contains(kHidden)) switch_as_at_first();
   // Another number of docks, or what is no state, is not taken: then it is as at first.
-  if (kept->contains(kState) && restoreState(kept->value(kState).toByteArray(), kArrangement)) as_at_first_ = false;
+  if (kept->contains(kStateKey) && restoreState(kept->value(kStateKey).toByteArray(), kArrangement))
+    as_at_first_ = false;
   show_what_is_wanted();
 }
 
@@ -242,9 +243,9 @@ void TrialPanels::keep() const {
     if (!wanted_[p]) hidden << kNames[p];
   kept->setValue(kHidden, hidden);
   if (as_at_first_)
-    kept->remove(kState);
+    kept->remove(kStateKey);
   else
-    kept->setValue(kState, saveState(kArrangement));
+    kept->setValue(kStateKey, saveState(kArrangement));
 }
 
 QString TrialPanels::refusal(Panel panel) const {

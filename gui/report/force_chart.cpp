@@ -20,7 +20,7 @@ const QColor kGum = chart::kVermillion;
 const QColor kDisplayed = chart::kGrey;
 const QColor kTarget = chart::kGreen;
 const QColor kLimit = chart::kPurple;
-const QColor kSight = chart::kSky;
+const QColor kSightColour = chart::kSky;
 
 double length(const std::array<double, 3>& v) { return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]); }
 
@@ -96,7 +96,7 @@ QImage draw_force_chart(const curricula::TrialLog& log, const curricula::Scenari
   force.line(gum, QPen(kGum, em * 0.16));
   force.line(tongue, QPen(kTongue, em * 0.18));
   force.line(displayed, QPen(kDisplayed, em * 0.1, Qt::DotLine));
-  view.line(sight, QPen(kSight.darker(130), em * 0.16));
+  view.line(sight, QPen(kSightColour.darker(130), em * 0.16));
   for (const curricula::Pause& pause : score.pauses) {
     force.pause(pause.at_s, pause.at_s + pause.for_s, QCoreApplication::translate("Charts", "paused"));
     view.pause(pause.at_s, pause.at_s + pause.for_s, QString());
@@ -108,15 +108,15 @@ QImage draw_force_chart(const curricula::TrialLog& log, const curricula::Scenari
   force.level(target_n, kTarget, Qt::DashDotLine,
               QCoreApplication::translate("Charts", "training target, tongue %1 N").arg(chart::number(target_n, 1)),
               target_n > limit_n);
-  view.level(scenario.sight_percent, kSight, Qt::DashLine,
+  view.level(scenario.sight_percent, kSightColour, Qt::DashLine,
              QCoreApplication::translate("Charts", "counts as in sight from %1 %")
                  .arg(chart::number(scenario.sight_percent, 0)),
              true);
   if (score.time_to_trachea_visible_s >= 0.0) {
-    force.moment(score.time_of_first_sight_s, kSight,
+    force.moment(score.time_of_first_sight_s, kSightColour,
                  QCoreApplication::translate("Charts", "first sight, %1 s into the attempt")
                      .arg(chart::number(score.time_to_trachea_visible_s, 1)));
-    view.moment(score.time_of_first_sight_s, kSight, QString());
+    view.moment(score.time_of_first_sight_s, kSightColour, QString());
   }
   if (score.peak_gum_force_n > 0.0) {
     force.peak(score.time_of_peak_gum_force_s, score.peak_gum_force_n, kGum,

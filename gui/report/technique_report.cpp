@@ -8,12 +8,10 @@ namespace vallecula::gui {
 
 namespace {
 
-std::string millimetres(double m) { return number(1e3 * m, 1) + " mm"; }
-std::string at(double time_s) { return time_s < 0.0 ? "" : ", at " + number(time_s, 1) + " s"; }
+std::string in_mm(double m) { return number(1e3 * m, 1) + " mm"; }
+std::string at_time(double time_s) { return time_s < 0.0 ? "" : ", at " + number(time_s, 1) + " s"; }
 
-std::string side(double left_m) {
-  return millimetres(std::fabs(left_m)) + (left_m > 0.0 ? " to the left" : " to the right");
-}
+std::string side(double left_m) { return in_mm(std::fabs(left_m)) + (left_m > 0.0 ? " to the left" : " to the right"); }
 
 void add_view(const curricula::Score& score, std::vector<Row>& rows) {
   const curricula::ViewFigures& view = score.view;
@@ -22,9 +20,9 @@ void add_view(const curricula::Score& score, std::vector<Row>& rows) {
       {"Cormack-Lehane grade at best", grade ? std::to_string(*grade) : "3 or 4: nothing of the glottis seen", "", ""});
   rows.push_back({"Glottis seen on average, while in sight",
                   view.mean_percent ? number(*view.mean_percent, 0) + " %" : "never", "", ""});
-  rows.push_back({"Time to a stable view (" + number(curricula::kStableViewS, 0) + " s in one piece)",
-                  view.time_to_stable_s ? number(*view.time_to_stable_s, 1) + " s" + at(view.stable_at_s) : "never", "",
-                  ""});
+  rows.push_back(
+      {"Time to a stable view (" + number(curricula::kStableViewS, 0) + " s in one piece)",
+       view.time_to_stable_s ? number(*view.time_to_stable_s, 1) + " s" + at_time(view.stable_at_s) : "never", "", ""});
 }
 
 void add_force(const curricula::ForceFigures& force, std::vector<Row>& rows) {
@@ -35,11 +33,11 @@ void add_force(const curricula::ForceFigures& force, std::vector<Row>& rows) {
                     "", ""});
   if (const auto& pressed = force.tongue_pressure_pa)
     rows.push_back({"Peak pressure on the tongue, over the contact",
-                    number(1e-3 * pressed->value, 1) + " kPa" + at(pressed->at_s), "", ""});
+                    number(1e-3 * pressed->value, 1) + " kPa" + at_time(pressed->at_s), "", ""});
   if (!force.lift_share) return;
   std::string levered = number(100.0 * *force.lift_share, 0) + " % lifted";
   if (force.levered_n.at_s >= 0.0)
-    levered += ", at most " + number(force.levered_n.value, 1) + " N levered" + at(force.levered_n.at_s);
+    levered += ", at most " + number(force.levered_n.value, 1) + " N levered" + at_time(force.levered_n.at_s);
   rows.push_back({"Lifted, not levered on the upper jaw", levered, "", ""});
 }
 
@@ -48,13 +46,13 @@ void add_blade(const curricula::Score& score, std::vector<Row>& rows) {
   if (!blade.to_vallecula_m) return;
   if (blade.entry_left_m) rows.push_back({"Blade in, from the midline", side(*blade.entry_left_m), "", ""});
   rows.push_back({"Blade's tip, nearest to the vallecula",
-                  millimetres(*blade.to_vallecula_m) + at(blade.to_vallecula_at_s) +
+                  in_mm(*blade.to_vallecula_m) + at_time(blade.to_vallecula_at_s) +
                       (blade.vallecula_reached ? ": reached" : ": not reached"),
                   "", ""});
   if (blade.left_m) rows.push_back({"Blade's tip then, from the midline", side(*blade.left_m), "", ""});
   rows.push_back(
       {"Blade's tip beyond the vallecula",
-       blade.past_vallecula_m > 0.0 ? millimetres(blade.past_vallecula_m) + at(blade.past_vallecula_at_s) : "never", "",
+       blade.past_vallecula_m > 0.0 ? in_mm(blade.past_vallecula_m) + at_time(blade.past_vallecula_at_s) : "never", "",
        ""});
   rows.push_back({"Way of the blade's tip", number(1e2 * score.motion.tip_path_m, 0) + " cm", "", ""});
 }
@@ -89,7 +87,7 @@ std::vector<Row> technique_rows(const curricula::Score& score) {
   if (score.intubation)
     if (const auto error_m = score.intubation->depth_error_m())
       rows.push_back({"Tube's depth, from the middle of the good third",
-                      millimetres(std::fabs(*error_m)) + (*error_m > 0.0 ? " deeper" : " shallower"), "", ""});
+                      in_mm(std::fabs(*error_m)) + (*error_m > 0.0 ? " deeper" : " shallower"), "", ""});
   if (score.dual_task) add_dual_task(*score.dual_task, rows);
   add_help("Own head moved aside", score.eye_moves, rows);
   add_help("Head extended by an assistant", score.extension, rows);

@@ -42,7 +42,6 @@ constexpr double kGulletSettles = 10.0;                   // below its mouth it 
 // mm that the smoothed surface of a round lumen lies within its wall: of nine manikins of 0.7 to 4.2 kg on voxels of 0.4
 // and 0.5 mm the trachea's was 0.066 (0.052 to 0.078) mm within.
 constexpr double kWithin = 0.066;
-constexpr double kMetres = 0.001;
 
 AirwayRing ring(const Outline& outline, const Across& frame, AirwayPart part) {
   AirwayRing r;

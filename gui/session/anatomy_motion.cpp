@@ -12,7 +12,7 @@ namespace {
 using engine::Vec3;
 using pipeline::Tissue;
 
-constexpr double kTermSize = 50.3;  // mm, upper gum to vallecula of the term manikin
+constexpr double kTermSizeMm = 50.3;  // mm, upper gum to vallecula of the term manikin
 // Soft parts go with the jaw as far as its bone is nearer than the upper jaw's, and no farther off than this (assumed;
 // term).
 constexpr double kNearerFrom = 0.38, kNearerTo = 0.58;
@@ -59,7 +59,7 @@ engine::TriangleMesh lips_of(const pipeline::PatientPackage& package, double abo
 }  // namespace
 
 double size_of(const pipeline::PatientPackage& package) {
-  return (landmark(package, "vallecula") - landmark(package, "upper_gum_midline")).norm() / kTermSize;
+  return (landmark(package, "vallecula") - landmark(package, "upper_gum_midline")).norm() / kTermSizeMm;
 }
 
 AnatomyMotion::AnatomyMotion(const pipeline::PatientPackage& package)

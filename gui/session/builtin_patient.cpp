@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "gui/session/files.h"
+#include "gui/session/user_paths.h"
 #include "pipeline/import.h"
 #include "pipeline/manikin/manikin.h"
 #include "pipeline/package/patient_package.h"
@@ -18,11 +19,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double kScanShare = 0.25;  // of the whole work, by the clock on a term manikin
-
-const char* set_variable(const char* name) {
-  const char* value = std::getenv(name);
-  return value != nullptr && *value != '\0' ? value : nullptr;
-}
 
 /// Empty: none is known.
 fs::path cache_folder() {

@@ -16,7 +16,6 @@ namespace {
 using curricula::InfantCourse;
 using engine::Vec3;
 
-constexpr double kMetres = 0.001;
 constexpr double kFrench = 0.001 / 3;          // m
 constexpr double kThroatArea = 250e-6;         // m2, term: what secretions spread over (assumed)
 // Of the throat's floor, mm term: from the cords' level up, to either side of the middle.

@@ -8,8 +8,7 @@ using engine::Vec3;
 
 namespace {
 
-constexpr double kMetres = 0.001;
-constexpr double kTermSize = 0.0503;  // m, upper gum to vallecula of the term manikin
+constexpr double kTermSizeM = 0.0503;  // m, upper gum to vallecula of the term manikin
 
 }  // namespace
 
@@ -19,7 +18,8 @@ OperatorFrame::OperatorFrame(const pipeline::PatientPackage& package) {
   const Vec3 to_eye = kMetres * landmark(package, "operator_eye") - origin;
   sight = (to_eye - to_eye.x() * left).normalized();
   lift = left.cross(sight);
-  size = (kMetres * landmark(package, "vallecula") - kMetres * landmark(package, "upper_gum_midline")).norm() / kTermSize;
+  size =
+      (kMetres * landmark(package, "vallecula") - kMetres * landmark(package, "upper_gum_midline")).norm() / kTermSizeM;
 }
 
 Vec3 OperatorFrame::at(double along_sight, double along_lift, double to_left) const {

@@ -11,6 +11,8 @@
 
 namespace vallecula::gui {
 
+constexpr double kMetres = 0.001;  ///< the one conversion from the package's millimetres
+
 /// Both throw std::runtime_error naming the patient and what it lacks.
 engine::Vec3 landmark(const pipeline::PatientPackage& package, const char* name);
 const pipeline::Surface& surface(const pipeline::PatientPackage& package, const char* name);

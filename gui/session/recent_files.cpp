@@ -15,7 +15,7 @@ namespace {
 constexpr const char* kKey = "recent/files";
 constexpr const char* kFolderKey = "recent/folder";
 
-QString say(const char* text) { return QCoreApplication::translate("RecentFiles", text); }
+QString said(const char* text) { return QCoreApplication::translate("RecentFiles", text); }
 
 }  // namespace
 
@@ -56,17 +56,17 @@ QString described(const RecentFile& file) {
   QString name = QString::fromStdString(file.path.stem().string());
   switch (file.kind) {
     case DroppedKind::patient:
-      return say(QT_TRANSLATE_NOOP("RecentFiles", "Patient: %1")).arg(name);
+      return said(QT_TRANSLATE_NOOP("RecentFiles", "Patient: %1")).arg(name);
     case DroppedKind::course:
-      return say(QT_TRANSLATE_NOOP("RecentFiles", "Course: %1")).arg(name);
+      return said(QT_TRANSLATE_NOOP("RecentFiles", "Course: %1")).arg(name);
     case DroppedKind::trial: {
       if (file.path.extension() == ".vtrial") name = QString::fromStdString(file.path.parent_path().filename().string());
       name.remove(QRegularExpression("^\\d{8}-\\d{6}-"));  // the moment, which stands behind it in words
-      return say(QT_TRANSLATE_NOOP("RecentFiles", "Trial: %1, %2"))
+      return said(QT_TRANSLATE_NOOP("RecentFiles", "Trial: %1, %2"))
           .arg(name, QLocale().toString(file.changed, QLocale::ShortFormat));
     }
     default:
-      return say(QT_TRANSLATE_NOOP("RecentFiles", "CT: %1")).arg(name);
+      return said(QT_TRANSLATE_NOOP("RecentFiles", "CT: %1")).arg(name);
   }
 }
 

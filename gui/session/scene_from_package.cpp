@@ -20,8 +20,6 @@ using pipeline::Anchor;
 using pipeline::PatientPackage;
 using pipeline::Tissue;
 
-constexpr double kMetres = 0.001;  // the one conversion from the package's millimetres
-
 // Springs that hold hyoid and mandible (DESIGN 4.1: the hyoid follows 0.3-0.4 of the lift). No measured stiffness was
 // found; these were tried out on the term manikin and scale with the infant's size.
 constexpr double kHyoidStiffness = 80.0;    // N/m

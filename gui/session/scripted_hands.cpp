@@ -19,8 +19,6 @@ using engine::Quat;
 using engine::Vec3;
 using pipeline::PatientPackage;
 
-constexpr double kMetres = 0.001;
-
 /// A keyframe with the blade's tip at `tip` and the blade passing through `through` (towards the handle), its tongue side
 /// turned to the tongue.
 device::Keyframe keyframe(const OperatorFrame& frame, double time_s, const Vec3& tip, const Vec3& through) {

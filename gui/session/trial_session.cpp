@@ -26,7 +26,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr double kPeriodS = 0.001;  ///< of the servo
+constexpr double kServoPeriodS = 0.001;  ///< of the servo
 
 curricula::Curriculum curriculum_with(const fs::path& file, const std::string& scenario) {
   curricula::Curriculum curriculum = curricula::load_curriculum(file);
@@ -126,7 +126,7 @@ void TrialSession::Impl::make_attempt(bool at_vallecula) {
   if (at_vallecula) {
     device::Trajectory way = way_to_vallecula(package);
     const device::Keyframe there = way.at(way.end_s());
-    lead_in_ticks = std::llround((way.end_s() - way.start_s()) / kPeriodS);
+    lead_in_ticks = std::llround((way.end_s() - way.start_s()) / kServoPeriodS);
     hands->lead_in(std::move(way), lead_in_ticks);
     // What turns and lifts about the tool's own axes has them from the start.
     if (auto* mouse = dynamic_cast<device::MouseDevice*>(&hands->device()))
@@ -147,7 +147,7 @@ curricula::LogHeader TrialSession::Impl::header(std::int64_t lead_in_ticks) cons
   header.curriculum_path = path_for_log(setup.curriculum, results.folder());
   if (!tool_ply.empty()) header.tool_sha256 = sha256_of_bytes(tool_ply);
   header.device_kind = hands->kind();
-  header.servo_period_s = kPeriodS;
+  header.servo_period_s = kServoPeriodS;
   header.realtime = setup.realtime;
   header.settings.merge(hands->settings());
   if (lead_in_ticks > 0) header.settings[curricula::kLeadInTicks] = static_cast<double>(lead_in_ticks);
@@ -220,7 +220,7 @@ void TrialSession::freeze(Holder holder, bool on) {
 }
 bool TrialSession::frozen() const { return impl_->hands->frozen(); }
 bool TrialSession::frozen_by(Holder holder) const { return impl_->hands->frozen_by(holder); }
-double TrialSession::paused_s() const { return kPeriodS * static_cast<double>(impl_->attempt->paused_ticks()); }
+double TrialSession::paused_s() const { return kServoPeriodS * static_cast<double>(impl_->attempt->paused_ticks()); }
 std::string TrialSession::fault() const { return fault_words(impl_->attempt->loop_fault()); }
 bool TrialSession::finished() const { return impl_->attempt->ended(); }
 const engine::Snapshot& TrialSession::at_start() const { return impl_->at_start; }

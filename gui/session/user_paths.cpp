@@ -10,14 +10,10 @@ namespace vallecula::gui {
 
 namespace fs = std::filesystem;
 
-namespace {
-
 const char* set_variable(const char* name) {
   const char* value = std::getenv(name);
   return value != nullptr && *value != '\0' ? value : nullptr;
 }
-
-}  // namespace
 
 fs::path user_data_folder() {
   if (const char* home = set_variable("VALLECULA_HOME")) return home;

@@ -5,6 +5,8 @@
 
 namespace vallecula::gui {
 
+/// What the environment says for the name; null where it says nothing or an empty word.
+const char* set_variable(const char* name);
 /// The user's data folder: $VALLECULA_HOME, else $XDG_DATA_HOME/vallecula, else ~/.local/share/vallecula. Not created
 /// here. Throws std::runtime_error when none of the three is known.
 std::filesystem::path user_data_folder();

@@ -19,16 +19,13 @@
 #include <stdexcept>
 #include <thread>
 
+#include "gui/session/user_paths.h"
+
 namespace vallecula::gui {
 namespace {
 
 constexpr int kStartTimeoutMs = 15000;
 constexpr auto kEndTimeout = std::chrono::seconds(3);
-
-const char* set_variable(const char* name) {
-  const char* value = std::getenv(name);
-  return value != nullptr && *value != '\0' ? value : nullptr;
-}
 
 bool answers(const std::string& socket_path, bool abstract) {
   sockaddr_un address{};

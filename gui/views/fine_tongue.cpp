@@ -23,7 +23,7 @@ namespace {
 using pipeline::Point;
 
 constexpr double kCellMm = 3.0, kOutsideMm = 1.5;  // of the grid that tetrahedra are looked up by
-constexpr double kFinestMm = 0.45;                 // of the surface's triangles, about
+constexpr double kTriangleMm = 0.45;               // of the surface's triangles, about
 constexpr int kTongueTriangles = 10000;
 constexpr int kFairings = 15;
 constexpr double kPassBand = 0.1;  // the steps of voxels go, the shape stays
@@ -33,7 +33,7 @@ std::array<int, 3> cell_of(const Point& p) {
           static_cast<int>(std::floor(p[2] / kCellMm))};
 }
 
-/// Tongue and epiglottis alone, with a rim, at no more than kFinestMm; from 0 outside to 1 inside.
+/// Tongue and epiglottis alone, with a rim, at no more than kTriangleMm; from 0 outside to 1 inside.
 pipeline::Volume<float> soft_share(const pipeline::Labels& labels) {
   const auto& g = labels.grid;
   std::array<int, 3> low = g.size, high{-1, -1, -1}, stride{};
@@ -48,7 +48,7 @@ pipeline::Volume<float> soft_share(const pipeline::Labels& labels) {
   pipeline::Grid part;
   if (high[0] < 0) return pipeline::Volume<float>(part, 0.0f);
   for (int a = 0; a < 3; ++a) {
-    stride[a] = std::max(1, static_cast<int>(kFinestMm / g.spacing[a] + 0.25));
+    stride[a] = std::max(1, static_cast<int>(kTriangleMm / g.spacing[a] + 0.25));
     part.spacing[a] = stride[a] * g.spacing[a];
     part.size[a] = (high[a] - low[a]) / stride[a] + 9;
     part.origin[a] = g.origin[a] + (low[a] - 4 * stride[a] + 0.5 * (stride[a] - 1)) * g.spacing[a];

@@ -22,7 +22,7 @@ namespace {
 
 using Surfaces = std::map<std::uint8_t, vtkSmartPointer<vtkPolyData>>;
 
-constexpr double kDegreesAPixel = 0.5, kDegreesAKey = 10.0, kZoomANotch = 1.2, kGrab = 10.0;
+constexpr double kDegreesAPixel = 0.5, kDegreesAKey = 10.0, kZoomAStep = 1.2, kGrab = 10.0;
 constexpr double kMarkPixels = 4.5;  // a landmark's radius, however near one looks
 
 }  // namespace
@@ -272,7 +272,7 @@ void LabelView::mouseReleaseEvent(QMouseEvent* event) {
 }
 
 void LabelView::wheelEvent(QWheelEvent* event) {
-  zoom(std::pow(kZoomANotch, event->angleDelta().y() / 120.0));
+  zoom(std::pow(kZoomAStep, event->angleDelta().y() / 120.0));
   event->accept();
 }
 
@@ -288,9 +288,9 @@ void LabelView::keyPressEvent(QKeyEvent* event) {
       return turn(0.0, kDegreesAKey);
     case Qt::Key_Plus:
     case Qt::Key_Equal:
-      return zoom(kZoomANotch);
+      return zoom(kZoomAStep);
     case Qt::Key_Minus:
-      return zoom(1.0 / kZoomANotch);
+      return zoom(1.0 / kZoomAStep);
     case Qt::Key_0:
       return look_from_front();
     case Qt::Key_F:

@@ -10,7 +10,7 @@
 namespace vallecula::gui {
 namespace {
 
-engine::Vec3 vec(const pipeline::Point& p) { return {p[0], p[1], p[2]}; }
+engine::Vec3 eigen_of(const pipeline::Point& p) { return {p[0], p[1], p[2]}; }
 
 double eased(double from, double to, double x) {
   const double t = std::clamp((x - from) / (to - from), 0.0, 1.0);
@@ -63,8 +63,8 @@ MouthStage::MouthStage(std::shared_ptr<PatientLook> look, const engine::Triangle
     tissues_.push_back(cords_->actor());
   }
   colour_trachea();
-  lighting_.lips = vec(look_->framing.mouth);
-  lighting_.inward = (vec(look_->framing.glottis) - lighting_.lips).normalized();
+  lighting_.lips = eigen_of(look_->framing.mouth);
+  lighting_.inward = (eigen_of(look_->framing.glottis) - lighting_.lips).normalized();
   if (eye == Eye::in_the_mouth) exposure_ = kExposure;
   lighting_.lamp_solids_from = kBladeSolids + 1;
   for (const auto& actor : tissues_) renderer->AddActor(actor);
@@ -82,7 +82,7 @@ void MouthStage::update(const engine::Snapshot& snapshot) {
     cords_->update(snapshot);
     secretions_->update(snapshot);
   }
-  const engine::Vec3 mouth = vec(look_->framing.mouth), way = vec(look_->framing.glottis) - mouth;
+  const engine::Vec3 mouth = eigen_of(look_->framing.mouth), way = eigen_of(look_->framing.glottis) - mouth;
   depth_ = (1000.0 * snapshot.proxy_pose.position - mouth).dot(way) / way.squaredNorm();
   // The eye follows the lamp: the deeper the blade, the less of the room is left and the brighter the lamp looks.
   const double in = eased(-0.05, 0.65, depth_);

@@ -32,11 +32,11 @@ vtkSmartPointer<vtkPlane> sagittal_plane(double x_mm) {
   return plane;
 }
 
-struct Cut {
+struct Section {
   vtkSmartPointer<vtkPolyData> fill, outline;
 };
 
-Cut cut_of(vtkPolyData* closed_surface, double x_mm) {
+Section cut_of(vtkPolyData* closed_surface, double x_mm) {
   vtkNew<vtkCutter> cutter;
   cutter->SetInputData(closed_surface);
   cutter->SetCutFunction(sagittal_plane(x_mm));
@@ -44,7 +44,7 @@ Cut cut_of(vtkPolyData* closed_surface, double x_mm) {
   vtkNew<vtkContourTriangulator> filler;
   filler->SetInputConnection(cutter->GetOutputPort());
   filler->Update();
-  Cut cut;
+  Section cut;
   cut.fill = filler->GetOutput();
   cutter->Update();
   cut.outline = cutter->GetOutput();
@@ -107,7 +107,7 @@ void SagittalView::add_anatomy_cuts() {
   };
   constexpr Colour kFleshColour = {0.78, 0.50, 0.45}, kAirColour = {0.13, 0.19, 0.27};
   if (const auto face = find("face")) {
-    const Cut cut = cut_of(face, x);
+    const Section cut = cut_of(face, x);
     add_moving(cut.fill, kFlesh, kFleshColour);
     add_moving(cut.outline, kEdges, {0.40, 0.18, 0.17})->GetProperty()->SetLineWidth(1.4f);
   }
@@ -132,7 +132,7 @@ void SagittalView::add_anatomy_cuts() {
   }
   for (const char* name : {"palate", "mandible"})
     if (const auto bone = find(name)) {
-      const Cut cut = cut_of(bone, x);
+      const Section cut = cut_of(bone, x);
       add_moving(cut.fill, kBone, kBoneColour);
       add_moving(cut.outline, kBone + 0.2, {0.55, 0.50, 0.38})->GetProperty()->SetLineWidth(1.2f);
     }

@@ -8,7 +8,7 @@
 namespace vallecula::pipeline {
 namespace {
 
-VoxelType type_of(const std::string& name) {
+VoxelType nrrd_type(const std::string& name) {
   static const std::map<std::string, VoxelType> kTypes = {{"signed char", VoxelType::int8},
                                                           {"int8", VoxelType::int8},
                                                           {"int8_t", VoxelType::int8},
@@ -80,7 +80,7 @@ VolumeHeader nrrd_header(std::string_view bytes) {
   if (fields["dimension"] != "3") throw SeriesError("is no volume of three dimensions; export the CT as one volume");
   int sizes[3];
   sizes_in(fields["sizes"], sizes);
-  header.type = type_of(lower_case(fields["type"]));
+  header.type = nrrd_type(lower_case(fields["type"]));
   header.big_endian = fields["endian"] == "big";
   const auto encoding = lower_case(fields["encoding"]);
   header.packed = encoding == "gzip" || encoding == "gz";

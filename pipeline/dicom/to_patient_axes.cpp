@@ -9,7 +9,7 @@
 namespace vallecula::pipeline {
 namespace {
 
-constexpr std::int16_t kAirHu = -1024;
+constexpr std::int16_t kOutsideHu = -1024;
 
 /// For each patient axis the index axis that runs along it, or all -1 when one does not run along any.
 std::array<int, 3> matching_axes(const CtGeometry& g) {
@@ -100,7 +100,7 @@ Grid enclosing(const CtGeometry& m) {
 Hounsfield interpolated(const CtVolume& volume) {
   const auto& m = volume.geometry;
   const auto to_index = inverse(m.step);
-  Hounsfield out(enclosing(m), kAirHu);
+  Hounsfield out(enclosing(m), kOutsideHu);
   const Grid& grid = out.grid;
   parallel_for(grid.size[2], [&](int z) {
     for (int y = 0; y < grid.size[1]; ++y) {

@@ -48,7 +48,7 @@ void set(gdcm::DataSet& data, std::uint16_t group, std::uint16_t element, const 
   data.Replace(attribute);
 }
 
-std::string decimal(double value) {
+std::string decimal_string(double value) {
   char text[17];  // a decimal string holds at most 16 characters
   std::snprintf(text, sizeof text, "%.8g", value);
   return text;
@@ -93,7 +93,7 @@ void set_attributes(gdcm::DataSet& data, const Hounsfield& volume, int slice, co
   set(data, 0x0010, 0x0020, gdcm::VR::LO, about.patient_id);
   set(data, 0x0010, 0x0030, gdcm::VR::DA, "");
   set(data, 0x0010, 0x0040, gdcm::VR::CS, "");
-  if (about.patient_weight_kg > 0.0) set(data, 0x0010, 0x1030, gdcm::VR::DS, decimal(about.patient_weight_kg));
+  if (about.patient_weight_kg > 0.0) set(data, 0x0010, 0x1030, gdcm::VR::DS, decimal_string(about.patient_weight_kg));
   // Study, series, frame of reference, equipment
   set(data, 0x0020, 0x000d, gdcm::VR::UI, uid_for(about.unique_key + "/study"));
   set(data, 0x0020, 0x000e, gdcm::VR::UI, uid_for(about.unique_key + "/series"));
@@ -117,13 +117,13 @@ void set_attributes(gdcm::DataSet& data, const Hounsfield& volume, int slice, co
   set(data, 0x0008, 0x0008, gdcm::VR::CS, "ORIGINAL\\PRIMARY\\AXIAL");
   set(data, 0x0020, 0x0013, gdcm::VR::IS, number);
   set(data, 0x0020, 0x0012, gdcm::VR::IS, "1");
-  set(data, 0x0018, 0x0060, gdcm::VR::DS, decimal(120.0));
-  set(data, 0x0018, 0x0050, gdcm::VR::DS, decimal(volume.grid.spacing[2]));
-  set(data, 0x0018, 0x0088, gdcm::VR::DS, decimal(volume.grid.spacing[2]));
-  set(data, 0x0020, 0x1041, gdcm::VR::DS, decimal(volume.grid.position(0, 0, slice)[2]));
+  set(data, 0x0018, 0x0060, gdcm::VR::DS, decimal_string(120.0));
+  set(data, 0x0018, 0x0050, gdcm::VR::DS, decimal_string(volume.grid.spacing[2]));
+  set(data, 0x0018, 0x0088, gdcm::VR::DS, decimal_string(volume.grid.spacing[2]));
+  set(data, 0x0020, 0x1041, gdcm::VR::DS, decimal_string(volume.grid.position(0, 0, slice)[2]));
   set(data, 0x0028, 0x1054, gdcm::VR::LO, "HU");
-  set(data, 0x0028, 0x1050, gdcm::VR::DS, decimal(40.0));
-  set(data, 0x0028, 0x1051, gdcm::VR::DS, decimal(400.0));
+  set(data, 0x0028, 0x1050, gdcm::VR::DS, decimal_string(40.0));
+  set(data, 0x0028, 0x1051, gdcm::VR::DS, decimal_string(400.0));
 }
 
 }  // namespace

@@ -91,7 +91,7 @@ const gdcm::DataSet* first_item(const gdcm::DataSet& data, const gdcm::Tag& tag,
   return &keep->GetItem(1).GetNestedDataSet();
 }
 
-struct Frame {
+struct ImageFrame {
   Vector3 position{};
   int segment = 0;  ///< 0: all segments by value (label map)
 };
@@ -188,7 +188,7 @@ class Segmentation {
   void read_frames() {
     for (int i = 1; i <= frames_; ++i) {
       const auto& data = frame_groups_->GetItem(static_cast<std::size_t>(i)).GetNestedDataSet();
-      Frame frame;
+      ImageFrame frame;
       const auto position = grouped(data, kPlanePosition, kImagePosition);
       if (position.size() != 3) fail("it does not say of every frame where it lies");
       frame.position = {position[0], position[1], position[2]};
@@ -226,7 +226,7 @@ class Segmentation {
     if (step == 0.0) fail("it has one slice and does not say how thick it is");
     const double slices = std::round((heights.back() - heights.front()) / step) + 1.0;
     if (slices > 4096.0) fail("its slices lie further apart than a head");
-    const auto lowest = std::min_element(list_.begin(), list_.end(), [&](const Frame& a, const Frame& b) {
+    const auto lowest = std::min_element(list_.begin(), list_.end(), [&](const ImageFrame& a, const ImageFrame& b) {
       return dot(a.position, normal_) < dot(b.position, normal_);
     });
     image_.place.origin = lowest->position;
@@ -284,7 +284,7 @@ class Segmentation {
   std::vector<double> orientation_;
   Vector3 normal_{};
   double slice_mm_ = 0.0;
-  std::vector<Frame> list_;
+  std::vector<ImageFrame> list_;
   std::vector<int> slice_of_;
 };
 

@@ -4,11 +4,11 @@
 namespace vallecula::pipeline::manikin {
 namespace {
 
-constexpr double kExtension = 25.0 * 3.14159265358979323846 / 180.0;
+constexpr double kHeadExtension = 25.0 * 3.14159265358979323846 / 180.0;
 
 Shape skull_shape(const Variation& v, const Shape& nasal) {
-  const double cs = std::cos(kExtension);
-  const double sn = std::sin(kExtension);
+  const double cs = std::cos(kHeadExtension);
+  const double sn = std::sin(kHeadExtension);
   const double cy = 45.0 + 58.0 * (v.head_length - 1.0);
   const Vec centre{0.0, cs * cy + sn * 50.0, cs * 50.0 - sn * cy};
   const Vec radii{46.5 * v.head_width - 4.5, 58.0 * v.head_length - 4.5, 43.5};
@@ -44,8 +44,8 @@ Shape skull_shape(const Variation& v, const Shape& nasal) {
   shape.distance = [=, plate = std::move(plate)](const Vec& p) {
     const Vec q{std::abs(p.x), p.y, p.z};
     // Brain case: the cranium less the face below the base that runs from the brow to the foramen magnum.
-    double box = tilted_ellipsoid(q, centre, radii, kExtension);
-    box = blend(box, tilted_ellipsoid(q, brow, {20.0 * v.head_width - 4.0, 15.0, 18.5}, kExtension), 12.0);
+    double box = tilted_ellipsoid(q, centre, radii, kHeadExtension);
+    box = blend(box, tilted_ellipsoid(q, brow, {20.0 * v.head_width - 4.0, 15.0, 18.5}, kHeadExtension), 12.0);
     const double base = (-(q.z - 32.0) * 0.83 - (q.y - 8.0) * 0.553);
     box = meet(box, base, 8.0);
     double d = std::abs(box) - 1.0;

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kDegree = 57.29577951308232;
 
-std::uint64_t directed(int a, int b) {
+std::uint64_t directed_edge(int a, int b) {
   return (static_cast<std::uint64_t>(static_cast<std::uint32_t>(a)) << 32) | static_cast<std::uint32_t>(b);
 }
 
@@ -39,7 +39,7 @@ bool single_fans(const Surface& s, const std::unordered_map<std::uint64_t, int>&
     do {
       const auto& tri = s.triangles[t];
       const int k = tri[0] == static_cast<int>(v) ? 0 : tri[1] == static_cast<int>(v) ? 1 : 2;
-      const auto next = owner.find(directed(static_cast<int>(v), tri[(k + 2) % 3]));
+      const auto next = owner.find(directed_edge(static_cast<int>(v), tri[(k + 2) % 3]));
       if (next == owner.end()) return false;
       t = next->second;
       ++visited;
@@ -106,7 +106,7 @@ SurfaceFacts facts_of(const Surface& s) {
       const auto v = unit(p[(k + 2) % 3] - p[k]);
       f.smallest_angle_deg = std::min(f.smallest_angle_deg, kDegree * std::acos(std::clamp(dot(u, v), -1.0, 1.0)));
       if (tri[k] == tri[(k + 1) % 3]) note(f.manifold, "a triangle names a point twice");
-      if (!owner.emplace(directed(tri[k], tri[(k + 1) % 3]), static_cast<int>(t)).second) {
+      if (!owner.emplace(directed_edge(tri[k], tri[(k + 1) % 3]), static_cast<int>(t)).second) {
         note(f.manifold, "an edge has more than two triangles, or two that look to opposite sides");
       }
     }

@@ -15,36 +15,36 @@ namespace fs = std::filesystem;
 
 constexpr int kSchema = 1;
 
-[[noreturn]] void fail(const std::string& file, const std::string& what) {
+[[noreturn]] void refuse(const std::string& file, const std::string& what) {
   throw PackageError("package file " + file + ": " + what);
 }
 
 /// The text above the last line, after checking that line's digest.
 std::string checked_description(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);
-  if (!in) fail("patient.yaml", "cannot be read; is this a patient package?");
+  if (!in) refuse("patient.yaml", "cannot be read; is this a patient package?");
   std::ostringstream all;
   all << in.rdbuf();
   const auto text = all.str();
   const auto last = text.rfind("sha256: ");
   if (last == std::string::npos || (last > 0 && text[last - 1] != '\n'))
-    fail("patient.yaml", "has no digest; import the series again");
+    refuse("patient.yaml", "has no digest; import the series again");
   const auto above = text.substr(0, last);
   if (text.substr(last) != "sha256: " + sha256_of_text(above) + "\n") {
-    fail("patient.yaml", "was changed after the package was written; import the series again");
+    refuse("patient.yaml", "was changed after the package was written; import the series again");
   }
   return above;
 }
 
 YAML::Node required(const YAML::Node& node, const char* key) {
   const auto value = node[key];
-  if (!value) fail("patient.yaml", std::string("the field \"") + key + "\" is missing");
+  if (!value) refuse("patient.yaml", std::string("the field \"") + key + "\" is missing");
   return value;
 }
 
 double number(const YAML::Node& node, const std::string& what) {
   const auto value = node.as<double>();
-  if (!std::isfinite(value)) fail("patient.yaml", what + " is not a finite number");
+  if (!std::isfinite(value)) refuse("patient.yaml", what + " is not a finite number");
   return value;
 }
 
@@ -55,7 +55,8 @@ void read_findings_and_pose(const YAML::Node& root, PatientPackage& package) {
     Finding finding;
     const auto origin = required(item.second, "origin").as<std::string>();
     if (!origin_from(origin, finding.origin))
-      fail("patient.yaml", "origin \"" + origin + "\" of " + name + "; expected measured, inferred, given or template");
+      refuse("patient.yaml",
+             "origin \"" + origin + "\" of " + name + "; expected measured, inferred, given or template");
     finding.how = required(item.second, "how").as<std::string>();
     package.findings[name] = finding;
   }
@@ -67,7 +68,7 @@ void read_findings_and_pose(const YAML::Node& root, PatientPackage& package) {
   if (!node) return;
   auto& pose = package.pose;
   const auto matrix = required(node, "scan_to_package");
-  if (matrix.size() != pose.scan_to_package.size()) fail("patient.yaml", "scan_to_package needs sixteen numbers");
+  if (matrix.size() != pose.scan_to_package.size()) refuse("patient.yaml", "scan_to_package needs sixteen numbers");
   for (std::size_t i = 0; i < pose.scan_to_package.size(); ++i)
     pose.scan_to_package[i] = number(matrix[i], "scan_to_package");
   for (const auto& [key, value] :
@@ -80,22 +81,22 @@ void read_findings_and_pose(const YAML::Node& root, PatientPackage& package) {
 void read_description(const YAML::Node& root, PatientPackage& package) {
   package.schema = required(root, "schema").as<int>();
   if (package.schema != kSchema) {
-    fail("patient.yaml",
-         "schema " + std::to_string(package.schema) + "; this program reads schema " + std::to_string(kSchema));
+    refuse("patient.yaml",
+           "schema " + std::to_string(package.schema) + "; this program reads schema " + std::to_string(kSchema));
   }
   if (required(root, "unit").as<std::string>() != "mm" || required(root, "frame").as<std::string>() != "LPS") {
-    fail("patient.yaml", "expected unit mm and frame LPS");
+    refuse("patient.yaml", "expected unit mm and frame LPS");
   }
   package.name = required(root, "name").as<std::string>();
   for (const auto& item : required(root, "provenance"))
     package.provenance[item.first.as<std::string>()] = item.second.as<std::string>();
   for (const auto& item : required(root, "landmarks")) {
     const auto name = item.first.as<std::string>();
-    if (item.second.size() != 3) fail("patient.yaml", "landmark " + name + " needs three numbers");
+    if (item.second.size() != 3) refuse("patient.yaml", "landmark " + name + " needs three numbers");
     for (int a = 0; a < 3; ++a) package.landmarks[name][a] = number(item.second[a], "landmark " + name);
   }
   for (const auto* name : kLandmarks) {
-    if (package.landmarks.count(name) == 0) fail("patient.yaml", std::string("landmark ") + name + " is missing");
+    if (package.landmarks.count(name) == 0) refuse("patient.yaml", std::string("landmark ") + name + " is missing");
   }
   read_findings_and_pose(root, package);
   for (const auto& item : required(root, "materials")) {
@@ -105,8 +106,8 @@ void read_description(const YAML::Node& root, PatientPackage& package) {
     m.poisson = number(required(item.second, "poisson"), "poisson of " + name);
     m.density_kg_m3 = number(required(item.second, "density_kg_m3"), "density_kg_m3 of " + name);
     if (!(m.young_pa > 0.0) || !(m.poisson >= 0.0 && m.poisson < 0.5) || !(m.density_kg_m3 > 0.0)) {
-      fail("patient.yaml",
-           "material " + name + " is not physical; expected young_pa > 0, 0 <= poisson < 0.5, density_kg_m3 > 0");
+      refuse("patient.yaml",
+             "material " + name + " is not physical; expected young_pa > 0, 0 <= poisson < 0.5, density_kg_m3 > 0");
     }
     package.materials[name] = m;
   }
@@ -128,11 +129,11 @@ std::vector<std::string> checked_files(const YAML::Node& root, const fs::path& d
   for (const auto& item : required(root, "files")) {
     const auto name = item.first.as<std::string>();
     if (name.empty() || fs::path(name).filename() != fs::path(name) || name == "." || name == "..") {
-      fail("patient.yaml", "lists a file outside the package");
+      refuse("patient.yaml", "lists a file outside the package");
     }
-    if (!fs::is_regular_file(dir / name)) fail(name, "is missing; import the series again");
+    if (!fs::is_regular_file(dir / name)) refuse(name, "is missing; import the series again");
     if (sha256_of_file(dir / name) != item.second.as<std::string>()) {
-      fail(name, "was changed after the package was written; import the series again");
+      refuse(name, "was changed after the package was written; import the series again");
     }
     files.push_back(name);
   }
@@ -155,22 +156,22 @@ PatientPackage read_package(const fs::path& dir) {
     read_description(root, package);
     files = checked_files(root, dir);
   } catch (const YAML::Exception& e) {
-    fail("patient.yaml", std::string("cannot be understood (") + e.what() + "); import the series again");
+    refuse("patient.yaml", std::string("cannot be understood (") + e.what() + "); import the series again");
   }
   for (const auto& file : files) {
     if (fs::path(file).extension() == ".vtp")
       package.surfaces[fs::path(file).stem().string()] = read_surface(dir / file);
   }
   for (const auto* name : kSurfaces) {
-    if (package.surfaces.count(name) == 0) fail(std::string(name) + ".vtp", "is missing; import the series again");
+    if (package.surfaces.count(name) == 0) refuse(std::string(name) + ".vtp", "is missing; import the series again");
   }
   package.tongue = read_tet_mesh(dir / "tongue.vtu");
   if (package.materials.count("tongue") == 0 || package.materials.count("epiglottis") == 0) {
-    fail("patient.yaml", "the materials tongue and epiglottis are needed");
+    refuse("patient.yaml", "the materials tongue and epiglottis are needed");
   }
   const auto& face = package.surfaces.at("face");
   if (face.tissue.size() != face.triangles.size())
-    fail("face.vtp", "the array \"tissue\" is missing; import the series again");
+    refuse("face.vtp", "the array \"tissue\" is missing; import the series again");
   return package;
 }
 

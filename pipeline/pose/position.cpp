@@ -12,7 +12,7 @@
 namespace vallecula::pipeline {
 namespace {
 
-constexpr double kDegree = 3.14159265358979323846 / 180.0;
+constexpr double kPerDegree = 3.14159265358979323846 / 180.0;
 
 Mask of_label(const Labels& labels, std::uint8_t label) {
   return where(labels, [label](std::uint8_t v) { return v == label; });
@@ -214,8 +214,8 @@ PositionFacts put_into_position(Segmentation& s, const std::function<void(double
     s.epiglottis.vallecula = vallecula;
   }
   if (!hyoid_seen) given["hyoid"] = hyoid;
-  s.pose.mouth_opened_deg = aim.jaw.angle_rad / kDegree;
-  s.pose.extension_deg = aim.neck.angle_rad / kDegree;
+  s.pose.mouth_opened_deg = aim.jaw.angle_rad / kPerDegree;
+  s.pose.extension_deg = aim.neck.angle_rad / kPerDegree;
   find_landmarks_again(s, given);
 
   say(1.0);

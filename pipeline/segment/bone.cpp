@@ -7,7 +7,7 @@
 namespace vallecula::pipeline {
 namespace {
 
-enum Marker : std::uint8_t { kNone = 0, kSkullMarker = 1, kMandibleMarker = 2, kSpineMarker = 3 };
+enum Marker : std::uint8_t { kNoMarker = 0, kSkullMarker = 1, kMandibleMarker = 2, kSpineMarker = 3 };
 
 /// Per slice the y of the airway's back wall near the middle; slices without airway take their neighbours' value.
 std::vector<double> back_wall(const Mask& lumen, const Frame& frame) {

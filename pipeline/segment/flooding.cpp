@@ -7,7 +7,7 @@
 namespace vallecula::pipeline {
 namespace {
 
-constexpr float kFar = 1e9F;
+constexpr float kUnpaid = 1e9F;
 
 template <class Visit>
 void for_neighbours6(const Grid& g, std::size_t i, const Visit& visit) {
@@ -55,7 +55,7 @@ Volume<std::uint8_t> shared_by_travel(const Volume<float>& cost, const Volume<st
                                       const Mask& allowed) {
   const auto& g = cost.grid;
   Volume<std::uint8_t> out(g);
-  Volume<float> paid(g, kFar);
+  Volume<float> paid(g, kUnpaid);
   using Item = std::pair<float, std::size_t>;
   std::priority_queue<Item, std::vector<Item>, std::greater<>> queue;
   for (std::size_t i = 0; i < markers.voxels.size(); ++i) {
@@ -86,7 +86,7 @@ Volume<std::uint8_t> shared_by_travel(const Volume<float>& cost, const Volume<st
 
 Volume<float> path_length(const Mask& seed, const Mask& allowed) {
   const auto& g = seed.grid;
-  Volume<float> d(g, kFar);
+  Volume<float> d(g, kUnpaid);
   using Item = std::pair<float, std::size_t>;
   std::priority_queue<Item, std::vector<Item>, std::greater<>> queue;
   for (std::size_t i = 0; i < seed.voxels.size(); ++i) {

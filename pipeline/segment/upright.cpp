@@ -11,7 +11,7 @@
 namespace vallecula::pipeline {
 namespace {
 
-constexpr double kDegree = 3.14159265358979323846 / 180.0;
+constexpr double kPerDegree = 3.14159265358979323846 / 180.0;
 constexpr double kLeastAskew = 2.0;  ///< degrees of tilt and turn: below, the search's own error and a head's asymmetry
 // A nod is told by the likeness to the shipped infant. An adult's profile is another: there the likeness is believed
 // only when it is far off, for a head that looks straight up is already 14 degrees from the infant's sniffing position.
@@ -25,8 +25,8 @@ struct Plane {
   double tilt = 0.0;
   double offset = 0.0;
   Vector3 normal() const {
-    const double t = turn * kDegree;
-    const double r = tilt * kDegree;
+    const double t = turn * kPerDegree;
+    const double r = tilt * kPerDegree;
     return {std::cos(t) * std::cos(r), std::sin(t) * std::cos(r), -std::sin(r)};
   }
 };
@@ -165,9 +165,9 @@ Plane plane_of(const Symmetry& symmetry, double breadth) {
 
 /// p -> Rx(-nod) Ry(-tilt) Rz(-turn) (p - middle) + middle: the patient was nodded, then tilted, then turned.
 Transform upright_about(const Vector3& middle, double tilt_deg, double turn_deg, double nod_deg) {
-  const double n = nod_deg * kDegree;
-  const double r = tilt_deg * kDegree;
-  const double t = turn_deg * kDegree;
+  const double n = nod_deg * kPerDegree;
+  const double r = tilt_deg * kPerDegree;
+  const double t = turn_deg * kPerDegree;
   Transform m{};
   for (int a = 0; a < 3; ++a) {
     Vector3 e{};

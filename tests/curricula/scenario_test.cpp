@@ -68,7 +68,7 @@ const char* const kIntubation = R"(    intubation:
       breathes: false
 )";
 
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
+std::string with_other(std::string text, const std::string& from, const std::string& to) {
   const auto at = text.find(from);
   EXPECT_NE(at, std::string::npos) << from;
   return text.replace(at, from.size(), to);
@@ -146,7 +146,7 @@ TEST_F(CurriculumFile, ReadsEveryFieldOfAnIntubation) {
 
 TEST_F(CurriculumFile, WhatAnIntubationDoesNotSayFollowsFromItsCourseAndWeight) {
   const std::string with_tubes =
-      replaced(kGood, "scenarios:", "tubes_by_weight:\n  - { below_kg: 2.0, tube: 3.0 }\nscenarios:");
+      with_other(kGood, "scenarios:", "tubes_by_weight:\n  - { below_kg: 2.0, tube: 3.0 }\nscenarios:");
   const struct {
     const char *course, *weeks;
     bool premedicated;
@@ -229,34 +229,34 @@ TEST_F(CurriculumFile, EveryMistakeInAnIntubationNamesItsFieldAndWhatIsAllowed) 
        "0 where the infant is premedicated"},
   };
   for (const auto& c : cases) {
-    const std::string message = error(replaced(good, c.from, c.to));
+    const std::string message = error(with_other(good, c.from, c.to));
     for (const std::string& part : {":" + std::to_string(c.line) + ": scenarios[0].intubation." + c.field + " is",
                                     std::string(c.value), std::string(c.allowed)}) {
       EXPECT_NE(message.find(part), std::string::npos) << c.to << " lacks '" << part << "' -> " << message;
     }
   }
-  const std::string relaxed = replaced(replaced(good, "course: delivery-room", "course: premedicated-preterm"),
-                                       "premedicated: false", "premedicated: true");
-  const std::string still = replaced(replaced(replaced(relaxed, "laryngospasm_s: 25", "laryngospasm_s: 0"),
-                                              "from_start: true", "from_start: false"),
-                                     "cord_closure_s: 2", "cord_closure_s: 0");
+  const std::string relaxed = with_other(with_other(good, "course: delivery-room", "course: premedicated-preterm"),
+                                         "premedicated: false", "premedicated: true");
+  const std::string still = with_other(with_other(with_other(relaxed, "laryngospasm_s: 25", "laryngospasm_s: 0"),
+                                                  "from_start: true", "from_start: false"),
+                                       "cord_closure_s: 2", "cord_closure_s: 0");
   EXPECT_EQ(error(still), "");
-  EXPECT_NE(error(replaced(still, "breathes: false", "breathes: true"))
+  EXPECT_NE(error(with_other(still, "breathes: false", "breathes: true"))
                 .find("intubation.breathes is 'true'; allowed: false where the infant is premedicated"),
             std::string::npos);
   // By the growth chart 1.50 kg at 31.5 weeks (half to 1.6 times of it allowed, assumed); 0.65 at 24, 3.1 at 38.
-  EXPECT_NE(error(replaced(good, "gestation_weeks: 31.5", "gestation_weeks: 39"))
+  EXPECT_NE(error(with_other(good, "gestation_weeks: 31.5", "gestation_weeks: 39"))
                 .find(":12: scenarios[0].manikin.weight_kg is '1.5'; allowed: from 1.74 kg to 5.54 kg at 39 weeks "
                       "(intubation.gestation_weeks)"),
             std::string::npos)
-      << error(replaced(good, "gestation_weeks: 31.5", "gestation_weeks: 39"));
-  EXPECT_NE(error(replaced(good, "gestation_weeks: 31.5", "gestation_weeks: 24"))
+      << error(with_other(good, "gestation_weeks: 31.5", "gestation_weeks: 39"));
+  EXPECT_NE(error(with_other(good, "gestation_weeks: 31.5", "gestation_weeks: 24"))
                 .find("from 0.33 kg to 1.04 kg at 24 weeks"),
             std::string::npos);
   const std::string twice =
-      replaced(kGood, "scenarios:",
-               "tubes_by_weight:\n  - { below_kg: 2, tube: 3.0 }\n  - { below_kg: 2, tube: 3.5 }\n"
-               "scenarios:");
+      with_other(kGood, "scenarios:",
+                 "tubes_by_weight:\n  - { below_kg: 2, tube: 3.0 }\n  - { below_kg: 2, tube: 3.5 }\n"
+                 "scenarios:");
   EXPECT_NE(error(twice).find(":9: tubes_by_weight[1].below_kg is '2'; allowed: more than the row before, 2 kg"),
             std::string::npos)
       << error(twice);
@@ -398,7 +398,7 @@ TEST_F(CurriculumFile, EveryMistakeNamesFileLineFieldValueAndWhatIsAllowed) {
        "seed, weight_kg"},
   };
   for (const auto& c : cases) {
-    const std::string message = error(replaced(kGood, c.from, c.to));
+    const std::string message = error(with_other(kGood, c.from, c.to));
     EXPECT_NE(message.find((folder_ / "course.yaml").string() + ":" + std::to_string(c.line) + ":"), std::string::npos)
         << c.to << " -> " << message;
     for (const char* part : {c.field, c.value, c.allowed}) {
@@ -415,7 +415,7 @@ TEST_F(CurriculumFile, EveryRequiredFieldIsMissedByName) {
                             "attempt_time_s: 30", "time_over_target_s: 3", "time_over_device_limit_s: 0.2"}) {
     const std::string text(field);
     const auto start = text.find_first_not_of(" ,"), end = text.find(':');
-    const std::string message = error(replaced(kGood, text, ""));
+    const std::string message = error(with_other(kGood, text, ""));
     EXPECT_NE(message.find(text.substr(start, end - start) + " is missing"), std::string::npos)
         << field << " -> " << message;
   }
@@ -455,8 +455,8 @@ TEST_F(CurriculumFile, HostileYamlIsRefusedQuickly) {
   for (int i = 0; i < 200; ++i) nested += std::string(static_cast<std::size_t>(i), ' ') + "a:\n";
   EXPECT_NE(error(nested).find("deep"), std::string::npos);
   EXPECT_NE(error(std::string(kGood) + "#" + std::string(1 << 20, 'x')).find("larger than 1 MB"), std::string::npos);
-  EXPECT_NE(error(replaced(kGood, "Do it.", "\"\xff\xfe\"")).find("UTF-8"), std::string::npos);
-  EXPECT_NE(error(replaced(kGood, "Do it.", std::string("a\0b", 3))).find("UTF-8"), std::string::npos);
+  EXPECT_NE(error(with_other(kGood, "Do it.", "\"\xff\xfe\"")).find("UTF-8"), std::string::npos);
+  EXPECT_NE(error(with_other(kGood, "Do it.", std::string("a\0b", 3))).find("UTF-8"), std::string::npos);
 }
 
 TEST_F(CurriculumFile, WhatCannotBeReadIsNamed) {

@@ -11,8 +11,8 @@
 namespace vallecula::device {
 namespace {
 
-constexpr double kTick = 0.001;
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kServoTick = 0.001;
+constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
 
 /// A guard on a puppet, ticked by hand; the scene's tool goes where the valid readings say.
 struct Bench {
@@ -20,7 +20,7 @@ struct Bench {
     guard.begin_at({0.1, 0.2, 0.3}, {1, 0, 0, 0});
   }
   DeviceReading tick(const Vector& force = {1, 0, 0}) {
-    last = guard.read(now++ * kTick);
+    last = guard.read(now++ * kServoTick);
     if (last.valid || now == 1) tool = last;  // the first pose places the tool
     guard.see_tool(tool.position_m, tool.rotation_wxyz);
     guard.write(force);
@@ -77,13 +77,13 @@ TEST(GuardedDevice, NoContactIsStifferThanTheDeviceCanShow) {
       MapSettings map;
       map.motion_scale = motion_scale;
       GuardSettings settings = guard_for(puppet.info(), map);
-      settings.limits.soft_start_s = kTick;
+      settings.limits.soft_start_s = kServoTick;
       GuardedDevice guard(puppet, settings);
       const double pressed_m = 1e-3;
       double start_x = 0.0;
       for (int i = 0; i < 500; ++i) {
         puppet.reading.position_m = {i == 0 ? 0.0 : pressed_m, 0, 0};
-        const DeviceReading reading = guard.read(i * kTick);
+        const DeviceReading reading = guard.read(i * kServoTick);
         if (i == 0) start_x = reading.position_m[0];
         guard.write({kStiffestModelNM * (start_x - reading.position_m[0]), 0, 0});
       }
@@ -133,7 +133,7 @@ TEST(GuardedDevice, AFaultThatEndsWhileItIsAskedForStillPauses) {
     guard.read(0.0);
     guard.write({1, 0, 0});
     if (before_reading) device.next = DeviceFault::servo_late;
-    guard.read(kTick);
+    guard.read(kServoTick);
     device.next = before_reading ? DeviceFault::none : DeviceFault::servo_late;
     guard.write({1, 0, 0});
     EXPECT_EQ(guard.state(), GuardState::paused) << before_reading;
@@ -166,7 +166,7 @@ TEST(GuardedDevice, NoForceBeforeCalibration) {
 TEST(GuardedDevice, AForceThatIsNotANumberPausesUntilConfirmed) {
   Bench bench;
   bench.ticks(600, {3, 0, 0});
-  bench.tick({3, kNan, 0});
+  bench.tick({3, kNotANumber, 0});
   EXPECT_EQ(bench.puppet.heard, (Vector{0, 0, 0}));
   EXPECT_EQ(bench.guard.fault(), DeviceFault::non_finite_command);
   bench.puppet.reading.position_m = {0.02, 0, 0};  // not near
@@ -183,7 +183,7 @@ TEST(GuardedDevice, APoseThatIsNoneComesThroughOnceAndPauses) {
   Bench bench(false);
   bench.ticks(10);
   const DeviceReading before = bench.last;
-  bench.puppet.reading.position_m[1] = kNan;
+  bench.puppet.reading.position_m[1] = kNotANumber;
   const DeviceReading once = bench.tick();
   EXPECT_TRUE(once.valid);
   EXPECT_TRUE(std::isnan(once.position_m[1]));
@@ -343,7 +343,7 @@ TEST(GuardedDevice, AnotherAttemptBeginsAsTheFirstDidButTheMotorsStayWarm) {
   GuardedDevice guard(puppet, guard_for(puppet.info()));
   guard.begin_at({0.1, 0.2, 0.3}, {1, 0, 0, 0});
   const auto tick = [&](int i) {
-    const DeviceReading reading = guard.read(i * kTick);
+    const DeviceReading reading = guard.read(i * kServoTick);
     guard.see_tool(reading.position_m, reading.rotation_wxyz);
     guard.write({50, 0, 0});
     return reading;

@@ -12,7 +12,7 @@
 namespace vallecula::device {
 namespace {
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Keeps what it was told.
@@ -38,7 +38,7 @@ TEST(OutputChain, LimitsHoldUnderRandomInput) {
       const double size = choice(random) < 0.5 ? 10.0 : std::pow(10.0, exponent(random));
       Vector force{size * unit(random), size * unit(random), size * unit(random)};
       const bool broken = choice(random) < 0.02;
-      if (broken) force[static_cast<std::size_t>(i % 3)] = i % 2 == 0 ? kNan : kInfinity;
+      if (broken) force[static_cast<std::size_t>(i % 3)] = i % 2 == 0 ? kNoNumber : kInfinity;
       const Vector before = chain.last_sent_n();
       const Vector sent = chain.send(ear, force);
       ASSERT_EQ(sent, ear.heard);
@@ -57,7 +57,7 @@ TEST(OutputChain, LimitsHoldUnderRandomInput) {
 }
 
 TEST(OutputChain, NotANumberIsZeroForceAndAFaultThatStays) {
-  for (const double bad : {kNan, kInfinity, -kInfinity}) {
+  for (const double bad : {kNoNumber, kInfinity, -kInfinity}) {
     OutputChain chain(OutputLimits{});
     Ear ear;
     for (int i = 0; i < 300; ++i) chain.send(ear, {2, 0, 0});
@@ -100,13 +100,13 @@ TEST(OutputChain, LowPassHasItsCutoff) {
 
 TEST(OutputChain, NoLimitCanBeSwitchedOff) {
   for (const OutputLimits bad :
-       {OutputLimits{kInfinity, 400, 200, 0.001}, OutputLimits{kNan, 400, 200, 0.001},
+       {OutputLimits{kInfinity, 400, 200, 0.001}, OutputLimits{kNoNumber, 400, 200, 0.001},
         OutputLimits{-1, 400, 200, 0.001}, OutputLimits{7.9, kInfinity, 200, 0.001}, OutputLimits{7.9, 0, 200, 0.001},
-        OutputLimits{7.9, 400, 0, 0.001}, OutputLimits{7.9, 400, 500, 0.001}, OutputLimits{7.9, 400, kNan, 0.001},
+        OutputLimits{7.9, 400, 0, 0.001}, OutputLimits{7.9, 400, 500, 0.001}, OutputLimits{7.9, 400, kNoNumber, 0.001},
         OutputLimits{7.9, 400, 200, 0}, OutputLimits{7.9, 400, 200, -0.001}, OutputLimits{7.9, 400, 200, 0.001, -1},
         OutputLimits{7.9, 400, 200, 0.001, kInfinity}, OutputLimits{7.9, 400, 200, 0.001, 1.75, 0},
         OutputLimits{7.9, 400, 200, 0.001, 1.75, kInfinity}, OutputLimits{7.9, 400, 200, 0.001, 1.75, 60, 0},
-        OutputLimits{7.9, 400, 200, 0.001, 1.75, 60, kNan}, OutputLimits{7.9, 400, 200, 0.001, 1.75, 60, 0.5, 0},
+        OutputLimits{7.9, 400, 200, 0.001, 1.75, 60, kNoNumber}, OutputLimits{7.9, 400, 200, 0.001, 1.75, 60, 0.5, 0},
         OutputLimits{7.9, 400, 200, 0.001, 1.75, 60, 0.5, 1.01}}) {
     EXPECT_THROW(OutputChain{bad}, std::invalid_argument);
   }
@@ -231,7 +231,7 @@ TEST(OutputChain, AllocatesNothing) {
   OutputChain chain(OutputLimits{});
   Ear ear;
   const long long before = testing::allocations();
-  for (int i = 0; i < 1000; ++i) chain.send(ear, {i * 0.01, i % 7 == 0 ? kNan : 0.0, 1});
+  for (int i = 0; i < 1000; ++i) chain.send(ear, {i * 0.01, i % 7 == 0 ? kNoNumber : 0.0, 1});
   EXPECT_EQ(testing::allocations(), before);
 }
 

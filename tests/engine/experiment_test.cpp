@@ -11,18 +11,18 @@
 namespace vallecula::engine {
 namespace {
 
-constexpr double kHeight = 0.015;
+constexpr double kTongueHeight = 0.015;
 
 SceneDescription block_under_plate(double poisson, const Vec3& plate) {
   SceneDescription d;
-  d.soft = testing::box_body(Vec3(0.03, 0.03, kHeight), {10, 10, 5}, {6000.0, poisson, 1040.0});
+  d.soft = testing::box_body(Vec3(0.03, 0.03, kTongueHeight), {10, 10, 5}, {6000.0, poisson, 1040.0});
   d.tool.surface = testing::box_surface(Vec3(0, 0, plate.z() / 2), plate);
   return d;
 }
 
 Pose at(double x, double depth) {
   Pose pose;
-  pose.position = Vec3(x, 0.015, kHeight - depth);
+  pose.position = Vec3(x, 0.015, kTongueHeight - depth);
   return pose;
 }
 
@@ -62,7 +62,7 @@ TEST(Experiment, AStrongPressKeepsTheVolume) {
     ExperimentSettings settings;
     settings.duration_s = 0.8;
     const auto result = run_experiment(
-        *build_scene(d), [](double t) { return at(0.015, 0.35 * kHeight * std::min(1.0, t / 0.4)); }, settings);
+        *build_scene(d), [](double t) { return at(0.015, 0.35 * kTongueHeight * std::min(1.0, t / 0.4)); }, settings);
     lost = 0.0;
     for (const ExperimentStep& s : result.steps) {
       EXPECT_EQ(s.inverted, 0) << "nu " << poisson << ", " << s.time_s << " s";
@@ -86,7 +86,7 @@ TEST(Experiment, ASpongeIsNotHeld) {
   settings.duration_s = 0.5;
   const auto run = [&] {
     return run_experiment(
-        *build_scene(d), [](double t) { return at(0.015, 0.2 * kHeight * std::min(1.0, t / 0.4)); }, settings);
+        *build_scene(d), [](double t) { return at(0.015, 0.2 * kTongueHeight * std::min(1.0, t / 0.4)); }, settings);
   };
   const Vec3 with = run().steps.back().force_n;
   d.hold_volume = false;

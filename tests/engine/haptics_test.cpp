@@ -14,7 +14,7 @@ namespace {
 constexpr double kRounding =
     1e-9;  // J: sums of some 1,000 products of at most 0.01 J in double precision are below this
 
-Pose at(double x, double z) {
+Pose pose_at(double x, double z) {
   Pose pose;
   pose.position = Vec3(x, 0.015, z);
   return pose;
@@ -40,7 +40,7 @@ std::function<Pose(double)> tap(double top, double depth, double speed) {
   return [=](double t) {
     const double down = (0.002 + depth) / speed;
     const double z = t < down ? top + 0.002 - speed * t : top - depth + speed * std::max(0.0, t - down - 0.1);
-    return at(0.015, std::min(z, top + 0.004));
+    return pose_at(0.015, std::min(z, top + 0.004));
   };
 }
 
@@ -78,18 +78,18 @@ std::vector<Sweep> sweeps() {
   }
   all.push_back({"held past the limit until lost", testing::block_scene(20000.0),
                  [](double t) {
-                   return at(0.015,
-                             0.0155 - std::max(-0.012, t < 1.2 ? std::min(0.03, 0.1 * t) : 0.03 - 0.14 * (t - 1.2)));
+                   return pose_at(
+                       0.015, 0.0155 - std::max(-0.012, t < 1.2 ? std::min(0.03, 0.1 * t) : 0.03 - 0.14 * (t - 1.2)));
                  },
                  2.5});
   all.push_back({"slide", small_plate(),
                  [](double t) {
                    const double in = t < 1.6 ? std::min(1.0, t / 0.3) : std::max(0.0, 1 - (t - 1.6) / 0.3);
-                   return at(0.008 + 0.007 * std::clamp(t - 0.5, 0.0, 1.0), 0.0155 - 0.004 * in);
+                   return pose_at(0.008 + 0.007 * std::clamp(t - 0.5, 0.0, 1.0), 0.0155 - 0.004 * in);
                  },
                  2.0});
   all.push_back({"tremor of 20 Hz on gum", with_gum(testing::block_scene(), 0.017),
-                 [](double t) { return at(0.015, 0.0165 + 0.002 * std::cos(2 * M_PI * 20 * t)); }, 1.0});
+                 [](double t) { return pose_at(0.015, 0.0165 + 0.002 * std::cos(2 * M_PI * 20 * t)); }, 1.0});
   // What gives way with the jaw, and the lip on it.
   for (const double depth : {0.001, 0.003}) {
     for (const Vec3& top : {testing::kTongueTop, testing::kGumTop, testing::kLipTop})
@@ -150,7 +150,7 @@ TEST(Passivity, GumMetFromWithinGivesNothing) {
     const double t = n * 0.001, slide = std::clamp(t / 0.5, 0.0, 1.0), out = std::clamp((t - 0.5) / 0.5, 0.0, 1.0),
                  in = std::clamp((t - 1.0) / 0.5, 0.0, 1.0);
     PortInput input;
-    input.pose = at(0.013 + 0.004 * slide, 0.016 + 0.0025 * out - 0.0025 * in);
+    input.pose = pose_at(0.013 + 0.004 * slide, 0.016 + 0.0025 * out - 0.0025 * in);
     const StepResult result = step(*scene, state, step_input(input));
     pressed_n = servo_tick(*scene, n, input, n, result, false, servo).displayed_force_n.z();
     if (t < 1.0) slid_n = std::max(slid_n, result.model_force_n.norm());
@@ -211,7 +211,7 @@ TEST(Prediction, TheStiffnessFeltIsTheStaticOne) {
   double felt = 0.0;
   for (int n = 0; n < 3000; ++n) {
     StepInput input;
-    input.device = at(0.015, 0.0151 - 0.0005 * n / 3000.0);
+    input.device = pose_at(0.015, 0.0151 - 0.0005 * n / 3000.0);
     const StepResult r = step(*scene, state, input);
     if (r.coupling.springs.count > 0) felt = r.coupling.springs.stiffness[0];
   }
@@ -250,7 +250,7 @@ TEST(Prediction, IsBoundedWhenTheHandJumps) {
     Vec3 last = Vec3::Zero();
     for (int n = 0; n < 400; ++n) {
       PortInput in;
-      in.pose = at(0.015, 0.0155 - 0.003 * std::min(1.0, n / 200.0));
+      in.pose = pose_at(0.015, 0.0155 - 0.003 * std::min(1.0, n / 200.0));
       if (n >= 350) in.pose.position += Vec3(jump, 0, -jump);
       const bool late = n >= 350;
       if (!late) result = step(*scene, state, step_input(in));

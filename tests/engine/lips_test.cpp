@@ -10,7 +10,7 @@ namespace vallecula::engine {
 namespace {
 
 constexpr double kBed = 2.5e6, kDepth = 0.003, kSpacing = 0.0008;
-const Vec3 kMiddle(0.10, 0.015, 0.01);  // far from the tissue
+const Vec3 kMouthMiddle(0.10, 0.015, 0.01);  // far from the tissue
 
 /// A flat lip of 24 x 24 mm facing up, its points kSpacing apart.
 LipDescription flat_lip(double tension) {
@@ -18,7 +18,7 @@ LipDescription flat_lip(double tension) {
   constexpr int kSide = 31;
   for (int j = 0; j < kSide; ++j)
     for (int i = 0; i < kSide; ++i)
-      lips.surface.points.push_back(kMiddle + kSpacing * Vec3(i - kSide / 2, j - kSide / 2, 0));
+      lips.surface.points.push_back(kMouthMiddle + kSpacing * Vec3(i - kSide / 2, j - kSide / 2, 0));
   for (int j = 0; j + 1 < kSide; ++j)
     for (int i = 0; i + 1 < kSide; ++i) {
       const int a = j * kSide + i;
@@ -44,7 +44,7 @@ SceneDescription lip_scene(double tension) {
 Wrench press(const Scene& scene, SceneState& state, double depth, int steps = 1500) {
   for (int n = 0; n < steps; ++n) {
     Pose tool;
-    tool.position = kMiddle + Vec3(0, 0, 0.001 - (depth + 0.001) * std::min(1.0, n / 200.0));
+    tool.position = kMouthMiddle + Vec3(0, 0, 0.001 - (depth + 0.001) * std::min(1.0, n / 200.0));
     scene.lips.step(scene.tool, tool, state.tissue.body_displacement, state.lips);
   }
   return state.lips.wrench;
@@ -79,7 +79,7 @@ TEST(Lips, TheBladeLetGoFeelsNothingAndTheLipComesBack) {
   const double pressed = -state.lips.displacement[480].z();  // the middle
   EXPECT_NEAR(pressed, kDepth, 2e-5);
   Pose away;
-  away.position = kMiddle + Vec3(0, 0, 0.02);
+  away.position = kMouthMiddle + Vec3(0, 0, 0.02);
   for (int n = 0; n < 150; ++n) scene->lips.step(scene->tool, away, state.tissue.body_displacement, state.lips);
   EXPECT_EQ(state.lips.wrench.force.norm(), 0.0);
   EXPECT_LT(-state.lips.displacement[480].z(), 0.5 * pressed);
@@ -96,7 +96,7 @@ TEST(Lips, TheHandFeelsThem) {
   Vec3 last = Vec3::Zero();
   for (int n = 0; n < 1500; ++n) {
     StepInput input;
-    input.device.position = kMiddle + Vec3(0, 0, 0.005 - 0.009 * std::min(1.0, n / 400.0));
+    input.device.position = kMouthMiddle + Vec3(0, 0, 0.005 - 0.009 * std::min(1.0, n / 400.0));
     r = step(*scene, state, input);
     if (n > 1200) change = std::max(change, (r.model_force_n - last).norm());
     last = r.model_force_n;

@@ -53,7 +53,7 @@ struct Held {
 };
 
 /// The hand goes from 20 mm above the gum's middle to `height` above it within 0.4 s and stays; after 1.5 s.
-Held press(const Scene& scene, SceneState& state, double height) {
+Held press_with(const Scene& scene, SceneState& state, double height) {
   Held held;
   Vec3 last = Vec3::Zero();
   for (int n = 0; n < 1500; ++n) {
@@ -109,7 +109,7 @@ TEST(RigidField, AMovedPartIsWhereItsLinearisedMotionPutsItAndTheRestStandsStill
 TEST(MovingAnatomy, AJawUnderTheBladeGivesWayByItsHingeAndRests) {
   const auto scene = build_scene(jaw_scene());
   SceneState state(*scene);
-  const Held held = press(*scene, state, -0.002);  // 7 mm below the gum's top
+  const Held held = press_with(*scene, state, -0.002);  // 7 mm below the gum's top
   EXPECT_LT(held.angle, -0.02);
   // The gum has tilted, so the plate lies on its edge towards the hinge. The hinge holds what that bears.
   EXPECT_NEAR(held.arm, kArm - 0.003, 0.0012);
@@ -118,7 +118,7 @@ TEST(MovingAnatomy, AJawUnderTheBladeGivesWayByItsHingeAndRests) {
   const double coupling = scene->proxy.stiffness_n_m, gum = kHinge / (held.arm * held.arm);
   EXPECT_NEAR(held.force.z(), 0.007 * coupling * gum / (coupling + gum), 0.05);
   EXPECT_LT(held.largest_change, 0.005) << "it chatters";
-  const Held let_go = press(*scene, state, 0.020);
+  const Held let_go = press_with(*scene, state, 0.020);
   EXPECT_NEAR(let_go.angle, 0.0, 1e-5);
   EXPECT_EQ(let_go.force.norm(), 0.0);
 }
@@ -128,7 +128,7 @@ TEST(MovingAnatomy, AJointHardlyPassesItsStop) {
   d.soft.bodies[1].stop = 0.03;
   const auto scene = build_scene(d);
   SceneState state(*scene);
-  const Held held = press(*scene, state, -0.002);
+  const Held held = press_with(*scene, state, -0.002);
   const double moment = held.force.z() * held.arm;
   EXPECT_GT(moment, 1.5 * kHinge * 0.03);
   EXPECT_NEAR(-held.angle, 0.03 + (moment - kHinge * 0.03) / (SprungBody::kStopFactor * kHinge), 0.002);

@@ -55,7 +55,8 @@ TEST(Posture, AHalfPlaneHidesFromAMovedEyeWhatTheRaysSay) {
 TEST(Posture, AnatomyThatOnlyAMovedEyeMeetsIsNotLeftOut) {
   SightDescription sight = square_sight(0.003);
   const double z = 0.27;
-  for (const Vec3 eye : {Vec3(0.02, 0, 0), Vec3(-0.02, 0, 0), Vec3(0, 0.02, 0), Vec3(0, -0.02, 0), Vec3(0.02, 0.02, 0)}) {
+  for (const Vec3& eye :
+       {Vec3(0.02, 0, 0), Vec3(-0.02, 0, 0), Vec3(0, 0.02, 0), Vec3(0, -0.02, 0), Vec3(0.02, 0.02, 0)}) {
     const Vec3 middle = eye * (z / 0.3) + Vec3(0, 0, z);
     sight.occluders = {sheet(middle - Vec3(0.004, 0.004, 0), Vec3(0.008, 0, 0), Vec3(0, 0.008, 0))};
     const LineOfSight built(sight);
@@ -103,7 +104,9 @@ TEST(Posture, TheEyeGoesByItsKeysInEveryScene) {
     least = std::min(least, r.glottis_visible);
     most = std::max(most, r.glottis_visible);
     const auto is = [&](double t, const Vec3& want) {
-      if (std::abs(r.time_s - t) < 1e-9) EXPECT_LT((at - want).norm(), 1e-12) << t;
+      if (std::abs(r.time_s - t) < 1e-9) {
+        EXPECT_LT((at - want).norm(), 1e-12) << t;
+      }
     };
     is(0.05, Vec3::Zero());
     is(0.45, Vec3(0, 0.02, 0));

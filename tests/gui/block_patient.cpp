@@ -29,7 +29,7 @@ void add_box(Surface& surface, const Point& low, const Point& high, Tissue tissu
   }
 }
 
-Surface box(const Point& low, const Point& high) {
+Surface closed_box(const Point& low, const Point& high) {
   Surface surface;
   add_box(surface, low, high, Tissue::mucosa);
   surface.tissue.clear();
@@ -93,9 +93,9 @@ pipeline::PatientPackage block_patient() {
   Surface& face = package.surfaces["face"];
   add_box(face, {-20, -25, 40}, {20, 30, 46}, Tissue::palate);
   add_box(face, {-20, -31, 36}, {20, -25.5, 46}, Tissue::gum);
-  package.surfaces["airway"] = box({-3, 35, -80}, {3, 45, -30});
-  package.surfaces["mandible"] = box({-20, -25, -25}, {20, -19, -5});
-  package.surfaces["palate"] = box({-18, -24, 41}, {18, 28, 45});
+  package.surfaces["airway"] = closed_box({-3, 35, -80}, {3, 45, -30});
+  package.surfaces["mandible"] = closed_box({-20, -25, -25}, {20, -19, -5});
+  package.surfaces["palate"] = closed_box({-18, -24, 41}, {18, 28, 45});
   Surface& glottis = package.surfaces["glottis"];
   glottis.points = {{-2, 38, -31.5}, {2, 38, -31.5}, {2, 42, -28.5}, {-2, 42, -28.5}};
   glottis.triangles = {{0, 1, 2}, {0, 2, 3}};

@@ -22,7 +22,7 @@ namespace {
 
 using curricula::Distraction;
 using curricula::LogEvent;
-using Kind = LogEvent::Kind;
+using LogKind = LogEvent::Kind;
 
 std::vector<Distraction> three() {
   Distraction question, alarm, talk;
@@ -51,7 +51,7 @@ TEST(DualTask, EachComesAtItsTimeAndGoesAfterItsOwn) {
   const auto first = task.advance(1000, 1.0);
   ASSERT_EQ(first.size(), 1u);
   EXPECT_EQ(first[0].tick, 1000);
-  EXPECT_EQ(first[0].kind, Kind::shown);
+  EXPECT_EQ(first[0].kind, LogKind::shown);
   EXPECT_EQ(first[0].distraction, 1);
   EXPECT_TRUE(task.advance(1001, 1.0).empty()) << "the trial's clock stands, and nothing is shown twice";
   EXPECT_NEAR(task.open().at(0).left_s, 10.0, 1e-12);
@@ -81,11 +81,11 @@ TEST(DualTask, TheFirstAnswerCountsAndOnlyWhatFits) {
   EXPECT_EQ(open_of(task), (std::vector<int>{3})) << "gone at once for the eye";
   const auto events = task.advance(3005, 3.005);
   ASSERT_EQ(events.size(), 2u);
-  EXPECT_EQ(events[0].kind, Kind::answered);
+  EXPECT_EQ(events[0].kind, LogKind::answered);
   EXPECT_EQ(events[0].distraction, 1);
   EXPECT_EQ(events[0].answer, 3);
   EXPECT_EQ(events[0].tick, 3005);
-  EXPECT_EQ(events[1].kind, Kind::silenced);
+  EXPECT_EQ(events[1].kind, LogKind::silenced);
   task.begin(false);
   EXPECT_TRUE(task.open().empty());
   EXPECT_EQ(task.advance(1000, 1.0).size(), 1u) << "anew";
@@ -101,10 +101,10 @@ TEST(DualTask, AnAnswerToNothingOpenIsOfTheLastThatWasShown) {
   task.answer(0, 9);
   const auto events = task.advance(1100, 1.1);
   ASSERT_EQ(events.size(), 2u);
-  EXPECT_EQ(events[0].kind, Kind::silenced);
+  EXPECT_EQ(events[0].kind, LogKind::silenced);
   EXPECT_EQ(events[0].distraction, 1);
   EXPECT_EQ(events[0].tick, 1100);
-  EXPECT_EQ(events[1].kind, Kind::answered);
+  EXPECT_EQ(events[1].kind, LogKind::answered);
   EXPECT_EQ(events[1].answer, 9);
   EXPECT_EQ(open_of(task), std::vector<int>{1}) << "the question waits for its answer as before";
   task.silence(0);
@@ -119,13 +119,13 @@ TEST(DualTask, AScriptAnswersRightlyInTime) {
   for (int tick = 0; tick <= 20000; ++tick)
     for (const LogEvent& event : task.advance(tick, 0.001 * tick)) all.push_back(event);
   ASSERT_EQ(all.size(), 5u);
-  EXPECT_EQ(std::count_if(all.begin(), all.end(), [](const LogEvent& e) { return e.kind == Kind::shown; }), 3);
+  EXPECT_EQ(std::count_if(all.begin(), all.end(), [](const LogEvent& e) { return e.kind == LogKind::shown; }), 3);
   for (const LogEvent& event : all) {
-    if (event.kind == Kind::answered) {
+    if (event.kind == LogKind::answered) {
       EXPECT_EQ(event.answer, 2);
       EXPECT_NEAR(event.tick, 4000, 1);
     }
-    if (event.kind == Kind::silenced) {
+    if (event.kind == LogKind::silenced) {
       EXPECT_NEAR(event.tick, 4000, 1);
     }
   }
@@ -146,7 +146,7 @@ TEST(DualTask, TwoThreadsLoseNoAnswer) {
   std::vector<LogEvent> answered;
   for (int tick = 0; answered.size() < many.size() && tick < 2000000; ++tick)
     for (const LogEvent& event : task.advance(tick, std::min(1.0, 0.001 * tick)))
-      if (event.kind == Kind::answered) answered.push_back(event);
+      if (event.kind == LogKind::answered) answered.push_back(event);
   over = true;
   window.join();
   ASSERT_EQ(answered.size(), many.size());
@@ -190,7 +190,7 @@ TEST_F(DualTaskTrial, HeadlessTheLogSaysWhatWasShownAndTheReplayIsTheSame) {
   ASSERT_EQ(log.events.size(), 3u) << "a script of a file answers nothing";
   const std::int64_t due[3] = {300, 500, 600};
   for (int i = 0; i < 3; ++i) {
-    EXPECT_EQ(log.events[i].kind, Kind::shown);
+    EXPECT_EQ(log.events[i].kind, LogKind::shown);
     EXPECT_EQ(log.events[i].distraction, i + 1);
     EXPECT_NEAR(static_cast<double>(log.events[i].tick), static_cast<double>(due[i]), 1.0);
   }
@@ -230,16 +230,16 @@ TEST_F(DualTaskTrialRealTime, AnswersFromAnotherThreadStandAtTheTickTheyCame) {
     }
   });
   ASSERT_EQ(log.events.size(), 5u);
-  const auto of = [&](Kind kind, int distraction) {
+  const auto of = [&](LogKind kind, int distraction) {
     return *std::find_if(log.events.begin(), log.events.end(),
                          [&](const LogEvent& e) { return e.kind == kind && e.distraction == distraction; });
   };
-  EXPECT_EQ(of(Kind::answered, 1).answer, 3);
-  EXPECT_GE(of(Kind::answered, 1).tick, of(Kind::shown, 1).tick + 150);
+  EXPECT_EQ(of(LogKind::answered, 1).answer, 3);
+  EXPECT_GE(of(LogKind::answered, 1).tick, of(LogKind::shown, 1).tick + 150);
   // How late the recorder's thread gets its turn is the machine's; the bound is a tenth of a second.
-  EXPECT_NEAR(static_cast<double>(of(Kind::answered, 1).tick), static_cast<double>(answered_about), 100.0);
-  EXPECT_GE(of(Kind::silenced, 2).tick, of(Kind::shown, 2).tick);
-  EXPECT_LT(of(Kind::silenced, 2).tick, of(Kind::shown, 2).tick + 100);
+  EXPECT_NEAR(static_cast<double>(of(LogKind::answered, 1).tick), static_cast<double>(answered_about), 100.0);
+  EXPECT_GE(of(LogKind::silenced, 2).tick, of(LogKind::shown, 2).tick);
+  EXPECT_LT(of(LogKind::silenced, 2).tick, of(LogKind::shown, 2).tick + 100);
 }
 
 }  // namespace

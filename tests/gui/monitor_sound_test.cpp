@@ -127,8 +127,9 @@ TEST_F(Loudspeaker, OrNoneIsSaidAndNothingWaitsForIt) {
   output.open();
   EXPECT_FALSE(answered) << "the answer comes later";
   ASSERT_TRUE(wait_for([&] { return answered; }, 30000));
-  if (QAudioDeviceInfo::defaultOutputDevice().isNull())
+  if (QAudioDeviceInfo::defaultOutputDevice().isNull()) {
     EXPECT_TRUE(output.remark().contains("no loudspeaker")) << output.remark().toStdString();
+  }
 }
 
 }  // namespace

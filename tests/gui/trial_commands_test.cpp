@@ -46,7 +46,7 @@ class TrialCommands : public ::testing::Test {
 
 class TrialCommandsRealTime : public TrialCommands {};
 
-double length(const std::array<double, 3>& v) { return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]); }
+double length_of(const std::array<double, 3>& v) { return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]); }
 
 TEST_F(TrialCommands, ATrialLeavesItsResultsAndVerifiesAndScores) {
   const Outcome trial = box_.run(trial_arguments("out"));
@@ -65,7 +65,7 @@ TEST_F(TrialCommands, ATrialLeavesItsResultsAndVerifiesAndScores) {
   ASSERT_LE(log.ticks.size(), 1220u);
   double peak_n = 0.0, last_n = 0.0;
   for (const curricula::LogTick& tick : log.ticks) {
-    last_n = length(tick.loads[curricula::kTongue].force_n);
+    last_n = length_of(tick.loads[curricula::kTongue].force_n);
     ASSERT_TRUE(std::isfinite(last_n)) << "tick " << tick.tick;
     peak_n = std::max(peak_n, last_n);
   }

@@ -26,9 +26,9 @@ namespace fs = std::filesystem;
 using curricula::LoggedState;
 using curricula::LogTick;
 
-double length(const std::array<double, 3>& v) { return std::hypot(std::hypot(v[0], v[1]), v[2]); }
+double size_of(const std::array<double, 3>& v) { return std::hypot(std::hypot(v[0], v[1]), v[2]); }
 double apart(const std::array<double, 3>& a, const std::array<double, 3>& b) {
-  return length({a[0] - b[0], a[1] - b[1], a[2] - b[2]});
+  return size_of({a[0] - b[0], a[1] - b[1], a[2] - b[2]});
 }
 
 class TrialPause : public ::testing::Test {
@@ -69,7 +69,7 @@ class TrialPause : public ::testing::Test {
     for (std::size_t i = 1; i < log.ticks.size(); ++i) {
       const LogTick &t = log.ticks[i], &before = log.ticks[i - 1];
       if (!t.device_valid) {
-        ASSERT_EQ(length(t.displayed_force_n), 0.0) << t.time_s;
+        ASSERT_EQ(size_of(t.displayed_force_n), 0.0) << t.time_s;
         // The engine stops the tool in the pause's first tick; it stands from the next one on.
         if (!before.device_valid) {
           ASSERT_EQ(t.proxy_pose.position_m, before.proxy_pose.position_m) << t.time_s;
@@ -101,10 +101,10 @@ TEST_F(TrialPause, CommunicationLostInThePressGoesOnWithoutAJumpAndReplaysToTheB
   EXPECT_NEAR(first->time_s, 0.8, 1e-9);
   double before_n = 0.0, after_n = 0.0, shown_after_n = 0.0;
   for (const LogTick& t : log.ticks) {
-    const double tongue_n = length(t.loads[curricula::kTongue].force_n);
+    const double tongue_n = size_of(t.loads[curricula::kTongue].force_n);
     if (t.time_s < 0.8) before_n = std::max(before_n, tongue_n);
     if (t.time_s > 1.0) after_n = std::max(after_n, tongue_n);
-    if (t.time_s > 2.3 && t.time_s < 2.5) shown_after_n = std::max(shown_after_n, length(t.displayed_force_n));
+    if (t.time_s > 2.3 && t.time_s < 2.5) shown_after_n = std::max(shown_after_n, size_of(t.displayed_force_n));
   }
   EXPECT_GT(before_n, 0.3) << "it was in the press";
   EXPECT_LT(after_n, 1.15 * before_n) << "no blow when the hand takes hold again";
@@ -149,7 +149,7 @@ TEST_F(TrialPause, AtItsMaximumTheSceneStaysTheGhostShowsTheHandAndTheReturnIsSm
     limited |= t.state == LoggedState::limited;
     if (t.step_used >= 0) deepest_z = std::min(deepest_z, t.proxy_pose.position_m[2]);
     if (!t.device_valid) ghost_m = std::max(ghost_m, apart(t.device_pose.position_m, t.proxy_pose.position_m));
-    EXPECT_LE(length(t.displayed_force_n), 0.3 + 1e-9);
+    EXPECT_LE(size_of(t.displayed_force_n), 0.3 + 1e-9);
   }
   EXPECT_TRUE(limited);
   EXPECT_GT(ghost_m, 0.005) << "the hand pushed on";
@@ -279,7 +279,7 @@ TEST_F(TrialPauseRealTime, HeldByAPersonItStandsAndGoesOnWithoutAJump) {
       last_fed_before = std::max(last_fed_before, t.step_fed);
       ASSERT_LE(apart(t.displayed_force_n, before.displayed_force_n), rate_n * (1 + 1e-9)) << t.time_s;
     } else {
-      ASSERT_EQ(length(t.displayed_force_n), 0.0) << t.time_s;
+      ASSERT_EQ(size_of(t.displayed_force_n), 0.0) << t.time_s;
       if (before.step_used > last_fed_before) {
         ASSERT_EQ(t.proxy_pose.position_m, before.proxy_pose.position_m) << t.time_s;
       }
@@ -290,7 +290,7 @@ TEST_F(TrialPauseRealTime, HeldByAPersonItStandsAndGoesOnWithoutAJump) {
     }
   }
   EXPECT_TRUE(log.ticks.back().device_valid);
-  EXPECT_GT(length(log.ticks.back().displayed_force_n), 0.05) << "the press is felt again";
+  EXPECT_GT(size_of(log.ticks.back().displayed_force_n), 0.05) << "the press is felt again";
 }
 
 TEST_F(TrialPauseRealTime, EachWhoHoldsItLetsGoForThemselvesAndAResetForNobody) {

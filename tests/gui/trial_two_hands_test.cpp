@@ -21,7 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 using curricula::LogTick;
 
-double apart(const std::array<double, 3>& a, const std::array<double, 3>& b) {
+double hands_apart(const std::array<double, 3>& a, const std::array<double, 3>& b) {
   return std::hypot(std::hypot(a[0] - b[0], a[1] - b[1]), a[2] - b[2]);
 }
 
@@ -84,7 +84,7 @@ TEST_F(TwoHandsTrial, BothHandsAreRecordedWithWhatTheyAskForAndReplayToTheBit) {
   ASSERT_GT(log.ticks.size(), 1400u);
   const LogTick& last = log.ticks.back();
   EXPECT_NEAR(last.intubation.hand_pose.position_m[2], 0.19, 1e-4);
-  EXPECT_NEAR(apart(last.intubation.tip_m, log.ticks[2].intubation.tip_m), 0.01, 1e-3);
+  EXPECT_NEAR(hands_apart(last.intubation.tip_m, log.ticks[2].intubation.tip_m), 0.01, 1e-3);
   EXPECT_EQ(last.intubation.breaths_given, 1);
   int asked = 0;
   for (const LogTick& t : log.ticks) asked += (t.buttons & engine::kActionBreath) != 0;
@@ -110,7 +110,7 @@ TEST_F(TwoHandsTrial, TheSecondDevicesFaultPausesTheTrialAndTheTubeStays) {
   for (std::size_t i = 1; i < log.ticks.size(); ++i) {
     const LogTick &t = log.ticks[i], &before = log.ticks[i - 1];
     EXPECT_EQ(t.device_valid, t.intubation.hand_valid) << "a pause is both hands'";
-    EXPECT_LT(apart(t.intubation.tip_m, before.intubation.tip_m), 5e-4) << "no jump, at " << t.time_s;
+    EXPECT_LT(hands_apart(t.intubation.tip_m, before.intubation.tip_m), 5e-4) << "no jump, at " << t.time_s;
     if (t.device_valid) continue;
     ++paused;
     EXPECT_EQ(t.intubation.displayed_force_n, (std::array<double, 3>{0, 0, 0}));
@@ -119,7 +119,7 @@ TEST_F(TwoHandsTrial, TheSecondDevicesFaultPausesTheTrialAndTheTubeStays) {
       left = t.intubation.tip_m;
       spo2 = t.intubation.sao2;
     }
-    EXPECT_LT(apart(t.intubation.tip_m, left), 5e-4) << "it only comes to rest";
+    EXPECT_LT(hands_apart(t.intubation.tip_m, left), 5e-4) << "it only comes to rest";
     EXPECT_EQ(t.intubation.sao2, spo2) << "the infant's clock stands with the trial's";
   }
   // It began at 0.2 s; the hand was never within 5 mm of where its device was lost but for its way there, and holds

@@ -12,7 +12,7 @@ namespace vallecula::pipeline {
 namespace {
 
 /// Coarse and small, for speed; everything tested holds at any spacing.
-ManikinOptions quick(double noise = 12.0, std::uint64_t seed = 3) {
+ManikinOptions coarse_scan(double noise = 12.0, std::uint64_t seed = 3) {
   ManikinOptions options;
   options.weight_kg = 0.6;
   options.seed = seed;
@@ -23,18 +23,18 @@ ManikinOptions quick(double noise = 12.0, std::uint64_t seed = 3) {
 }
 
 const ManikinScan& quiet_scan() {
-  static const ManikinScan scan = scan_manikin(quick(0.0));
+  static const ManikinScan scan = scan_manikin(coarse_scan(0.0));
   return scan;
 }
 const ManikinScan& noisy_scan() {
-  static const ManikinScan scan = scan_manikin(quick());
+  static const ManikinScan scan = scan_manikin(coarse_scan());
   return scan;
 }
 
 TEST(ManikinScan, EveryVoxelSaysWhatLiesAtItsCentre) {
   // The scanner fills whole blocks from bounds; the labels must equal the anatomy asked point by point.
   const auto& scan = quiet_scan();
-  const auto options = quick(0.0);
+  const auto options = coarse_scan(0.0);
   const Manikin man(options.weight_kg, options.seed);
   std::mt19937 random(7);
   std::size_t wrong = 0;
@@ -101,10 +101,10 @@ TEST(ManikinScan, AirwayAndTongueAreEachOnePiece) {
 }
 
 TEST(ManikinScan, TheSameSeedGivesTheSameScanAndAnotherDoesNot) {
-  const auto again = scan_manikin(quick());
+  const auto again = scan_manikin(coarse_scan());
   EXPECT_EQ(again.ct.voxels, noisy_scan().ct.voxels);
   EXPECT_EQ(again.labels.voxels, noisy_scan().labels.voxels);
-  const auto other = scan_manikin(quick(12.0, 4));
+  const auto other = scan_manikin(coarse_scan(12.0, 4));
   EXPECT_NE(other.labels.voxels, again.labels.voxels);
 }
 
@@ -162,16 +162,16 @@ TEST(ManikinScan, ABadOptionIsRefusedByName) {
     }
     return {};
   };
-  auto options = quick();
+  auto options = coarse_scan();
   options.weight_kg = 9.0;
   EXPECT_NE(message(options).find("weight"), std::string::npos);
-  options = quick();
+  options = coarse_scan();
   options.noise_hu = -1.0;
   EXPECT_NE(message(options).find("noise"), std::string::npos);
-  options = quick();
+  options = coarse_scan();
   options.in_plane_mm = 2.0;
   EXPECT_NE(message(options).find("pixel spacing"), std::string::npos);
-  options = quick();
+  options = coarse_scan();
   options.slice_mm = 0.1;
   EXPECT_NE(message(options).find("slice spacing"), std::string::npos);
 }

@@ -11,7 +11,7 @@
 namespace vallecula::pipeline {
 namespace {
 
-double distance(const Point& a, const Point& b) { return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]); }
+double apart(const Point& a, const Point& b) { return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]); }
 
 /// Between the gums in the middle of a term manikin's mouth, down from the upper one: steps of 0.02 mm.
 double opening(const Manikin& man) {
@@ -75,12 +75,12 @@ TEST(ManikinShape, TheLarynxRisesAsAWholeAndTheMouthStays) {
     }
     for (const char* name : {"upper_gum_midline", "lower_gum_midline", "condyle_axis"})
       EXPECT_EQ(marks.at(name), usual.at(name)) << name;
-    EXPECT_NEAR(distance(marks.at("operator_eye"), {0.0, 0.0, 0.0}), 320.2, 0.1);
+    EXPECT_NEAR(apart(marks.at("operator_eye"), {0.0, 0.0, 0.0}), 320.2, 0.1);
     // The labels moved with the landmarks: the glottis is still a hole of air with cords beside it.
     const Point g = marks.at("glottis_centre");
     EXPECT_EQ(man.label_at(g), kAirway);
     EXPECT_EQ(man.label_at({3.5, g[1], g[2]}), kLarynx);
-    for (const Point& p : man.glottis_outline()) EXPECT_LT(distance(p, g), 5.0);
+    for (const Point& p : man.glottis_outline()) EXPECT_LT(apart(p, g), 5.0);
   }
 }
 
@@ -103,7 +103,7 @@ TEST(ManikinShape, NoBlockOfVoxelsIsSettledWrongWhenTheLarynxIsMoved) {
 
 TEST(ManikinShape, TheEpiglottisGrowsFromItsBase) {
   const auto length = [](const ManikinShape& shape) {
-    return distance(Manikin(3.2, 0, shape).landmarks().at("epiglottis_tip"), {0.0, 29.0, -46.0});
+    return apart(Manikin(3.2, 0, shape).landmarks().at("epiglottis_tip"), {0.0, 29.0, -46.0});
   };
   const double usual = length({});
   EXPECT_NEAR(length({{}, {}, {}, 1.2, {}}), 1.2 * usual, 0.4);
@@ -116,7 +116,7 @@ TEST(ManikinShape, GestationSetsTheWayFromTheCordsToTheCarina) {
     const auto marks = Manikin(weight, 7, {{}, {}, {}, {}, weeks}).landmarks();
     const double s = Manikin(weight, 7).scale();
     const Point subglottis{0.0, 34.8 * s, -53.7 * s};
-    const double way = distance(marks.at("glottis_centre"), subglottis) + distance(subglottis, marks.at("carina"));
+    const double way = apart(marks.at("glottis_centre"), subglottis) + apart(subglottis, marks.at("carina"));
     EXPECT_NEAR(0.5 * way, half, 0.02) << weeks;
   }
 }

@@ -34,7 +34,7 @@ struct Placed {
   bool nasal;  ///< a feeding tube from the nose to the oesophagus; else a tracheal tube from the mouth
 };
 
-struct Case {
+struct TubeCase {
   const char* name;
   double weight_kg;
   std::uint64_t seed;
@@ -143,7 +143,7 @@ void draw(const Placed& in, const Manikin& manikin, Hounsfield& ct, Mask& inside
   }
 }
 
-class TubeInPlace : public ::testing::TestWithParam<Case> {};
+class TubeInPlace : public ::testing::TestWithParam<TubeCase> {};
 
 TEST_P(TubeInPlace, IsTakenOutAndTheInfantIsFoundAsWithoutIt) {
   const auto& in = GetParam();
@@ -207,11 +207,11 @@ constexpr Made kFeeding{2.0, 0.45, 700.0, 0.0, 0.0};
 
 constexpr Made kFeedingOfAir{2.0, 0.45, 700.0, -1000.0, 0.0};
 
-std::vector<Case> cases() {
-  std::vector<Case> list{{"TrachealTube", 0.9, 0, {{kTracheal25, false}}},
-                         {"FeedingTube", 0.9, 0, {{kFeeding, true}}},
-                         {"FeedingTubeFullOfAir", 0.9, 0, {{kFeedingOfAir, true}}},
-                         {"TrachealAndFeedingTube", 0.9, 0, {{kTracheal25, false}, {kFeeding, true}}}};
+std::vector<TubeCase> tube_cases() {
+  std::vector<TubeCase> list{{"TrachealTube", 0.9, 0, {{kTracheal25, false}}},
+                             {"FeedingTube", 0.9, 0, {{kFeeding, true}}},
+                             {"FeedingTubeFullOfAir", 0.9, 0, {{kFeedingOfAir, true}}},
+                             {"TrachealAndFeedingTube", 0.9, 0, {{kTracheal25, false}, {kFeeding, true}}}};
   if (std::getenv("VALLECULA_SLOW") != nullptr) {
     const Made term{4.9, 0.7, 500.0, -1000.0, 1500.0};
     list.push_back({"SmallestTracheal", 0.6, 2, {{{2.9, 0.45, 200.0, -1000.0, 1200.0}, false}}});
@@ -224,7 +224,7 @@ std::vector<Case> cases() {
   return list;
 }
 
-INSTANTIATE_TEST_SUITE_P(Tubes, TubeInPlace, ::testing::ValuesIn(cases()),
+INSTANTIATE_TEST_SUITE_P(Tubes, TubeInPlace, ::testing::ValuesIn(tube_cases()),
                          [](const auto& info) { return info.param.name; });
 
 class NoTube : public ::testing::TestWithParam<std::pair<double, std::uint64_t>> {};

@@ -22,6 +22,7 @@ int severity(DeviceFault fault) noexcept {
     case DeviceFault::not_calibrated:
       return 1;
     case DeviceFault::driver_error:
+    case DeviceFault::frozen:
       return 2;
     case DeviceFault::servo_late:
       return 3;

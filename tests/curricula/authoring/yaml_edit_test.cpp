@@ -13,7 +13,7 @@
 namespace vallecula::curricula {
 namespace {
 
-std::string shipped(const std::string& name) {
+std::string shipped_text(const std::string& name) {
   std::ifstream in(std::string(VALLECULA_SOURCE_DIR) + "/curricula/courses/" + name, std::ios::binary);
   return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
 }
@@ -93,8 +93,8 @@ TEST(YamlEdit, EntriesMoveWithTheirComments) {
 }
 
 TEST(YamlEdit, EveryValueOfEveryCourseCanBeSetAndSetBack) {
-  for (const std::string& whole :
-       {shipped("neonatal-intubation.yaml"), shipped("first-intubation.yaml"), std::string(testing::kFullCourse)}) {
+  for (const std::string& whole : {shipped_text("neonatal-intubation.yaml"), shipped_text("first-intubation.yaml"),
+                                   std::string(testing::kFullCourse)}) {
     const YamlText text(whole);
     int changed = 0;
     const std::function<void(const YamlNode&, const std::string&)> walk = [&](const YamlNode& node,

@@ -41,7 +41,7 @@ OpenTrial open_trial(const fs::path& log) {
   return {"", "2024-05-03T10:00:00Z", "first-steps", "term", "mouse", log, 0, "the-view"};
 }
 
-std::string bytes_of(const fs::path& file) {
+std::string content_of(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);
   return {std::istreambuf_iterator<char>(in), {}};
 }
@@ -85,7 +85,7 @@ TEST_P(AnyRecords, AKilledTrialIsFoundAndKeptUpToItsLastWholeBlock) {
   ::kill(child, SIGKILL);
   ::waitpid(child, nullptr, 0);
   std::ofstream(part, std::ios::binary | std::ios::app) << "TICK and half a block that the power cut left";
-  const std::string before = bytes_of(part);
+  const std::string before = content_of(part);
 
   Records records(location());
   const auto found = recover_trials(records);
@@ -98,7 +98,7 @@ TEST_P(AnyRecords, AKilledTrialIsFoundAndKeptUpToItsLastWholeBlock) {
   EXPECT_GE(kept.ticks.size(), 768u);
   EXPECT_EQ(kept.footer.ended, "interrupted");
   EXPECT_FALSE(kept.footer.complete);
-  const std::string after = bytes_of(log);
+  const std::string after = content_of(log);
   const std::size_t same = before.find("TICK and half");
   ASSERT_NE(same, std::string::npos);
   EXPECT_EQ(after.substr(0, same), before.substr(0, same)) << "what was recorded is as it was";
@@ -130,10 +130,10 @@ TEST_P(AnyRecords, AWholeLogWithoutItsRecordGetsItOnce) {
   footer.complete = true;
   footer.ended = "finished";
   writer.close(footer);
-  const std::string before = bytes_of(log);
+  const std::string before = content_of(log);
   Records elsewhere(location());
   ASSERT_EQ(recover_trials(elsewhere).size(), 1u);
-  EXPECT_EQ(bytes_of(log), before);
+  EXPECT_EQ(content_of(log), before);
   const auto rows = records.newest(5);
   ASSERT_EQ(rows.size(), 1u);
   EXPECT_TRUE(rows[0].score.complete);
@@ -189,7 +189,7 @@ TEST_P(AnyRecords, ATrialOnADiskThatIsNotThereWaits) {
 
 /// One byte of block `block` is wrong (0: the header), and whole blocks follow.
 void damage(const fs::path& part, std::size_t block) {
-  std::string bytes = bytes_of(part);
+  std::string bytes = content_of(part);
   std::size_t at = bytes.find("HEAD");
   for (std::size_t i = 0; i < block; ++i) at = bytes.find("TICK", at + 4);
   ASSERT_LT(at, bytes.size());
@@ -205,12 +205,12 @@ TEST_P(AnyRecords, WhatIsBehindDamageIsKept) {
   }
   damage(first.string() + ".part", 1);
   damage(second.string() + ".part", 2);
-  const std::string no_tick = bytes_of(first.string() + ".part"), some = bytes_of(second.string() + ".part");
+  const std::string no_tick = content_of(first.string() + ".part"), some = content_of(second.string() + ".part");
   EXPECT_NE(error_of<TrialLogError>([&] { close_cut_log(first); }).find("damaged"), std::string::npos);
-  EXPECT_EQ(bytes_of(first.string() + ".part"), no_tick);
+  EXPECT_EQ(content_of(first.string() + ".part"), no_tick);
   EXPECT_EQ(close_cut_log(second), CutLog::kept);
   EXPECT_EQ(read_trial_log(second).ticks.size(), 256u);
-  EXPECT_EQ(bytes_of(second.string() + ".damaged"), some);
+  EXPECT_EQ(content_of(second.string() + ".damaged"), some);
   const auto files = files_of_trial(second);
   EXPECT_EQ(files, (std::vector<fs::path>{second.string() + ".damaged", second}));
 }
@@ -219,10 +219,10 @@ TEST_P(AnyRecords, ALogThatIsBeingWrittenIsNobodyElses) {
   const fs::path log = folder_ / "trial.vtrial";
   TrialLogWriter writer(log, header());
   for (int n = 0; n < 300; ++n) writer.append(tick(n));
-  const std::string before = bytes_of(log.string() + ".part");
+  const std::string before = content_of(log.string() + ".part");
   EXPECT_NE(error_of<TrialLogError>([&] { TrialLogWriter second(log, header()); }).find("another trial"),
             std::string::npos);
-  EXPECT_EQ(bytes_of(log.string() + ".part"), before);
+  EXPECT_EQ(content_of(log.string() + ".part"), before);
   EXPECT_EQ(close_cut_log(log), CutLog::being_written);
   EXPECT_TRUE(is_being_written(log));
   EXPECT_TRUE(files_of_trial(log).empty()) << "an older trial's files go, not those of the one that has begun";

@@ -12,14 +12,14 @@
 namespace vallecula::device {
 namespace {
 
-constexpr double kTick = 0.001;
+constexpr double kStep = 0.001;
 
 /// A cap held like this reports every 8 ms; `ticks` of 1 ms from `time_s` on.
 DeviceReading hold_cap(RateControl& rate, SpaceMouseState& cap, double& time_s, int ticks) {
   DeviceReading reading;
   for (int i = 0; i < ticks; ++i) {
     if (i % 8 == 0) ++cap.translation_reports, ++cap.rotation_reports;
-    reading = rate.step(cap, time_s += kTick);
+    reading = rate.step(cap, time_s += kStep);
   }
   return reading;
 }
@@ -43,7 +43,7 @@ TEST(RateControl, MovesAtTheStatedGainAlongTheDevicesAxes) {
     const double way = settings.max_speed_m_s * (1.0 - settings.smoothing_s);
     for (std::size_t i = 0; i < 3;
          ++i)  // a millisecond's step: the sum of the discrete low-pass differs by half a tick
-      EXPECT_NEAR(reading.position_m[i], way * c.direction[i], settings.max_speed_m_s * kTick);
+      EXPECT_NEAR(reading.position_m[i], way * c.direction[i], settings.max_speed_m_s * kStep);
     EXPECT_EQ(reading.rotation_wxyz, (Rotation{1, 0, 0, 0}));
   }
 }
@@ -73,7 +73,7 @@ TEST(RateControl, TurnsAboutTheDevicesAxesThroughTheTip) {
     rate.step(cap, time_s);
     const DeviceReading reading = hold_cap(rate, cap, time_s, 1000);
     const Rotation expected = about_axis(c.axis, settings.max_turn_rad_s * (1.0 - settings.smoothing_s));
-    EXPECT_LT(angle_between(reading.rotation_wxyz, expected), settings.max_turn_rad_s * kTick);
+    EXPECT_LT(angle_between(reading.rotation_wxyz, expected), settings.max_turn_rad_s * kStep);
     EXPECT_EQ(reading.position_m, (Vector{0, 0, 0}));
   }
   // The second turn is about the device's axis, not the turned blade's.
@@ -112,14 +112,14 @@ TEST(RateControl, ADeviceThatFallsSilentStopsTheBlade) {
   cap.rotation = {0, 0, 350};
   double time_s = 0.0;
   const double begin = hold_cap(rate, cap, time_s, 505).position_m[0];  // the last report came in the last tick
-  for (int i = 0; i < 99; ++i) rate.step(cap, time_s += kTick);
+  for (int i = 0; i < 99; ++i) rate.step(cap, time_s += kStep);
   const double silent = rate.step(cap, time_s).position_m[0];
   EXPECT_NEAR(silent - begin, 0.099 * settings.max_speed_m_s, 1e-9) << "a gap shorter than that is nothing";
   DeviceReading rest;
-  for (int i = 0; i < 200; ++i) rest = rate.step(cap, time_s += kTick);
-  EXPECT_LT(rest.position_m[0] - silent, settings.max_speed_m_s * (settings.smoothing_s + 3 * kTick));
+  for (int i = 0; i < 200; ++i) rest = rate.step(cap, time_s += kStep);
+  EXPECT_LT(rest.position_m[0] - silent, settings.max_speed_m_s * (settings.smoothing_s + 3 * kStep));
   for (int i = 0; i < 2000; ++i) {
-    const DeviceReading now = rate.step(cap, time_s += kTick);
+    const DeviceReading now = rate.step(cap, time_s += kStep);
     ASSERT_EQ(now.position_m, rest.position_m);
     ASSERT_EQ(now.rotation_wxyz, rest.rotation_wxyz);
   }
@@ -137,7 +137,7 @@ TEST(RateControl, EachHalfFallsSilentByItself) {
   DeviceReading before, after;
   for (int i = 0; i < 1000; ++i) {
     if (i % 8 == 0) ++cap.rotation_reports;
-    after = rate.step(cap, time_s += kTick);
+    after = rate.step(cap, time_s += kStep);
     if (i == 400) before = after;
   }
   EXPECT_EQ(after.position_m, before.position_m);
@@ -162,13 +162,13 @@ TEST(RateControl, StaysWithinItsBoundsWhateverComes) {
       for (auto& count : cap.rotation) count = static_cast<std::int16_t>(random());
       ++cap.rotation_reports;
     }
-    double step = kTick;
+    double step = kStep;
     if (random() % 1000 == 0) step = 0.001 * (random() % 3000);
     if (random() % 1000 == 0) step = -1.0;
     const double told = random() % 1000 == 0 ? std::numeric_limits<double>::quiet_NaN() : (time_s += step);
     const DeviceReading now = rate.step(cap, told);
     const double bound_s = 0.05 + 1e-12;  // a longer pause counts as this
-    const double lasted = std::isfinite(told) ? std::min(std::max(step, kTick) + kTick, bound_s) : kTick;
+    const double lasted = std::isfinite(told) ? std::min(std::max(step, kStep) + kStep, bound_s) : kStep;
     ASSERT_LE(length(subtract(now.position_m, last.position_m)), settings.max_speed_m_s * lasted * (1 + 1e-9)) << i;
     ASSERT_LE(angle_between(now.rotation_wxyz, last.rotation_wxyz), settings.max_turn_rad_s * lasted + 1e-7) << i;
     for (const double x : now.position_m) ASSERT_LE(std::abs(x), 0.5 * settings.workspace_m);
@@ -189,8 +189,8 @@ TEST(RateControl, HeldForAGoneDeviceItCatchesNothingUp) {
   EXPECT_EQ(held.position_m, last.position_m);
   EXPECT_EQ(held.buttons, 0u);
   ++cap.translation_reports;
-  const DeviceReading next = rate.step(cap, time_s += kTick);
-  EXPECT_LT(next.position_m[0] - last.position_m[0], RateSettings{}.max_speed_m_s * kTick);
+  const DeviceReading next = rate.step(cap, time_s += kStep);
+  EXPECT_LT(next.position_m[0] - last.position_m[0], RateSettings{}.max_speed_m_s * kStep);
 }
 
 TEST(RateControl, RefusesSettingsThatMeanNothing) {

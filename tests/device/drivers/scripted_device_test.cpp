@@ -15,7 +15,7 @@
 namespace vallecula::device {
 namespace {
 
-constexpr double kTick = 0.001;
+constexpr double kServoTick = 0.001;
 
 Trajectory still(double seconds = 10.0) { return Trajectory({{0, {0.01, 0.02, 0.03}}, {seconds, {0.01, 0.02, 0.03}}}); }
 
@@ -23,7 +23,7 @@ Trajectory still(double seconds = 10.0) { return Trajectory({{0, {0.01, 0.02, 0.
 DeviceReading hold(ScriptedDevice& device, int& tick, int ticks, const Vector& force) {
   DeviceReading reading;
   for (int i = 0; i < ticks; ++i, ++tick) {
-    reading = device.read(tick * kTick);
+    reading = device.read(tick * kServoTick);
     device.write(force);
   }
   return reading;
@@ -62,7 +62,7 @@ TEST(ScriptedDevice, ForceIsClampedToTheDeviceLimit) {
   std::mt19937 random(2);
   std::normal_distribution<double> normal(0.0, 20.0);
   for (int i = 0; i < 5000; ++i) {
-    device.read(i * kTick);
+    device.read(i * kServoTick);
     device.write({normal(random), normal(random), normal(random)});
     ASSERT_LE(length(device.given_force_n()), 5.0 * (1 + 1e-15));
   }
@@ -146,7 +146,7 @@ TEST(ScriptedDevice, SameSeedSameTremorAndAnotherSeedAnother) {
     ScriptedDevice device(still(), hand);
     std::vector<Vector> positions;
     for (int i = 0; i < 4000; ++i) {
-      positions.push_back(device.read(i * kTick).position_m);
+      positions.push_back(device.read(i * kServoTick).position_m);
       device.write({0.1, 0, 0});
     }
     return positions;
@@ -162,7 +162,7 @@ TEST(ScriptedDevice, TremorStaysInItsBandAndBound) {
   constexpr int kSamples = 8000;
   std::vector<double> x(kSamples);
   for (int i = 0; i < kSamples; ++i) {
-    const Vector offset = subtract(device.read(i * kTick).position_m, {0.01, 0.02, 0.03});
+    const Vector offset = subtract(device.read(i * kServoTick).position_m, {0.01, 0.02, 0.03});
     for (const double v : offset) EXPECT_LE(std::abs(v), 2e-4 + 1e-15);
     // Hann window: without it the ends of the record smear a sine over the whole spectrum.
     x[static_cast<std::size_t>(i)] = offset[0] * 0.5 * (1.0 - std::cos(2.0 * M_PI * i / kSamples));
@@ -171,7 +171,7 @@ TEST(ScriptedDevice, TremorStaysInItsBandAndBound) {
   for (double f = 0.125; f < 40.0; f += 0.125) {
     std::complex<double> sum = 0.0;
     for (int i = 0; i < kSamples; ++i)
-      sum += x[static_cast<std::size_t>(i)] * std::polar(1.0, -2.0 * M_PI * f * i * kTick);
+      sum += x[static_cast<std::size_t>(i)] * std::polar(1.0, -2.0 * M_PI * f * i * kServoTick);
     (f > 7.6 && f < 12.4 ? inside : outside) += std::norm(sum);
   }
   EXPECT_GT(inside, 0.0);
@@ -186,7 +186,7 @@ TEST(ScriptedDevice, EveryFaultComesAndGoesByTheScript) {
     ScriptedDevice device(moving, HandSettings{}, {{kind, 1.0, 0.5}, {DeviceFault::unplugged, 3.0, 0.1}});
     Vector at_fault{0, 0, 0}, last{0, 0, 0};
     for (int tick = 0; tick < 4000; ++tick) {
-      const double t = tick * kTick;
+      const double t = tick * kServoTick;
       const DeviceReading reading = device.read(t);
       device.write({1, 0, 0});
       const bool faulty = (t >= 1.0 && t < 1.5) || (t >= 3.0 && t < 3.1);
@@ -281,7 +281,7 @@ TEST(ScriptedDevice, TicksAllocateNothing) {
   ScriptedDevice device(still(), hand);
   const long long before = testing::allocations();
   for (int i = 0; i < 3000; ++i) {
-    device.read(i * kTick);
+    device.read(i * kServoTick);
     device.write({i * 0.01, 0, i == 2000 ? std::numeric_limits<double>::quiet_NaN() : 0.0});
   }
   EXPECT_EQ(testing::allocations(), before);

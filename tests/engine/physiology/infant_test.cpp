@@ -174,7 +174,9 @@ TEST(Infant, AtATubeThatLiesWellAndIsVentilatedTheHeartIsBackAtRestWithinHalfAMi
       }
       const double resting = p.infant.heart.resting_per_min;
       EXPECT_NEAR(p.signs.heart_per_min, resting, 0.05 * resting) << newton << " N, infant " << seed;
-      if (newton > 1) EXPECT_LT(lowest, resting - 3) << newton << " N, infant " << seed;  // it was felt
+      if (newton > 1) {
+        EXPECT_LT(lowest, resting - 3) << newton << " N, infant " << seed;  // it was felt
+      }
     }
   }
 }

@@ -17,7 +17,7 @@ using testing::kBeforeMouth;
 using testing::kJammed;
 using testing::LateLoop;
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
 
 void assert_same(const IntubationRecord& a, const IntubationRecord& b) {
   const auto same = [](const auto& x, const auto& y) { return std::memcmp(&x, &y, sizeof x) == 0; };
@@ -66,7 +66,7 @@ PortInput tour(const Scene& scene, std::int64_t n) {
   if (n > 700 && n < 900) in.buttons |= kInstructorSaturationDown | kInstructorHeartUp;
   if (n > 3200) in.buttons |= kInstructorSpasm | kActionEyeRight;
   if (n > 1900 && n < 2000) in.second_valid = false;
-  if (n == 2100) in.second_pose.position.y() = kNan;
+  if (n == 2100) in.second_pose.position.y() = kNoNumber;
   if (n == 2110) in.second_pose.rotation.coeffs() *= 3;
   if (n > 2300 && n < 2320) in.valid = false;
   return in;

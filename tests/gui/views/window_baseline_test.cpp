@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 // its softpipe at most 0.7; 1.9 % (the video view, where surfaces touch). The least of the deliberate changes below: 2.0
 // (redder skin); 4.9 and 12 % (the tube missing).
 constexpr double kMeanGrey = 1.2, kShareOff = 0.03;
-constexpr int kWidth = 320, kHeight = 240;
+constexpr int kPictureWidth = 320, kPictureHeight = 240;
 
 bool updating() { return qgetenv("VALLECULA_BASELINES") == "update"; }
 
@@ -47,7 +47,7 @@ class WindowBaseline : public Screen {
 
   template <class View>
   void open(View& view) {
-    view.resize(kWidth, kHeight);
+    view.resize(kPictureWidth, kPictureHeight);
     view.show_patient(look(), plain_blade(), &intubation_);
     view.show();
     QApplication::processEvents();
@@ -104,7 +104,7 @@ class WindowBaseline : public Screen {
   }
 
   static void expect_as_before(const QImage& picture, const std::string& name) {
-    ASSERT_EQ(picture.size(), QSize(kWidth, kHeight));
+    ASSERT_EQ(picture.size(), QSize(kPictureWidth, kPictureHeight));
     const QString file = QString::fromStdString(baseline(name).string());
     if (updating()) {
       ASSERT_TRUE(picture.convertToFormat(QImage::Format_RGB888).save(file)) << "cannot write " << file.toStdString();
@@ -160,8 +160,8 @@ TEST_F(WindowBaseline, TheLensInTheTongueShowsLitTissueAndNoDarkness) {
   expect_as_before(picture, "video-blocked");
   const Spot dark = find_pixels(picture, [](QRgb c, int, int) { return qGray(c) < 40; }),
              pink = find_pixels(picture, [](QRgb c, int, int) { return qRed(c) > 110 && qRed(c) > qBlue(c) + 30; });
-  EXPECT_LT(dark.pixels, 0.05 * kWidth * kHeight) << "the frame alone";
-  EXPECT_GT(pink.pixels, 0.55 * kWidth * kHeight) << "all but the blade in the upper part";
+  EXPECT_LT(dark.pixels, 0.05 * kPictureWidth * kPictureHeight) << "the frame alone";
+  EXPECT_GT(pink.pixels, 0.55 * kPictureWidth * kPictureHeight) << "all but the blade in the upper part";
 }
 
 TEST_F(WindowBaseline, Cut) {
@@ -188,7 +188,7 @@ TEST_F(WindowBaseline, ASlowMachineSeesTheSameSceneAndItsStillsAreWhole) {
   view.draw();
   QApplication::processEvents();
   const QImage coarse = view.last_picture();
-  ASSERT_EQ(coarse.size(), QSize(kWidth, kHeight)) << "as large as ever on the screen";
+  ASSERT_EQ(coarse.size(), QSize(kPictureWidth, kPictureHeight)) << "as large as ever on the screen";
   const QImage whole(QString::fromStdString(baseline("lifted").string()));
   ASSERT_FALSE(whole.isNull());
   const PictureDifference difference = picture_difference(whole, coarse);
@@ -211,7 +211,7 @@ TEST_F(WindowBaseline, TheNextPatientGoesWithoutWhatTheOneBeforeWentWithout) {
     }
   } afterwards;
   const auto drawn = [this](auto& view, const std::shared_ptr<PatientLook>& patient) {
-    view.resize(kWidth, kHeight);
+    view.resize(kPictureWidth, kPictureHeight);
     view.show_patient(patient, plain_blade(), &intubation_);
     view.show();
     QApplication::processEvents();

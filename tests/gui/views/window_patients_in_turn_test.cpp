@@ -13,8 +13,8 @@
 namespace vallecula::gui::window_test {
 namespace {
 
-constexpr int kWidth = 320, kHeight = 240;
-constexpr int kFewColours = 40;     // a blank view has one, the coarse patient's mouth some hundreds
+constexpr int kViewWidth = 320, kViewHeight = 240;
+constexpr int kBlankColours = 40;   // a blank view has one, the coarse patient's mouth some hundreds
 constexpr double kAlikeGrey = 1.5;  // two views that draw the same; another patient differs by more
 const int kCoarsest = static_cast<int>(kQualities.size()) - 1;
 
@@ -38,7 +38,7 @@ class WindowPatientsInTurn : public Screen {
   };
   static Seen shown(OperatorView& view, const std::shared_ptr<PatientLook>& look) {
     static const engine::IntubationDescription intubation = plain_intubation(coarse_patient());
-    view.resize(kWidth, kHeight);
+    view.resize(kViewWidth, kViewHeight);
     view.show_patient(look, plain_blade(), &intubation);
     view.show();
     QApplication::processEvents();
@@ -63,7 +63,7 @@ class WindowPatientsInTurn : public Screen {
          {std::tuple(seen.widget, truth.widget, "widget"), std::tuple(seen.screen, truth.screen, "screen")}) {
       if (const char* folder = std::getenv("VALLECULA_PICTURES"))
         picture.save(QString::fromStdString(std::string(folder) + "/in-turn-" + when + "-" + where + ".png"));
-      EXPECT_GT(colours_in(picture), kFewColours) << when << ": blank on the " << where;
+      EXPECT_GT(colours_in(picture), kBlankColours) << when << ": blank on the " << where;
       ASSERT_EQ(picture.size(), right.size()) << when;
       EXPECT_LT(picture_difference(right, picture).mean_grey, kAlikeGrey)
           << when << ": another picture on the " << where;
@@ -80,7 +80,7 @@ class WindowPatientsInTurn : public Screen {
     GlView::governor().hold(step);
     const Seen again = shown(view, a), another = shown(view, b), back = shown(view, a);
     const Seen a_alone = alone(coarse_patient()), b_alone = alone(other_patient());
-    ASSERT_GT(colours_in(a_alone.screen), kFewColours);
+    ASSERT_GT(colours_in(a_alone.screen), kBlankColours);
     ASSERT_GT(picture_difference(a_alone.screen, b_alone.screen).mean_grey, kAlikeGrey) << "they are told apart";
     if (!switched) expect_seen(first, a_alone, name + "-first");
     expect_seen(again, a_alone, name + "-same-again");
