@@ -68,7 +68,6 @@ FirstRun::FirstRun(QWidget* parent) : QDialog(parent), look_(look_settings()) {
   column->addWidget(steps_, 1);
   column->addLayout(foot);
   resize(640, 440);
-  give_room_for_mnemonics(*this);
   go(0);
 }
 
@@ -171,7 +170,7 @@ QWidget* FirstRun::make_senses() {
   auto* sound = new QCheckBox(tr("The monitor bee&ps: lower as the saturation falls"), page);
   sound->setObjectName("monitor_sound");
   sound->setChecked(user_settings()->value("sound/monitor", true).toBool());
-  form->addRow(tr("&Text size"), text);
+  form->addRow(tr("Te&xt size"), text);
   form->addRow(tr("&Ground"), ground);
   form->addRow(sound);
   column->addLayout(form);

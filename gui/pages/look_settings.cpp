@@ -1,7 +1,6 @@
 #include "gui/pages/look_settings.h"
 
 #include <QApplication>
-#include <QLabel>
 #include <QPalette>
 #include <QStringList>
 #include <algorithm>
@@ -46,11 +45,6 @@ void apply_look(const LookSettings& look) {
   theme::apply(*qApp, {dark ? theme::Ground::dark : theme::Ground::light, look.text_scale});
   MouthStage::set_blue_everywhere(look.trachea == "blue");
   GlView::governor().set_mode(QualityGovernor::mode_of(look.quality));
-}
-
-void give_room_for_mnemonics(const QWidget& dialog) {
-  for (QLabel* label : dialog.findChildren<QLabel*>())
-    if (label->buddy() != nullptr) label->setContentsMargins(0, 0, 5, 0);
 }
 
 void note_system_palette() { system_is_dark = QApplication::palette().color(QPalette::Window).lightness() < 128; }

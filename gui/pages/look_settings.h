@@ -5,8 +5,6 @@
 
 #include "gui/views/theme.h"
 
-class QWidget;
-
 namespace vallecula::gui {
 
 struct LookSettings {
@@ -23,8 +21,5 @@ void keep_look(const LookSettings& look);
 void apply_look(const LookSettings& look);
 /// To be called once, before the first look is applied: what "system" means is the desktop's own palette.
 void note_system_palette();
-/// A letter that is underlined is drawn apart from its neighbours, and all of it is wider then than its label asks for:
-/// gives every label of a dialog that names a control the room.
-void give_room_for_mnemonics(const QWidget& dialog);
 
 }  // namespace vallecula::gui

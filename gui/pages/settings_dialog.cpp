@@ -57,7 +57,6 @@ SettingsDialog::SettingsDialog(QWidget* parent) : QDialog(parent), before_(look_
   column->addStretch(1);
   column->addWidget(buttons);
   setMinimumWidth(480);
-  give_room_for_mnemonics(*this);
 }
 
 void SettingsDialog::add_look(QFormLayout* form) {
@@ -91,9 +90,10 @@ void SettingsDialog::add_look(QFormLayout* form) {
   quality_->setToolTip(tr("How the patient is drawn"));
   form->addRow(heading(tr("Look"), this));
   form->addRow(tr("&Ground"), ground_);
-  form->addRow(tr("&Text size"), with_share(text_, text_share_));
+  // No T, no V: underlined they are drawn apart from what stands close to them, and the word is longer than its label.
+  form->addRow(tr("Te&xt size"), with_share(text_, text_share_));
   qobject_cast<QLabel*>(form->itemAt(form->rowCount() - 1, QFormLayout::LabelRole)->widget())->setBuddy(text_);
-  form->addRow(tr("T&rachea"), trachea_);
+  form->addRow(tr("Tra&chea"), trachea_);
   form->addRow(tr("&Quality"), quality_);
   // The whole window is laid out anew: not at every step of a drag.
   auto* soon = new QTimer(this);
@@ -124,7 +124,7 @@ void SettingsDialog::add_sound(QFormLayout* form) {
   volume_share_ = new QLabel(this);
   form->addRow(heading(tr("Sound"), this));
   form->addRow(monitor_);
-  form->addRow(tr("&Volume"), with_share(volume_, volume_share_));
+  form->addRow(tr("Vol&ume"), with_share(volume_, volume_share_));
   qobject_cast<QLabel*>(form->itemAt(form->rowCount() - 1, QFormLayout::LabelRole)->widget())->setBuddy(volume_);
   const auto show_share = [this] { show_share_of(*volume_, *volume_share_); };
   connect(volume_, &QSlider::valueChanged, this, show_share);

@@ -93,7 +93,11 @@ std::optional<QString> known(const QString& text) {
   static const QRegularExpression value("^-?\\d+(\\.\\d+)?( [^\\s\\d.]{1,6})?$");  // a figure, with its unit or alone
   if (value.match(text).hasMatch()) return as_written_here(text);
   static const QRegularExpression name("^[a-z]+([_-][a-z]+)+$");  // as files have it
-  if (name.match(text).hasMatch()) return known(QString(text).replace('_', ' ').replace('-', ' '));
+  if (name.match(text).hasMatch()) {
+    const QString words = QString(text).replace('_', ' ').replace('-', ' ');
+    const auto told = known(words);
+    return told == words ? std::nullopt : told;  // in English names stay as files have them
+  }
   for (const Built& built : built_sentences()) {
     const QRegularExpressionMatch found = built.whole.match(text);
     if (!found.hasMatch()) continue;

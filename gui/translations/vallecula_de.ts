@@ -6381,10 +6381,6 @@ Eine Label-Karte ohne Namen (NIfTI) wird nach diesen Werten gelesen: %1</transla
         <translation>Farben des ganzen Fensters</translation>
     </message>
     <message>
-        <source>&amp;Text size</source>
-        <translation>&amp;Schriftgröße</translation>
-    </message>
-    <message>
         <source>&amp;Ground</source>
         <translation>&amp;Hintergrund</translation>
     </message>
@@ -6423,6 +6419,10 @@ Nichts kann kaputtgehen, und jeder Versuch ist ein neuer. Bevor es beginnt, sagt
     <message>
         <source>&amp;Language / Sprache</source>
         <translation>&amp;Sprache / Language</translation>
+    </message>
+    <message>
+        <source>Te&amp;xt size</source>
+        <translation>&amp;Schriftgröße</translation>
     </message>
 </context>
 <context>
@@ -8678,14 +8678,6 @@ Gerät: %3</translation>
         <translation>&amp;Hintergrund</translation>
     </message>
     <message>
-        <source>&amp;Text size</source>
-        <translation>&amp;Schriftgröße</translation>
-    </message>
-    <message>
-        <source>T&amp;rachea</source>
-        <translation>&amp;Trachea</translation>
-    </message>
-    <message>
         <source>&amp;Quality</source>
         <translation>&amp;Qualität</translation>
     </message>
@@ -8704,10 +8696,6 @@ Gerät: %3</translation>
     <message>
         <source>Sound</source>
         <translation>Ton</translation>
-    </message>
-    <message>
-        <source>&amp;Volume</source>
-        <translation>&amp;Lautstärke</translation>
     </message>
     <message>
         <source>Of the window&apos;s words; from the next start on</source>
@@ -8732,6 +8720,18 @@ Gerät: %3</translation>
     <message>
         <source>How the patient is drawn</source>
         <translation>Wie der Patient gezeichnet wird</translation>
+    </message>
+    <message>
+        <source>Te&amp;xt size</source>
+        <translation>&amp;Schriftgröße</translation>
+    </message>
+    <message>
+        <source>Tra&amp;chea</source>
+        <translation>Tra&amp;chea</translation>
+    </message>
+    <message>
+        <source>Vol&amp;ume</source>
+        <translation>&amp;Lautstärke</translation>
     </message>
 </context>
 <context>

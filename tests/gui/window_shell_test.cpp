@@ -303,11 +303,12 @@ TEST_F(WindowShell, SettingsAreSeenAtOnceAndTakenBackByCancel) {
   ASSERT_TRUE(wait_for([] { return std::abs(theme::look().text_scale - 1.4) < 1e-9; }, 5000));
   wait_for([] { return false; }, 300);
   EXPECT_EQ(cut_texts(*dialog), std::vector<std::string>()) << lines(cut_texts(*dialog));
-  for (QLabel* label :
-       dialog->findChildren<QLabel*>()) {  // by its last pixels: a mnemonic parts letters that were joined
+  // By its last pixels: an underlined letter parts two that stood close, and what a label asks for is too little then.
+  for (QLabel* label : dialog->findChildren<QLabel*>()) {
     const QImage words = label->grab().toImage();
     for (int y = 0; y < words.height(); ++y)
-      EXPECT_EQ(words.pixel(words.width() - 1, y), words.pixel(words.width() - 1, 0)) << label->text().toStdString();
+      EXPECT_LT(std::abs(qGray(words.pixel(words.width() - 1, y)) - qGray(words.pixel(words.width() - 1, 0))), 60)
+          << label->text().toStdString() << ": a stroke ends there, not its soft edge";
   }
   keep_picture(*dialog, "settings-light-large.png");
   QTest::keyClick(dialog, Qt::Key_Escape);
