@@ -7,7 +7,7 @@
 namespace vallecula::gui {
 namespace {
 
-constexpr std::size_t kMostEvents = 500;
+constexpr std::size_t kMostKept = 500;
 
 }  // namespace
 
@@ -48,7 +48,7 @@ void LiveWatch::add(const QString& text) { keep({{now_s(), text}}); }
 void LiveWatch::keep(const std::vector<LiveEvent>& events) {
   if (events.empty()) return;
   events_.insert(events_.end(), events.begin(), events.end());
-  if (events_.size() > kMostEvents) events_.erase(events_.begin(), events_.end() - kMostEvents);
+  if (events_.size() > kMostKept) events_.erase(events_.begin(), events_.end() - kMostKept);
   emit told(events);
 }
 

@@ -39,7 +39,8 @@ class WordsFromBelow : public Screen {
     static const QRegularExpression english(
         "\\b(the|were|lies|with|than|within|allowed|asked|for|its|attempts?|blade|of|to|and|past|from|seconds|"
         "breaths?|"
-        "times?|lowest|peak|force|given|never|seen|missed|good|deep|shallow|at|most|least|late|frozen|lost|motor warm|right|"
+        "times?|lowest|peak|force|given|never|seen|missed|good|deep|shallow|at|most|least|late|frozen|lost|motor "
+        "warm|right|"
         "left|"
         "ends|begins|wrong|reached|trial|is|no|not|or)\\b",
         QRegularExpression::CaseInsensitiveOption);
@@ -48,7 +49,9 @@ class WordsFromBelow : public Screen {
     const auto left = english.match(german);
     EXPECT_FALSE(left.hasMatch()) << said << "\n  " << german.toStdString();
     EXPECT_FALSE(point.match(german).hasMatch()) << said << "\n  " << german.toStdString();
-    if (word.match(QString::fromStdString(said)).hasMatch()) EXPECT_NE(german.toStdString(), said);
+    if (word.match(QString::fromStdString(said)).hasMatch()) {
+      EXPECT_NE(german.toStdString(), said);
+    }
   }
   static void look_at(const std::vector<Row>& rows) {
     for (const Row& row : rows)
@@ -297,7 +300,7 @@ TEST_F(WordsFromBelow, PausesHelpsAndDistractionsAreGerman) {
     driven.ticks[1].buttons = bits;
     for (const bool led : {false, true}) {
       Score told;
-      curricula::measure_helps(driven, led, told);
+      curricula::measure_helps(driven, scenario(), led, told);
       ASSERT_FALSE(told.set_aside.empty());
       for (const std::string& why : told.set_aside) look_at(why);
     }
