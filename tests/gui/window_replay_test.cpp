@@ -19,6 +19,7 @@
 #include <utility>
 
 #include "curricula/records/notes.h"
+#include "curricula/records/recovery.h"
 #include "gui/pages/clip_export.h"
 #include "gui/pages/linked_chart.h"
 #include "gui/pages/main_window.h"
@@ -427,7 +428,10 @@ TEST_F(WindowReplay, KeepsNotesAtTheirSecond) {
   EXPECT_DOUBLE_EQ(page.time_s(), 0.5);
 
   curricula::Records records(records_database());
-  const auto kept = curricula::Notes(records).of_trial({}, records.newest(1).at(0).id);
+  curricula::Notes noted(records);
+  const long long of_it = noted.trial_of_log(curricula::log_sha256(trial() / "trial.vtrial"));
+  ASSERT_NE(of_it, 0);
+  const auto kept = noted.of_trial({}, of_it);
   ASSERT_EQ(kept.size(), 1u);
   EXPECT_EQ(kept[0].text, "here the wrist turned");
   EXPECT_DOUBLE_EQ(kept[0].at_s, 0.5);
