@@ -10,7 +10,7 @@ namespace {
 
 using namespace testing;
 
-MotionFigures of(const Change& change = {}) { return score_of(change).motion; }
+MotionFigures motion_of(const Change& change = {}) { return score_of(change).motion; }
 
 /// Share of the way of a minimum-jerk reach, and its speed.
 double reach(double t) { return t * t * t * (10.0 - 15.0 * t + 6.0 * t * t); }
@@ -48,7 +48,7 @@ TEST(SpectralArcLength, OfNothingIsNothing) {
 TEST(MotionFigures, AReachIsAsSmoothInTheLogAsOnPaper) {
   // The measure does not depend on how long a movement takes: 15 s here, 2 s in the reference.
   const MotionFigures m =
-      of([](LogTick& t) { t.device_pose.position_m[1] = 0.1 * reach(std::clamp((t.time_s - 5.0) / 15.0, 0.0, 1.0)); });
+      motion_of([](LogTick& t) { t.device_pose.position_m[1] = 0.1 * reach(std::clamp((t.time_s - 5.0) / 15.0, 0.0, 1.0)); });
   EXPECT_NEAR(*m.smoothness, -1.4025053055360275, 1e-9) << "the reference's on 20 ms means of the same reach";
   EXPECT_NEAR(*m.smoothness, *spectral_arc_length(one_reach(), kRate), 0.005);
   EXPECT_LT(*m.tremor_m, 2e-6) << "a slow reach has no tremor";
@@ -56,7 +56,7 @@ TEST(MotionFigures, AReachIsAsSmoothInTheLogAsOnPaper) {
 
 TEST(MotionFigures, TremorIsThatOfASinusoid) {
   const auto shaken = [](double hertz) {
-    return of([hertz](LogTick& t) {
+    return motion_of([hertz](LogTick& t) {
       t.device_pose.position_m[1] = 0.1 * reach(std::clamp((t.time_s - 5.0) / 15.0, 0.0, 1.0));
       t.device_pose.position_m[0] = 0.3e-3 * std::sin(2.0 * M_PI * hertz * t.time_s);
       t.device_pose.position_m[2] = 0.4e-3 * std::cos(2.0 * M_PI * hertz * t.time_s);
@@ -75,9 +75,9 @@ TEST(MotionFigures, TheWayOfACircle) {
     t.proxy_pose.position_m = {5e-3 * std::cos(angle), kInMouth[1] + 5e-3 * std::sin(angle), kInMouth[2]};
   };
   const double way = 15.0 * 2.0 * M_PI * 5e-3;
-  EXPECT_NEAR(of(turns).tip_path_m, way, 0.005 * way);
+  EXPECT_NEAR(motion_of(turns).tip_path_m, way, 0.005 * way);
   // What a device's last digit does from tick to tick is no way: 0.05 mm up and down would be 1500 mm.
-  EXPECT_NEAR(of([&](LogTick& t) {
+  EXPECT_NEAR(motion_of([&](LogTick& t) {
                 turns(t);
                 t.proxy_pose.position_m[2] += t.tick % 2 == 0 ? 5e-5 : 0.0;
               }).tip_path_m,
@@ -86,7 +86,7 @@ TEST(MotionFigures, TheWayOfACircle) {
 
 TEST(MotionFigures, APauseIsNoMotionAndEndsAStretch) {
   // The hand is far off after the pause: that was not a stroke. 4 s before it, 10 s after.
-  const MotionFigures m = of([](LogTick& t) {
+  const MotionFigures m = motion_of([](LogTick& t) {
     if (between(t, 9, 10)) t.device_valid = false;
     t.device_pose.position_m[0] = t.time_s < 9.5 ? 0.0 : 0.2;
     t.device_pose.position_m[1] = 0.1 * reach(std::clamp((t.time_s - 10.0) / 10.0, 0.0, 1.0));
@@ -96,7 +96,7 @@ TEST(MotionFigures, APauseIsNoMotionAndEndsAStretch) {
 }
 
 TEST(MotionFigures, WithoutABladeInTheMouthThereIsNone) {
-  const MotionFigures m = of([](LogTick& t) { t.proxy_pose.position_m = kOutside; });
+  const MotionFigures m = motion_of([](LogTick& t) { t.proxy_pose.position_m = kOutside; });
   EXPECT_EQ(m.tip_path_m, 0.0);
   EXPECT_FALSE(m.smoothness);
   EXPECT_FALSE(m.tremor_m);
