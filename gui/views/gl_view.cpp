@@ -161,6 +161,8 @@ void GlView::render() {
 /// which without a graphics card takes some ten ms each. What is hidden as yet is as well: it would be missed in
 /// mid-trial.
 bool GlView::make_new_props_ready() {
+  begin_opengl();
+  if (!isValid()) return true;  // render() says so
   QElapsedTimer timer;
   timer.start();
   const auto is_known = [this](vtkProp* prop) { return std::find(known_.begin(), known_.end(), prop) != known_.end(); };

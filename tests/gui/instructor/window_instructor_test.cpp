@@ -1,28 +1,20 @@
-// The instructor's second window beside a trial: what it shows, what it does to it, what is kept of the ticks; and the
-// next trainee at the same machine.
-#include <QComboBox>
+// The instructor's second window beside a trial: what it shows, what it does to it, what is kept of the ticks.
+#include "tests/gui/instructor/window_instructor.h"
+
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
-#include <QMessageBox>
 #include <QPushButton>
 #include <QScrollBar>
 #include <QTabWidget>
 #include <QTest>
-#include <QTimer>
 #include <QToolButton>
 #include <algorithm>
 
 #include "curricula/records/ratings.h"
-#include "gui/authoring/authoring_page.h"
 #include "gui/instructor/instructor_controls.h"
-#include "gui/instructor/instructor_window.h"
-#include "gui/instructor/run_checklist.h"
-#include "gui/instructor/sign_in_dialog.h"
-#include "gui/instructor/station.h"
 #include "gui/pages/trial_page.h"
 #include "gui/pages/trial_panels.h"
-#include "gui/records_pages/person_dialog.h"
 #include "gui/session/languages.h"
 #include "gui/views/force_bars.h"
 #include "gui/views/operator_view.h"
@@ -30,113 +22,9 @@
 #include "gui/views/trial_readings.h"
 #include "tests/gui/accessible.h"
 #include "tests/gui/arc_patient.h"
-#include "tests/gui/block_patient.h"
-#include "tests/gui/busy_course.h"
-#include "tests/gui/records_pages/window_records.h"
 
 namespace vallecula::gui::window_test {
 namespace {
-
-class WindowInstructor : public WindowRecords {
- protected:
-  void register_people() {
-    Records records(records_location());
-    People people(records);
-    people.create_first_instructor("Boss", "4321");
-    for (const char* name : {"Emu", "Kiwi", "Moa"}) people.register_trainee(name, "1234");
-  }
-  /// Signed in at the blade, as the records' page would.
-  void sign_in_directly(const std::string& name, const std::string& pin) {
-    Records records(records_location());
-    People people(records);
-    for (const auto& person : people.list())
-      if (person.name == name) desk().sign_in(people.sign_in(person.id, pin), person);
-    ASSERT_EQ(desk().person().name, name);
-  }
-  void open_with_course() {
-    window_ = std::make_unique<MainWindow>();
-    window_->show_start({curricula::load_curriculum(course_)});
-    window_->show();
-    QApplication::setActiveWindow(window_.get());
-    QApplication::processEvents();
-  }
-  TrialSetup setup(const std::string& scenario, curricula::Mode mode = curricula::Mode::practice) {
-    TrialSetup setup;
-    setup.patient = patient_;
-    setup.curriculum = course_;
-    setup.scenario = scenario;
-    setup.device = "mouse";
-    setup.out = box_ / "out";
-    setup.mode = mode;
-    setup.trainee_id = desk().person().id;
-    return setup;
-  }
-  void prepare(const TrialSetup& setup) {
-    bool ready = false;
-    QString failure;
-    const auto heard = QObject::connect(window_.get(), &MainWindow::prepared, [&] { ready = true; });
-    const auto failed =
-        QObject::connect(window_.get(), &MainWindow::trial_failed, [&](const QString& m) { failure = m; });
-    window_->prepare(setup, false);
-    ASSERT_TRUE(wait_for([&] { return ready || !failure.isEmpty(); }));
-    ASSERT_EQ(failure.toStdString(), "");
-    QObject::disconnect(heard);
-    QObject::disconnect(failed);
-  }
-  InstructorWindow& second() { return *window_->station().instructor_window(); }
-  bool second_is_open() { return window_->station().instructor_window() != nullptr && second().isVisible(); }
-  /// By its key in the first window.
-  void open_second() {
-    QApplication::setActiveWindow(window_.get());
-    QTest::keyClick(window_.get(), Qt::Key_I, Qt::ControlModifier);
-  }
-  QString state() { return second().findChild<QLabel*>("instructor_state")->text(); }
-  QStringList events() {
-    QStringList all;
-    auto* list = second().findChild<QListWidget*>();
-    for (int i = 0; i < list->count(); ++i) all << list->item(i)->text();
-    return all;
-  }
-  bool told(const QString& what) {
-    const QStringList all = events();
-    return std::any_of(all.begin(), all.end(), [&](const QString& one) { return one.contains(what); });
-  }
-  QPushButton* button(const QString& text) {
-    for (auto* one : second().findChildren<QPushButton*>())
-      if (one->text().remove('&').startsWith(text)) return one;
-    return nullptr;
-  }
-  QToolButton* tick(const QString& name) {
-    for (auto* one : second().findChildren<QToolButton*>())
-      if (one->accessibleName() == name) return one;
-    return nullptr;
-  }
-  template <class Dialog>
-  Dialog* dialog() {
-    Dialog* found = nullptr;
-    EXPECT_TRUE(
-        wait_for([&] { return (found = qobject_cast<Dialog*>(QApplication::activeModalWidget())) != nullptr; }, 10000));
-    if (found == nullptr) return nullptr;
-    EXPECT_TRUE(wait_for([&] { return found->template findChild<QComboBox*>()->count() > 0; }, 10000));
-    return found;
-  }
-  /// A picture of the second window at both sizes, on both grounds.
-  void keep_pictures(const std::string& name) {
-    if (std::getenv("VALLECULA_PICTURES") == nullptr) return;
-    for (const auto ground : {theme::Ground::light, theme::Ground::dark}) {
-      theme::apply(*qobject_cast<QApplication*>(QCoreApplication::instance()), {ground, 1.0});
-      for (const QSize size : {QSize(1024, 700), QSize(1280, 800)}) {
-        second().resize(size);
-        wait_for([] { return false; }, 400);
-        keep_picture(second(), "instructor-" + name + (ground == theme::Ground::dark ? "-dark-" : "-light-") +
-                                   std::to_string(size.width()) + ".png");
-      }
-    }
-  }
-
-  const std::filesystem::path patient_ = test::write_block_patient(box_.folder());
-  const std::filesystem::path course_ = test::write_busy_course(box_.folder());
-};
 
 TEST_F(WindowInstructor, WatchesAnIntubationAndActsOnIt) {
   open_with_course();
@@ -217,9 +105,7 @@ TEST_F(WindowInstructor, WatchesAnIntubationAndActsOnIt) {
   if (!page.session()->frozen()) QTest::mouseClick(button("Freeze"), Qt::LeftButton);
   EXPECT_TRUE(page.session()->frozen());
   ASSERT_TRUE(wait_for([&] { return state().startsWith("FROZEN"); }, 5000)) << state().toStdString();
-  const auto vital_signs = [&] {
-    return QList<QPushButton*>{button("SpO2"), button("Heart"), button("Laryngospasm")};
-  };
+  const auto vital_signs = [&] { return QList<QPushButton*>{button("SpO2"), button("Heart"), button("Laryngospasm")}; };
   wait_for([&] { return !vital_signs().front()->isEnabled(); }, 5000);  // told with the next picture
   for (const QPushButton* vital : vital_signs()) {
     EXPECT_FALSE(vital->isEnabled()) << "the infant's clock stands";
@@ -235,7 +121,8 @@ TEST_F(WindowInstructor, WatchesAnIntubationAndActsOnIt) {
       5000))
       << "the trainee is told by whom";
   keep_pictures("frozen");
-  wait_for([] { return false; }, 700);  // what the recorder has not counted yet: the pauses it tells of come a little later
+  wait_for([] { return false; },
+           700);  // what the recorder has not counted yet: the pauses it tells of come a little later
   const QString stood = state();
   wait_for([] { return false; }, 1500);
   EXPECT_EQ(state(), stood);
@@ -442,110 +329,6 @@ TEST_F(WindowInstructor, InAnAssessmentOnlyASignedInInstructorSeesFiguresAndDriv
   EXPECT_FALSE(second().findChild<QListWidget*>("events")->isVisible());
 }
 
-TEST_F(WindowInstructor, TheNextTraineeWaitsForTheOwnRatingAndForAnUnsavedCourse) {
-  register_people();
-  open_with_course();
-  sign_in_directly("Emu", "1234");
-  const auto next = [&] {
-    QApplication::setActiveWindow(window_.get());
-    QTest::keyClick(window_.get(), Qt::Key_T, Qt::ControlModifier);
-  };
-  window_->write_course();
-  AuthoringPage& writing = window_->authoring_page();
-  writing.new_course();
-  writing.document().set_text(writing.document().text() + "# more\n", "typed");
-  ASSERT_TRUE(writing.document().modified());
-  const QString text = writing.document().text();
-  int asked = 0;
-  QTimer answers;  // whatever asks is cancelled
-  QObject::connect(&answers, &QTimer::timeout, [&asked] {
-    auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
-    if (box == nullptr) return;
-    ++asked;
-    box->button(QMessageBox::Cancel)->click();
-  });
-  answers.start(50);
-  const auto nobody = [&](SignInDialog* asks) {
-    for (auto* one : asks->findChildren<QPushButton*>())
-      if (one->text().remove('&') == "Go on as nobody") return QTest::mouseClick(one, Qt::LeftButton);
-    ADD_FAILURE() << "no such button";
-  };
-  const auto no_dialog = [] {
-    return wait_for([] { return QApplication::activeModalWidget() == nullptr; }, 10000);
-  };
-  next();
-  auto* asks = dialog<SignInDialog>();
-  ASSERT_NE(asks, nullptr);
-  EXPECT_EQ(asked, 0) << "nothing is lost by looking";
-  QTest::keyClick(asks, Qt::Key_Escape);
-  ASSERT_TRUE(no_dialog());
-  EXPECT_EQ(asked, 0);
-  EXPECT_EQ(desk().person().name, "Emu");
-  EXPECT_EQ(writing.document().text(), text) << "cancelled, all is as it was";
-  next();
-  asks = dialog<SignInDialog>();
-  ASSERT_NE(asks, nullptr);
-  nobody(asks);
-  ASSERT_TRUE(no_dialog());
-  EXPECT_EQ(asked, 1) << "now it would be";
-  EXPECT_EQ(desk().person().name, "Emu");
-  EXPECT_EQ(window_->page_name(), "authoring");
-  EXPECT_EQ(writing.document().text(), text);
-  next();
-  asks = dialog<SignInDialog>();  // and so by somebody else's PIN
-  ASSERT_NE(asks, nullptr);
-  QTest::keyClicks(asks->findChild<QLineEdit*>(), "1234");
-  QTest::keyClick(asks->findChild<QLineEdit*>(), Qt::Key_Return);
-  ASSERT_TRUE(wait_for([&] { return asked == 2; }, 10000));
-  ASSERT_TRUE(no_dialog());
-  EXPECT_EQ(desk().person().name, "Emu");
-  writing.document().undo().undo();
-  ASSERT_FALSE(writing.document().modified());
-  emit writing.left();
-
-  prepare(setup("helped", curricula::Mode::assessment));
-  window_->trial_page().start();
-  bool finished = false;
-  QObject::connect(window_.get(), &MainWindow::trial_finished, [&] { finished = true; });
-  int frames = 0;
-  window_->trial_page().set_frame_hook([&](const engine::Snapshot&) { ++frames; });
-  ASSERT_TRUE(wait_for([&] { return frames > 3; }));
-  window_->trial_page().end("ended by trainee");
-  ASSERT_TRUE(wait_for([&] { return finished; }));
-  ASSERT_EQ(window_->page_name(), "rating");
-  next();
-  asks = dialog<SignInDialog>();
-  ASSERT_NE(asks, nullptr);
-  nobody(asks);
-  ASSERT_TRUE(no_dialog());
-  EXPECT_EQ(desk().person().name, "Emu") << "first the rating that only Emu can give";
-  EXPECT_EQ(window_->page_name(), "rating");
-}
-
-TEST_F(WindowInstructor, ATrialThatBeganMeanwhileStaysItsTrainees) {
-  register_people();
-  open_with_course();
-  sign_in_directly("Emu", "1234");
-  prepare(setup("helped"));
-  QApplication::setActiveWindow(window_.get());
-  QTest::keyClick(window_.get(), Qt::Key_T, Qt::ControlModifier);
-  auto* asks = dialog<SignInDialog>();
-  ASSERT_NE(asks, nullptr);
-  QString told;
-  QObject::connect(&window_->station(), &InstructorStation::told, [&](const QString& message) { told = message; });
-  window_->trial_page().start();
-  ASSERT_TRUE(window_->trial_page().running());
-  QTest::keyClicks(asks->findChild<QLineEdit*>(), "1234");
-  QTest::keyClick(asks->findChild<QLineEdit*>(), Qt::Key_Return);
-  QMessageBox* box = nullptr;
-  ASSERT_TRUE(wait_for([&] { return (box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget())) != nullptr; },
-                       10000));
-  box->button(QMessageBox::Ok)->click();
-  EXPECT_EQ(desk().person().name, "Emu");
-  EXPECT_TRUE(window_->trial_page().running());
-  EXPECT_TRUE(told.contains("A trial runs")) << told.toStdString();
-}
-
 TEST_F(WindowInstructor, TicksMadeDuringTheRunAreKeptByOneClickAsTheInstructorsRating) {
   register_people();
   open_with_course();
@@ -592,144 +375,6 @@ TEST_F(WindowInstructor, TicksMadeDuringTheRunAreKeptByOneClickAsTheInstructorsR
   second().close();
   EXPECT_FALSE(second().desk().who()) << "closed, nobody's sign-in is left behind";
   EXPECT_EQ(desk().person().name, "Kiwi");
-}
-
-TEST_F(WindowInstructor, WhereThereIsAnInstructorOnlyOneOpensItAndTheTraineeStaysAtTheBlade) {
-  register_people();
-  open_with_course();
-  sign_in_directly("Kiwi", "1234");
-  open_second();
-  auto* asks = dialog<SignInDialog>();
-  ASSERT_NE(asks, nullptr);
-  EXPECT_EQ(asks->findChild<QComboBox*>()->count(), 1) << "instructors only";
-  auto* pin = asks->findChild<QLineEdit*>();
-  QTest::keyClicks(pin, "1234");
-  QTest::keyClick(pin, Qt::Key_Return);
-  auto* message = asks->findChild<QLabel*>("dialog_message");
-  ASSERT_TRUE(
-      wait_for([&] { return message->text().contains("PIN") && !message->text().startsWith("Looking"); }, 10000));
-  EXPECT_FALSE(second_is_open());
-  QTest::keyClicks(pin, "4321");
-  QTest::keyClick(pin, Qt::Key_Return);
-  ASSERT_TRUE(wait_for([&] { return second_is_open(); }, 10000));
-  EXPECT_EQ(desk().person().name, "Kiwi");
-  EXPECT_TRUE(second().desk().instructor());
-}
-
-TEST_F(WindowInstructor, InAnAssessmentNothingHelpsOrHoldsTheTraineeUp) {
-  open_with_course();
-  open_second();
-  ASSERT_TRUE(wait_for([&] { return second_is_open(); }, 10000));
-  prepare(setup("helped", curricula::Mode::assessment));
-  window_->trial_page().start();
-  ASSERT_TRUE(wait_for([&] { return second().drawn() > 0; }, 20000));
-  EXPECT_FALSE(button("Say")->isEnabled());
-  EXPECT_FALSE(second().findChild<InstructorControls*>()->findChild<QComboBox*>()->isEnabled());
-  EXPECT_FALSE(button("Freeze")->isEnabled());
-  const auto labels = second().findChildren<QLabel*>();
-  EXPECT_TRUE(std::any_of(labels.begin(), labels.end(), [](const QLabel* label) {
-    return label->isVisible() && label->text().startsWith("Assessment: ");
-  }));
-  EXPECT_FALSE(window_->station().next_trainee_action()->isEnabled()) << "a trial belongs to whoever began it";
-  window_->trial_page().end("ended by trainee");
-  EXPECT_TRUE(wait_for([&] { return window_->station().next_trainee_action()->isEnabled(); }, 20000));
-}
-
-TEST_F(WindowInstructor, TheNextTraineeTakesOverByOneKeyAndThePin) {
-  register_people();
-  open_with_course();
-  sign_in_directly("Emu", "1234");
-  StartPage& start = window_->start_page();
-  start.add_patient(patient_, true);
-  ASSERT_TRUE(start.select("helped", "mouse"));
-  QTest::keyClick(start.findChild<QComboBox*>("mode"), Qt::Key_Down);
-  ASSERT_EQ(start.choice().mode, curricula::Mode::assessment);
-  const Choice before = start.choice();
-  prepare(setup("busy"));
-  ASSERT_EQ(window_->page_name(), "trial");
-
-  QApplication::setActiveWindow(window_.get());
-  QTest::keyClick(window_.get(), Qt::Key_T, Qt::ControlModifier);
-  auto* asks = dialog<SignInDialog>();
-  ASSERT_NE(asks, nullptr);
-  EXPECT_EQ(asks->findChild<QComboBox*>()->currentText(), "Kiwi (trainee)") << "the one after Emu";
-  keep_picture(*asks, "next-trainee.png");
-  QTest::keyClick(asks, Qt::Key_Escape);
-  EXPECT_EQ(desk().person().name, "Emu") << "cancelled, all is as it was";
-  EXPECT_EQ(window_->page_name(), "trial");
-  ASSERT_TRUE(wait_for([] { return QApplication::activeModalWidget() == nullptr; }, 5000));
-  QApplication::setActiveWindow(window_.get());
-  QTest::keyClick(window_.get(), Qt::Key_T, Qt::ControlModifier);
-  asks = dialog<SignInDialog>();
-  ASSERT_NE(asks, nullptr);
-  auto* pin = asks->findChild<QLineEdit*>();
-  QTest::keyClick(pin, Qt::Key_Down);  // Moa, not Kiwi
-  QTest::keyClicks(pin, "1234");
-  QTest::keyClick(pin, Qt::Key_Return);
-  wait_for([&] { return desk().person().name == "Moa"; }, 10000);
-  EXPECT_EQ(desk().person().name, "Moa") << "three keys and the PIN";
-  EXPECT_NE(window_->page_name(), "trial") << "what was prepared was for the one before";
-  const Choice after = start.choice();
-  EXPECT_EQ(after.scenario.id, before.scenario.id);
-  EXPECT_EQ(after.patient, before.patient);
-  EXPECT_EQ(after.device, before.device);
-  EXPECT_EQ(after.mode, curricula::Mode::practice);
-
-  QToolButton* next = nullptr;  // the same by a click, where one begins
-  for (auto* one : window_->findChildren<QToolButton*>())
-    if (one->isVisible() && one->defaultAction() == window_->station().next_trainee_action()) next = one;
-  ASSERT_NE(next, nullptr);
-  keep_picture(*window_, "next-trainee-begin.png");
-  QTest::mouseClick(next, Qt::LeftButton);
-  asks = dialog<SignInDialog>();
-  ASSERT_NE(asks, nullptr);
-  EXPECT_EQ(asks->findChild<QComboBox*>()->currentText(), "Emu (trainee)") << "after the last one the first";
-  const auto press = [&](QDialog* in, const QString& text) {
-    for (auto* one : in->findChildren<QPushButton*>())
-      if (one->text().remove('&') == text) return QTest::mouseClick(one, Qt::LeftButton);
-    ADD_FAILURE() << "no " << text.toStdString();
-  };
-  press(asks, "Go on as nobody");
-  EXPECT_FALSE(desk().who());
-  ASSERT_TRUE(wait_for([] { return QApplication::activeModalWidget() == nullptr; }, 5000));
-
-  // Somebody new is asked for a name at once, and signed in with it.
-  QTest::mouseClick(next, Qt::LeftButton);
-  asks = dialog<SignInDialog>();
-  ASSERT_NE(asks, nullptr);
-  press(asks, "Somebody new ...");
-  PersonDialog* registers = nullptr;
-  ASSERT_TRUE(wait_for(
-      [&] { return (registers = qobject_cast<PersonDialog*>(QApplication::activeModalWidget())) != nullptr; }, 10000));
-  EXPECT_EQ(window_->page_name(), "records");
-  const auto lines = registers->findChildren<QLineEdit*>();
-  ASSERT_EQ(lines.size(), 3);
-  QTest::keyClicks(lines[0], "Rhea");
-  QTest::keyClicks(lines[1], "1234");
-  QTest::keyClicks(lines[2], "1234");
-  QTest::keyClick(lines[2], Qt::Key_Return);
-  ASSERT_TRUE(wait_for([&] { return desk().who().has_value(); }, 10000));
-  EXPECT_EQ(desk().person().name, "Rhea");
-}
-
-TEST_F(WindowInstructor, AHapticDeviceIsCheckedBeforeItsFirstTrial) {
-  open_with_course();
-  window_->station().set_device_maker(
-      []() -> std::unique_ptr<device::HapticDevice> { throw std::runtime_error("no libHD.so was found"); });
-  window_->start_page().add_patient(patient_, true);
-  window_->start_page().choose_device("touch", "Touch X");
-  ASSERT_TRUE(window_->start_page().select("helped", "touch"));
-  QString failure;
-  QObject::connect(window_.get(), &MainWindow::trial_failed, [&](const QString& message) { failure = message; });
-  emit window_->start_page().chosen(window_->start_page().choice());
-  DeviceCheck* check = nullptr;
-  ASSERT_TRUE(wait_for(
-      [&] { return (check = qobject_cast<DeviceCheck*>(QApplication::activeModalWidget())) != nullptr; }, 5000));
-  ASSERT_TRUE(wait_for([&] { return window_->station().checks().find("touch") != nullptr; }, 10000));
-  EXPECT_TRUE(failure.isEmpty()) << "no trial before the check is closed";
-  QTest::keyClick(check, Qt::Key_Escape);
-  ASSERT_TRUE(wait_for([&] { return !failure.isEmpty(); }, 20000)) << "it goes on, and says what the trial says of it";
-  EXPECT_FALSE(window_->station().checks().due("touch")) << "once a session";
 }
 
 }  // namespace

@@ -1,24 +1,16 @@
 // The trial page's panels: switched by key and menu, moved, remembered, closed by what the scenario allows; the helps
 // beside them; what is said; and the list of keys, which is the table they are taken by.
-#include <QAbstractButton>
-#include <QCheckBox>
+#include "tests/gui/pages/window_panels.h"
+
+#include <QAction>
 #include <QDialog>
 #include <QDockWidget>
-#include <QKeyEvent>
 #include <QLabel>
 #include <QMenu>
 #include <QPointer>
-#include <QPushButton>
-#include <QSettings>
-#include <QTextBrowser>
-#include <QToolButton>
 #include <QtTest/QTest>
-#include <cstdlib>
-#include <memory>
-#include <utility>
 
 #include "gui/pages/distraction_panel.h"
-#include "gui/pages/help_panel.h"
 #include "gui/pages/main_window.h"
 #include "gui/pages/sound_button.h"
 #include "gui/pages/trial_page.h"
@@ -27,63 +19,12 @@
 #include "gui/session/user_paths.h"
 #include "gui/session/user_settings.h"
 #include "gui/views/force_bars.h"
+#include "gui/views/gl_view.h"
 #include "gui/views/operator_view.h"
-#include "gui/views/sagittal_view.h"
-#include "gui/views/trial_readings.h"
-#include "tests/gui/block_patient.h"
-#include "tests/gui/busy_course.h"
 #include "tests/gui/picture_difference.h"
-#include "tests/gui/program.h"
-#include "tests/gui/window_screen.h"
 
 namespace vallecula::gui::window_test {
 namespace {
-
-class WindowPanels : public Screen {
- protected:
-  WindowPanels() {
-    const char* home = std::getenv("VALLECULA_HOME");
-    before_ = home == nullptr ? "" : home;
-    ::setenv("VALLECULA_HOME", box_.home().c_str(), 1);
-    user_settings()->setValue("mouse/introduced", true);
-  }
-  ~WindowPanels() override {
-    if (before_.empty())
-      ::unsetenv("VALLECULA_HOME");
-    else
-      ::setenv("VALLECULA_HOME", before_.c_str(), 1);
-  }
-  void open(MainWindow& window, const std::string& scenario, curricula::Mode mode = curricula::Mode::practice) {
-    TrialSetup setup;
-    setup.patient = patient_;
-    setup.curriculum = course_;
-    setup.scenario = scenario;
-    setup.device = "mouse";
-    setup.mode = mode;
-    setup.out = box_ / "out";
-    window.show();
-    bool ready = false;
-    const auto heard = QObject::connect(&window, &MainWindow::prepared, [&] { ready = true; });
-    window.prepare(setup, false);
-    ASSERT_TRUE(wait_for([&] { return ready; }));
-    QObject::disconnect(heard);
-    QApplication::processEvents();
-  }
-  static void key(TrialPage& page, int code, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
-    QTest::keyClick(&page, static_cast<Qt::Key>(code), modifiers);
-    QApplication::processEvents();
-  }
-  static void drawn(TrialPage& page, int frames) {
-    int seen = 0;
-    const auto heard = QObject::connect(&page, &TrialPage::frame, [&](const engine::Snapshot& shown) { seen += shown.ticks > 0 ? 1 : 0; });
-    EXPECT_TRUE(wait_for([&] { return seen >= frames; }, 30000));
-    QObject::disconnect(heard);
-  }
-  std::string before_;
-  test::Sandbox box_;
-  const std::filesystem::path patient_ = test::write_block_patient(box_.folder());
-  const std::filesystem::path course_ = test::write_busy_course(box_.folder());
-};
 
 TEST_F(WindowPanels, AreSwitchedByKeyAndMenuAndRememberedAndPutBack) {
   {
@@ -216,77 +157,6 @@ TEST_F(WindowPanels, WhereNobodyIsHeardTheTeamComesWithItsFirstWord) {
   EXPECT_TRUE(page.panels().dock(TrialPanels::team)->isVisible());
 }
 
-TEST_F(WindowPanels, HelpsAreAKeyAndAButtonAndTheSameBit) {
-  MainWindow window;
-  open(window, "helped");
-  TrialPage& page = window.trial_page();
-  auto* helps = page.findChild<HelpPanel*>();
-  QToolButton *left = nullptr, *right = nullptr;
-  for (auto* button : helps->findChildren<QToolButton*>()) {
-    EXPECT_FALSE(button->accessibleName().isEmpty());
-    EXPECT_FALSE(button->toolTip().isEmpty());
-    if (button->arrowType() == Qt::LeftArrow) left = button;
-    if (button->arrowType() == Qt::RightArrow) right = button;
-  }
-  ASSERT_TRUE(left != nullptr && right != nullptr);
-  EXPECT_FALSE(left->isEnabled()) << "nothing runs yet";
-  page.start();
-  drawn(page, 3);
-  HandActions& actions = page.session()->actions();
-  EXPECT_TRUE(left->isEnabled());
-  QTest::mouseClick(left, Qt::LeftButton);
-  EXPECT_EQ(actions.bits(), engine::kActionEyeLeft);
-  EXPECT_TRUE(left->isChecked());
-  key(page, Qt::Key_Right, Qt::ControlModifier);
-  EXPECT_EQ(actions.bits(), 0u) << "first back to the middle";
-  key(page, Qt::Key_Right, Qt::ControlModifier);
-  EXPECT_EQ(actions.bits(), engine::kActionEyeRight);
-  EXPECT_TRUE(right->isChecked());
-  key(page, Qt::Key_Up, Qt::ControlModifier);
-  EXPECT_EQ(actions.bits(), engine::kActionEyeRight | engine::kActionEyeUp);
-  key(page, Qt::Key_Right, Qt::ControlModifier);
-  key(page, Qt::Key_Up, Qt::ControlModifier);
-  key(page, Qt::Key_H);
-  EXPECT_EQ(actions.bits(), engine::kActionExtend);
-  key(page, Qt::Key_H);
-  EXPECT_EQ(actions.bits(), 0u);
-}
-
-TEST_F(WindowPanels, WhatIsGreyDoesNothingByItsKeyEitherBeforeTheStartAndAfterTheEnd) {
-  MainWindow window;
-  open(window, "helped");
-  TrialPage& page = window.trial_page();
-  const std::shared_ptr<TrialSession> session = page.session();
-  const auto nothing_by_any_key = [&](const char* when) {
-    for (const auto& [code, modifier] : {std::pair{Qt::Key_H, Qt::NoModifier},
-                                         {Qt::Key_G, Qt::NoModifier},
-                                         {Qt::Key_F, Qt::NoModifier},
-                                         {Qt::Key_R, Qt::NoModifier},
-                                         {Qt::Key_Left, Qt::ControlModifier},
-                                         {Qt::Key_Right, Qt::ControlModifier},
-                                         {Qt::Key_Up, Qt::ControlModifier},
-                                         {Qt::Key_Down, Qt::ControlModifier}})
-      key(page, code, modifier);
-    EXPECT_EQ(session->actions().bits(), 0u) << when;
-    EXPECT_FALSE(page.expert_shown()) << when;
-    EXPECT_FALSE(session->led_in()) << when;
-    for (auto* button : page.findChild<HelpPanel*>()->findChildren<QAbstractButton*>()) {
-      EXPECT_FALSE(button->isEnabled()) << when << ": " << button->text().toStdString();
-      EXPECT_FALSE(button->isChecked()) << when << ": " << button->text().toStdString();
-    }
-  };
-  nothing_by_any_key("before the start");
-  EXPECT_FALSE(page.running());
-  page.start();
-  drawn(page, 3);
-  key(page, Qt::Key_H);
-  EXPECT_EQ(session->actions().bits(), engine::kActionExtend) << "what is not grey works";
-  key(page, Qt::Key_H);
-  page.end("ended by trainee");
-  nothing_by_any_key("after the end");
-  ASSERT_TRUE(wait_for([&] { return window.page_name() == "result"; }));
-}
-
 TEST_F(WindowPanels, WhatWasTakenOutOfTheWindowGoesWithTheTrialAndComesBackWithTheNext) {
   {
     MainWindow window;
@@ -320,112 +190,6 @@ TEST_F(WindowPanels, WhatWasTakenOutOfTheWindowGoesWithTheTrialAndComesBackWithT
   EXPECT_FALSE(cut->isVisible()) << "there is no trial to be seen in it";
   open(window, "helped");
   EXPECT_TRUE(cut->isVisible() && cut->isFloating());
-}
-
-TEST_F(WindowPanels, WhileTheKeysAreReadAPersonsPracticeWaits) {
-  MainWindow window;
-  open(window, "helped");
-  TrialPage& page = window.trial_page();
-  key(page, Qt::Key_F1);  // before the start there is nothing to hold
-  QPointer<QDialog> list = page.findChild<QDialog*>("key_list");
-  ASSERT_TRUE(list);
-  EXPECT_EQ(list->findChild<QLabel*>("key_list_note"), nullptr);
-  page.start();
-  EXPECT_FALSE(list && list->isVisible()) << "what was read before is put away: the clock runs";
-  drawn(page, 3);
-  EXPECT_FALSE(page.session()->frozen());
-  key(page, Qt::Key_F1);
-  EXPECT_TRUE(page.session()->frozen_by(Holder::reader));
-  QDialog* open_list = nullptr;
-  for (auto* one : page.findChildren<QDialog*>("key_list"))
-    if (one->isVisible()) open_list = one;
-  ASSERT_NE(open_list, nullptr);
-  auto* note = open_list->findChild<QLabel*>("key_list_note");
-  ASSERT_NE(note, nullptr);
-  EXPECT_TRUE(note->text().contains("waits")) << note->text().toStdString();
-  keep_picture(*open_list, "keys-held.png");
-  const double from_s = page.session()->paused_s();
-  ASSERT_TRUE(wait_for([&] { return page.session()->paused_s() > from_s + 0.3; }, 20000)) << "its clock stands";
-  page.reset();
-  EXPECT_TRUE(page.session()->frozen_by(Holder::reader)) << "begun anew while it is read, it waits as well";
-  QTest::keyClick(open_list, Qt::Key_Escape);
-  EXPECT_FALSE(open_list->isVisible());
-  EXPECT_TRUE(page.running()) << "Esc closed the list alone";
-  EXPECT_FALSE(page.session()->frozen());
-  ASSERT_TRUE(wait_for([&] { return page.session()->pause().empty(); }, 20000)) << "the hand has hold again";
-}
-
-TEST_F(WindowPanels, InAnAssessmentTheListOfKeysHoldsNothingAndSaysSo) {
-  MainWindow window;
-  open(window, "helped", curricula::Mode::assessment);
-  TrialPage& page = window.trial_page();
-  page.start();
-  drawn(page, 3);
-  key(page, Qt::Key_F1);
-  auto* list = page.findChild<QDialog*>("key_list");
-  ASSERT_NE(list, nullptr);
-  auto* note = list->findChild<QLabel*>("key_list_note");
-  ASSERT_NE(note, nullptr);
-  EXPECT_TRUE(note->text().contains("clock runs on")) << note->text().toStdString();
-  EXPECT_FALSE(page.session()->frozen());
-  list->close();
-  bool finished = false;
-  QObject::connect(&window, &MainWindow::trial_finished, [&] { finished = true; });
-  page.end("ended by trainee");
-  ASSERT_TRUE(wait_for([&] { return finished; }));
-}
-
-TEST_F(WindowPanels, WhatCannotBeHadSaysWhy) {
-  MainWindow window;
-  open(window, "helped", curricula::Mode::assessment);
-  TrialPage& page = window.trial_page();
-  auto* helps = page.findChild<HelpPanel*>();
-  page.start();
-  drawn(page, 3);
-  for (QPushButton* button : {helps->vallecula(), helps->expert()}) {
-    EXPECT_FALSE(button->isEnabled());
-    EXPECT_TRUE(button->toolTip().contains("assessment"));
-  }
-  key(page, Qt::Key_G);
-  EXPECT_FALSE(page.expert_shown());
-  EXPECT_FALSE(page.panels().dock(TrialPanels::video)->toggleViewAction()->isEnabled());
-  bool finished = false;
-  QObject::connect(&window, &MainWindow::trial_finished, [&] { finished = true; });
-  page.end("ended by trainee");
-  ASSERT_TRUE(wait_for([&] { return finished; }));
-}
-
-TEST_F(WindowPanels, TheListOfKeysIsTheTableTheyAreTakenBy) {
-  MainWindow window;
-  open(window, "helped");
-  TrialPage& page = window.trial_page();
-  page.setFocus();
-  key(page, Qt::Key_F1);
-  auto* list = page.findChild<QDialog*>("key_list");
-  ASSERT_NE(list, nullptr);
-  const QString text = list->findChild<QTextBrowser*>()->toPlainText();
-  for (const char* name : {"Ctrl+Left", "PgUp", "Space", "F1", "Alt+2", "Esc"}) EXPECT_TRUE(text.contains(name)) << name;
-  keep_picture(*list, "keys.png");
-  list->close();
-  // Each key of the page's own group does something or is told as another's: none falls through to the window.
-  page.start();
-  drawn(page, 3);
-  int taken = 0;
-  const auto groups = page.keys();
-  for (const KeyRow& row : groups.front().rows) {
-    const QKeySequence sequence(row.keys);
-    ASSERT_FALSE(sequence.isEmpty()) << row.keys.toStdString();
-    const int code = sequence[0];
-    const int plain = code & ~static_cast<int>(Qt::KeyboardModifierMask);
-    if (plain == Qt::Key_Escape || plain == Qt::Key_G) continue;  // end the trial, and go elsewhere
-    QKeyEvent event(QEvent::KeyPress, plain, Qt::KeyboardModifiers(code & static_cast<int>(Qt::KeyboardModifierMask)));
-    event.ignore();
-    event.accept();
-    QApplication::sendEvent(&page, &event);
-    EXPECT_TRUE(event.isAccepted()) << row.keys.toStdString();
-    ++taken;
-  }
-  EXPECT_GE(taken, 9);
 }
 
 TEST_F(WindowPanels, FitTheSmallestWindowAndTheUsual) {
@@ -565,7 +329,8 @@ TEST_F(WindowPanelsOfATube, AllPanelsFitTheSmallestWindowAndTheUsual) {
     EXPECT_TRUE(wait_for([&] { return seen(TrialPanels::cut); }, 20000)) << "read";
     page.panels().distractions().set_said_for(DistractionPanel::kSaidMs);
     page.panels().dock(TrialPanels::team)->toggleViewAction()->trigger();
-    for (const auto panel : {TrialPanels::video, TrialPanels::team}) page.panels().dock(panel)->toggleViewAction()->trigger();
+    for (const auto panel : {TrialPanels::video, TrialPanels::team})
+      page.panels().dock(panel)->toggleViewAction()->trigger();
     page.say("Bag valve mask is ready on your right.");
     drawn(page, 20);
     EXPECT_EQ(window.size(), size) << "all panels at once as well";
