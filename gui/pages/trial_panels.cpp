@@ -306,6 +306,7 @@ void TrialPanels::open(TrialSession& session, const std::shared_ptr<PatientLook>
   readings_->set_scenario(scenario, mouth_of(session.package()));
   readings_->show_tube(has_infant_);
   monitor_->clear();
+  monitor_->show_snapshot(session.at_start());  // nobody begins without having read it
   show_what_is_wanted();
 }
 
