@@ -34,6 +34,14 @@ bool tube_entered(const TrialLog& log) {
   });
 }
 
+/// Something of it would have failed or been answered wrongly, wherever the tips were: that is not made undone by ending.
+bool did_harm(const Scenario& scenario, const Score& score) {
+  const PassLimits& pass = scenario.pass;
+  return score.peak_tongue_force_n > pass.peak_tongue_force_n || score.peak_gum_force_n > pass.peak_gum_force_n ||
+         score.time_over_force_limit_s > pass.time_over_device_limit_s ||
+         (score.dual_task && score.dual_task->errors() + score.dual_task->missed > 0);
+}
+
 std::string from(const Use& use) { return " from " + second(use.first_s); }
 
 }  // namespace
@@ -50,7 +58,7 @@ std::optional<TrialLog> after_lead_in(const TrialLog& log) {
 void measure_helps(const TrialLog& log, const Scenario& scenario, bool led_in, Score& score) {
   score.at_vallecula = led_in;
   score.no_attempt = !led_in && scenario.attempt.mode == Mode::practice && ended_by_hand(log) && !score.mouth_unknown &&
-                     !score.attempt_begun && !tube_entered(log);
+                     !score.attempt_begun && !tube_entered(log) && !did_harm(scenario, score);
   score.eye_moves = use_of(log, kLoggedEyeMoves);
   score.extension = use_of(log, kLoggedExtension);
   score.aided = use_of(log, kLoggedAided, true);  // the trial waits while an expert is shown
@@ -65,7 +73,7 @@ void measure_helps(const TrialLog& log, const Scenario& scenario, bool led_in, S
         "times are none");
   if (score.no_attempt)
     score.set_aside.push_back(
-        "The blade did not enter the mouth: no attempt, so the trial counts neither as passed nor as failed");
+        "Neither blade nor tube entered the mouth: no attempt, so the trial counts neither as passed nor as failed");
   const auto earlier = [](const Use& a, const Use& b) {
     return a.times == 0 || (b.times > 0 && b.first_s < a.first_s) ? b : a;
   };

@@ -8,6 +8,9 @@
 
 namespace vallecula::curricula {
 
+/// Out of the mouth for less than this is jitter about its plane, not another way in.
+constexpr double kOutForAnEntryS = 1.0;
+
 /// The space behind the gums. Its front is the plane through both gum midlines that faces the vallecula; its width is a
 /// tube around the line from the middle between the gums to the vallecula, so that a blade beside or below the head is
 /// not taken for one in the mouth.

@@ -4,10 +4,6 @@
 
 namespace vallecula::curricula {
 
-namespace {
-constexpr double kOutForAnEntryS = 1.0;
-}  // namespace
-
 std::vector<Stay> stays_in_mouth(const TrialLog& log) {
   std::vector<Stay> stays;
   const auto mouth = mouth_from_landmarks(log.header.landmarks_m);

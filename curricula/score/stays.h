@@ -8,8 +8,8 @@
 
 namespace vallecula::curricula {
 
-/// One: from the first tick with the blade's tip in the mouth to the last. Out for less than a second is jitter about
-/// the mouth's plane, not another.
+/// One: from the first tick with the blade's tip in the mouth to the last. Out for less than kOutForAnEntryS is no
+/// other.
 struct Stay {
   std::size_t first = 0, last = 0;  ///< indices into the log's ticks
   double first_s = 0.0, last_s = 0.0;

@@ -45,7 +45,7 @@ int run_window(const std::function<void(MainWindow&)>& opened) {
       QTimer::singleShot(0, &application.qt(), [&] {
         open();
         follow_words();
-        window->show_first_steps();
+        window->show_first_steps(true);
       });
     });
   };

@@ -120,6 +120,12 @@ QString InstructorControls::refusal(const Trial& trial, std::uint32_t action) co
   return {};
 }
 
+bool InstructorControls::leave_line() {
+  if (!line_->hasFocus() && !line_->lineEdit()->hasFocus()) return false;
+  setFocus();
+  return true;
+}
+
 void InstructorControls::allow(const Trial& trial) {
   if (allowed_ && *allowed_ == trial) return;
   allowed_ = trial;

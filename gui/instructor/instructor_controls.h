@@ -28,6 +28,8 @@ class InstructorControls : public QWidget {
   };
   void allow(const Trial& trial);
   void show_frozen(bool frozen);
+  /// Leaves the line that is being written; false: none is.
+  bool leave_line();
   void tell(const QString& message);  ///< why something was not done; empty: nothing
   void release_all();
 

@@ -81,7 +81,12 @@ InstructorWindow::InstructorWindow(TrialPage& trial, LiveWatch& watch, RecordsDe
 
 /// Esc means this window here: it is no key of the trial's while this has the focus.
 void InstructorWindow::add_keys() {
-  connect(new QShortcut(Qt::Key_Escape, this), &QShortcut::activated, this, &QWidget::close);
+  connect(new QShortcut(Qt::Key_Escape, this), &QShortcut::activated, this, [this] {
+    if (controls_->leave_line()) return;
+    if (session_ && session_->frozen_by(Holder::instructor))
+      return controls_->tell(tr("The trial is frozen: continue it first (F5); Close lets it go as well."));
+    close();
+  });
 }
 
 QWidget* InstructorWindow::make_left() {
@@ -232,6 +237,7 @@ void InstructorWindow::frame(const engine::Snapshot& snapshot) {
   view_->update_from(snapshot);  // the look has moved to it already, in the trial page's view
   view_->draw();
   bars_->show_forces(blade_forces(snapshot.loads, snapshot.proxy_pose));
+  readings_->set_led(session_->led_in());
   readings_->show_snapshot(snapshot, session_->paused_s());
   monitor_->show_snapshot(snapshot);
   show_state();

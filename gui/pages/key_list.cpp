@@ -26,8 +26,9 @@ QString key_name(int key) {
   return QKeySequence(key).toString(QKeySequence::NativeText);
 }
 
-void close_key_list(QWidget* page) {
-  if (QDialog* open = open_list(page)) open->close();
+bool close_key_list(QWidget* page) {
+  QDialog* open = open_list(page);
+  return open != nullptr && open->close();
 }
 
 QDialog* show_key_list(QWidget* page, const std::vector<KeyGroup>& groups, const QString& note) {

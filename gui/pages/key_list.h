@@ -21,7 +21,7 @@ struct KeyGroup {
 QString key_name(int key);
 /// Opens the list; the page goes on behind it. One at a time: null where it is open already. `note`: said above it.
 QDialog* show_key_list(QWidget* page, const std::vector<KeyGroup>& groups, const QString& note = {});
-/// Where it is open.
-void close_key_list(QWidget* page);
+/// False: it was not open.
+bool close_key_list(QWidget* page);
 
 }  // namespace vallecula::gui

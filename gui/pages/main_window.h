@@ -62,7 +62,8 @@ class MainWindow : public QMainWindow {
   void open_files(const std::vector<std::filesystem::path>& paths);
   /// On the very first start: with what one steers, how the window looks, the first laryngoscopy.
   void welcome();
-  void show_first_steps();
+  /// `very_first`: nobody has worked in this window, so another language is followed at once.
+  void show_first_steps(bool very_first);
   /// Tells of what an earlier program that ended too early left: trials, a course that was being written.
   void look_back();
   /// Writes what the program did, and on what, into one text file; it names nobody.

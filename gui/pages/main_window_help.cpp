@@ -43,7 +43,7 @@ void MainWindow::connect_help() {
   connect(menu_, &MainMenu::help_wanted, this, &MainWindow::show_help);
   connect(home_, &HomePage::help_wanted, this, &MainWindow::show_help);
   connect(home_, &HomePage::link_followed, this, &MainWindow::follow);
-  connect(menu_, &MainMenu::first_steps_wanted, this, &MainWindow::show_first_steps);
+  connect(menu_, &MainMenu::first_steps_wanted, this, [this] { show_first_steps(false); });
   connect(menu_, &MainMenu::about_wanted, this, [this] {
     auto* dialog = new AboutDialog(this);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
@@ -103,10 +103,10 @@ void MainWindow::save_log(const std::filesystem::path& to) {
 }
 
 void MainWindow::welcome() {
-  if (is_first_run()) show_first_steps();
+  if (is_first_run()) show_first_steps(true);
 }
 
-void MainWindow::show_first_steps() {
+void MainWindow::show_first_steps(bool very_first) {
   auto* dialog = new FirstRun(this);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(devices_, &DevicesPage::found, dialog, &FirstRun::set_found_devices);
@@ -116,12 +116,14 @@ void MainWindow::show_first_steps() {
     start_->select(QString::fromStdString(start_->curricula().front().scenarios.front().id), device);
     practise();
   });
-  connect(dialog, &FirstRun::language_chosen, this, [this, dialog](const QString& code) {
+  connect(dialog, &FirstRun::language_chosen, this, [this, dialog, very_first](const QString& code) {
     keep_language(code);
+    // Whoever has worked in this window keeps it: somebody may be signed in, something unsaved.
+    if (!very_first) return tell(tr("Chosen: the window speaks it from the next start on."));
     install_language(*qApp, code);
-    dialog->reject();
+    dialog->QDialog::done(QDialog::Rejected);  // not finished: they begin anew
     if (isSignalConnected(QMetaMethod::fromSignal(&MainWindow::words_changed))) return void(emit words_changed());
-    show_first_steps();
+    show_first_steps(true);
   });
   devices_->refresh();
   dialog->open();

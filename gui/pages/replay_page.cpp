@@ -296,7 +296,13 @@ void ReplayPage::show_figures() {
   for (const auto& [from_s, to_s] : attempt_spans(trial_->score))
     if (at_s_ >= from_s && at_s_ <= to_s)
       figures << tr("attempt %1 s").arg(decimal(at_s_ - from_s - paused_between(trial_->score, from_s, at_s_), 1));
-  if (figures.isEmpty()) figures << tr("between attempts");
+  if (figures.isEmpty()) {
+    const auto spans = attempt_spans(trial_->score);
+    figures << (spans.empty()                 ? tr("no attempt")
+                : at_s_ < spans.front().first ? tr("before the attempt")
+                : at_s_ > spans.back().second ? tr("after the attempt")
+                                              : tr("between attempts"));
+  }
   if (shown_ >= 0 && !waiting_)  // else the picture is of another moment than the figures
     figures << tr("glottis seen %1 %")
                    .arg(100.0 * trial_->film->frame(static_cast<std::size_t>(shown_))->glottis_visible, 0, 'f', 0);

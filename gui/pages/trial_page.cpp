@@ -156,7 +156,8 @@ void TrialPage::begin_anew(bool at_vallecula) {
 /// the blade is now, instead of pulling from where it was with more than any device could show.
 void TrialPage::hand_to_blade() {
   auto* mouse = dynamic_cast<device::MouseDevice*>(&session_->device());
-  if (mouse == nullptr || session_->latest().step < 0) return;
+  if (mouse == nullptr || session_->latest().step < 0 || session_->led_in()) return;
+  if (session_->takes_turns() && session_->actions().changes() > 0) return;  // what it holds hangs at it from where it took it
   const engine::Pose& blade = session_->latest().proxy_pose;
   const engine::Vec3& p = blade.position;
   const engine::Quat& q = blade.rotation;

@@ -117,10 +117,10 @@ void TrialPage::draw_frame() {
 /// switched on or sized anew meanwhile.
 void TrialPage::draw_at_rest() {
   const engine::Snapshot& start = session_->at_start();
-  const bool moves = operator_view_->moves();
-  operator_view_->update_from(start);
   const bool due = !since_rest_.isValid() || since_rest_.elapsed() >= kRestMs;
-  if (moves || due) operator_view_->draw();
+  if (!due && !operator_view_->moves()) return;
+  operator_view_->update_from(start);
+  operator_view_->draw();
   if (!due) return;
   since_rest_.start();
   panels_->show_pictures(start, session_->scenario().sight_percent);
@@ -129,6 +129,7 @@ void TrialPage::draw_at_rest() {
 void TrialPage::show_running(const engine::Snapshot& snapshot) {
   operator_view_->update_from(snapshot);
   operator_view_->draw();
+  panels_->readings_panel().set_led(session_->led_in());
   panels_->show_snapshot(snapshot, session_->scenario().sight_percent, session_->paused_s());
   panels_->readings_panel().show_drawing(frames_per_second(), GlView::governor().reduced());
   hands_->show_snapshot(snapshot);

@@ -79,6 +79,7 @@ void TrialPage::enter_pressed() {
 }
 
 void TrialPage::escape_pressed() {
+  if (close_key_list(this)) return;  // it says so, wherever the keys go
   if (expert_wanted_) return end_expert();
   (running_ ? end_ : leave_)->click();
 }

@@ -11,19 +11,21 @@ namespace vallecula::gui {
 
 namespace {
 
-/// What the log knows is shown as the log has it.
+/// What the log knows is shown as the log has it. The first tick of a trial used no step yet and knows no tool: what the
+/// replay made of that tick is shown then.
 void take_recorded(const engine::TickRecord& tick, double sight, engine::Snapshot& s) {
   s.time_s = tick.time_s;
   s.ticks = tick.tick + 1;
   s.device_pose = tick.device_pose;
-  s.proxy_pose = tick.proxy_pose;
   s.state = tick.state;
-  s.model_force_n = tick.model_force_n;
   s.displayed_force_n = tick.displayed_force_n;
-  s.loads = tick.loads;
   s.glottis_visible = sight;
   s.faults = tick.faults;
+  if (tick.step_used < 0) return;
   s.has_intubation = tick.has_intubation;
+  s.proxy_pose = tick.proxy_pose;
+  s.model_force_n = tick.model_force_n;
+  s.loads = tick.loads;
   s.intubation = tick.intubation;
 }
 

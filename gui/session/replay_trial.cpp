@@ -21,6 +21,7 @@ TipPath path_of(const curricula::TrialLog& log) {
   TipPath path;
   for (std::size_t i = 0; i < log.ticks.size(); i += kPathEvery) {
     const curricula::LogTick& tick = log.ticks[i];
+    if (tick.step_used < 0) continue;  // no step yet: no tool yet
     path.time_s.push_back(tick.time_s);
     path.tip_mm.push_back(millimetres(tick.proxy_pose.position_m));
     path.tongue_n.push_back(static_cast<float>(ReplayTrial::load_n(tick, curricula::kTongue)));

@@ -3620,8 +3620,8 @@
         <translation>Der Durchgang ist von Ihnen angehalten, solange die Tastenliste offen ist.</translation>
     </message>
     <message>
-        <source>The blade did not enter the mouth: no attempt, so the trial counts neither as passed nor as failed</source>
-        <translation>Der Spatel kam nicht in den Mund: kein Intubationsversuch, also zählt der Durchgang weder als bestanden noch als nicht bestanden</translation>
+        <source>Neither blade nor tube entered the mouth: no attempt, so the trial counts neither as passed nor as failed</source>
+        <translation>Weder Spatel noch Tubus kamen in den Mund: kein Intubationsversuch, also zählt der Durchgang weder als bestanden noch als nicht bestanden</translation>
     </message>
     <message>
         <source>the blade did not enter the mouth; at most %1 s</source>
@@ -7212,6 +7212,10 @@ Gerät: %3</translation>
         <source>Closes this window and lets the trial go on (Esc, Ctrl+I); whoever signed in here is signed out</source>
         <translation>Schließt dieses Fenster und lässt den Durchgang weitergehen (Esc, Strg+I); wer hier angemeldet ist, wird abgemeldet</translation>
     </message>
+    <message>
+        <source>The trial is frozen: continue it first (F5); Close lets it go as well.</source>
+        <translation>Der Durchgang ist angehalten: erst fortsetzen (F5); auch Schließen gibt ihn frei.</translation>
+    </message>
 </context>
 <context>
     <name>vallecula::gui::LabelView</name>
@@ -7544,6 +7548,10 @@ Gerät: %3</translation>
     <message>
         <source>Stopping what was being prepared</source>
         <translation>Das Vorbereitete wird angehalten</translation>
+    </message>
+    <message>
+        <source>Chosen: the window speaks it from the next start on.</source>
+        <translation>Gewählt: Das Fenster spricht sie vom nächsten Start an.</translation>
     </message>
 </context>
 <context>
@@ -8436,6 +8444,18 @@ Gerät: %3</translation>
     <message>
         <source> (with pauses)</source>
         <translation> (mit Pausen)</translation>
+    </message>
+    <message>
+        <source>no attempt</source>
+        <translation>kein Intubationsversuch</translation>
+    </message>
+    <message>
+        <source>before the attempt</source>
+        <translation>vor dem Intubationsversuch</translation>
+    </message>
+    <message>
+        <source>after the attempt</source>
+        <translation>nach dem Intubationsversuch</translation>
     </message>
 </context>
 <context>

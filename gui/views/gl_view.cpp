@@ -192,7 +192,7 @@ bool GlView::make_new_props_ready() {
   renderer_->SetViewport(0.0, 0.0, 1.0, 1.0);
   for (const auto& [prop, visible] : shown) prop->SetVisibility(visible);
   drawn_ = false;
-  return made == fresh.size() && timer.elapsed() < kPartMs;
+  return made == fresh.size();
 }
 
 void GlView::draw() {
@@ -270,7 +270,10 @@ void GlView::resizeEvent(QResizeEvent* event) {
 void GlView::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   if (!isValid() || (making_ready_ && !drawn_)) {  // draw() says so; what was hidden before it was ready goes on now
-    painter.fillRect(rect(), palette().window());
+    if (pixels_.isNull())
+      painter.fillRect(rect(), palette().window());
+    else
+      painter.drawImage(rect(), pixels_.mirrored());  // of the same patient: what is new comes to it
     QMetaObject::invokeMethod(this, &GlView::draw_on, Qt::QueuedConnection);
     return;
   }

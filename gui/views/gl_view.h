@@ -66,6 +66,8 @@ class GlView : public QWidget {
   vtkRenderer* renderer() const { return renderer_; }
   /// What of the scene goes must be released in the view's own context, not in that of the view drawn last.
   void make_current();
+  /// Another patient comes: until it is drawn nothing of the one before is shown.
+  void forget_picture() { pixels_ = {}; }
   /// Draws with this from the next frame on; a view with effects of its own takes those as well.
   virtual void use(const Quality& quality);
   /// Uses what the governor says now: for what has just come into the view, which begins with everything.

@@ -38,6 +38,7 @@ OperatorView::OperatorView(QWidget* parent) : GlView(parent) {
 void OperatorView::show_patient(std::shared_ptr<PatientLook> look, const engine::TriangleMesh& tool,
                                 const engine::IntubationDescription* intubation) {
   make_current();
+  forget_picture();
   renderer()->RemoveAllViewProps();
   look_ = std::move(look);
   ghost_ = std::make_unique<GhostLook>(tool);

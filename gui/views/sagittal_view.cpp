@@ -82,6 +82,7 @@ vtkSmartPointer<vtkActor> SagittalView::add_flat(vtkPolyData* surface, double to
 
 void SagittalView::show_patient(std::shared_ptr<PatientLook> look, const engine::TriangleMesh& tool,
                                 const engine::IntubationDescription* intubation) {
+  forget_picture();
   renderer()->RemoveAllViewProps();
   look_ = std::move(look);
   add_anatomy_cuts();

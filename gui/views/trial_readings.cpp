@@ -155,7 +155,7 @@ void TrialReadings::set_scenario(const curricula::Scenario& scenario, const std:
 void TrialReadings::clear() {
   best_percent_ = 0.0;
   attempt_start_s_ = mouth_ ? -1.0 : 0.0;
-  attempt_s_ = 0.0;
+  attempt_s_ = last_in_s_ = 0.0;
   clock_->setText(QString("%1 s").arg(decimal(0.0, 1)));
   clock_->setStyleSheet(QString());
   seen_->setText("0 %");
@@ -171,6 +171,7 @@ void TrialReadings::go_on_from(const TrialReadings& other) {
   best_percent_ = other.best_percent_;
   attempt_start_s_ = other.attempt_start_s_;
   attempt_s_ = other.attempt_s_;
+  last_in_s_ = other.last_in_s_;
 }
 
 void TrialReadings::show_snapshot(const engine::Snapshot& snapshot, double paused_s) {
@@ -178,9 +179,16 @@ void TrialReadings::show_snapshot(const engine::Snapshot& snapshot, double pause
   best_percent_ = std::max(best_percent_, percent);
   const engine::Vec3& tip = snapshot.proxy_pose.position;
   const double now_s = snapshot.time_s - paused_s;
-  if (attempt_start_s_ < 0.0 && mouth_->holds({tip.x(), tip.y(), tip.z()})) attempt_start_s_ = now_s;
-  // The pause is told a little newer than the snapshot: at its beginning that must not turn the clock back.
-  if (attempt_start_s_ >= 0.0) attempt_s_ = std::max(attempt_s_, now_s - attempt_start_s_);
+  if (!led_ && (!mouth_ || mouth_->holds({tip.x(), tip.y(), tip.z()}))) {
+    const bool in_anew = snapshot.has_intubation && mouth_ && now_s - last_in_s_ > curricula::kOutForAnEntryS;
+    if (attempt_start_s_ < 0.0 || in_anew) {
+      attempt_start_s_ = now_s;
+      attempt_s_ = 0.0;
+    }
+    // The pause is told a little newer than the snapshot: at its beginning that must not turn the clock back.
+    attempt_s_ = std::max(attempt_s_, now_s - attempt_start_s_);
+    last_in_s_ = std::max(last_in_s_, now_s);
+  }
   clock_->setText(QString("%1 s").arg(decimal(attempt_s_, 1)));
   clock_->setStyleSheet(mouth_ && attempt_s_ > attempt_limit_s_ ? QString("color: %1").arg(theme::over().name())
                                                                 : QString());

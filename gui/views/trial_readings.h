@@ -31,9 +31,12 @@ class TrialReadings : public QWidget {
   /// `mouth`: where an attempt begins (as the score takes it); without one the clock counts from the start, and
   /// says so.
   void set_scenario(const curricula::Scenario& scenario, const std::optional<curricula::Mouth>& mouth);
-  /// To be called for every frame: the attempt's clock starts with the first snapshot whose tip is in the mouth, and
-  /// stands in a pause. `paused_s`: of the attempt until now.
+  /// To be called for every frame: the attempt's clock starts with the first snapshot whose tip is in the mouth,
+  /// stands in a pause and while the tip is out, and with a tube begins anew when it comes in again, as the score
+  /// counts. `paused_s`: of the attempt until now.
   void show_snapshot(const engine::Snapshot& snapshot, double paused_s = 0.0);
+  /// The blade is being led to the vallecula: no hand's attempt has begun.
+  void set_led(bool led) { led_ = led; }
   /// The same attempt, which the other has shown from its beginning: its clock and its best view.
   void go_on_from(const TrialReadings& other);
   /// A row for the tube, in a scene that has one.
@@ -46,7 +49,8 @@ class TrialReadings : public QWidget {
 
  private:
   std::optional<curricula::Mouth> mouth_;
-  double attempt_start_s_ = -1.0, attempt_s_ = 0.0;
+  double attempt_start_s_ = -1.0, attempt_s_ = 0.0, last_in_s_ = 0.0;
+  bool led_ = false;
   QLabel *clock_caption_, *clock_, *limit_, *seen_, *state_, *loop_, *steps_, *drawing_, *tube_, *tube_caption_;
   class SightBar* sight_;
   double sight_percent_ = 25.0, best_percent_ = 0.0, attempt_limit_s_ = 30.0;

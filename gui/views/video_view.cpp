@@ -51,6 +51,7 @@ VideoView::VideoView(QWidget* parent) : GlView(parent) {
 void VideoView::show_patient(std::shared_ptr<PatientLook> look, const engine::TriangleMesh& tool,
                              const engine::IntubationDescription* intubation) {
   make_current();
+  forget_picture();
   renderer()->RemoveAllViewProps();
   stage_ = std::make_unique<MouthStage>(std::move(look), tool, intubation, MouthStage::Eye::in_the_mouth, renderer());
   stage_->set_blue_trachea(blue_trachea_);

@@ -148,6 +148,19 @@ TEST_F(ReplayedTrial, OfALogThatWasChangedSaysFromWhereItDiffers) {
   EXPECT_EQ(film.computed(), film.plan().frames) << "it is shown all the same";
 }
 
+// In real time the first tick is written before any step is done: it knows no tool, and must not show one at the origin.
+TEST_F(ReplayedTrial, TheFirstTickOfATrialInRealTimeShowsTheBladeWhereTheHandHasIt) {
+  auto first = std::make_shared<curricula::TrialLog>(*log_);
+  first->ticks[0].step_used = -1;
+  first->ticks[0].proxy_pose = {};
+  const ReplayFilm film(first, scene());
+  ASSERT_TRUE(wait(film));
+  const auto& device = first->ticks[0].device_pose.position_m;
+  EXPECT_GT(std::abs(device[0]) + std::abs(device[1]) + std::abs(device[2]), 0.01);
+  for (int axis = 0; axis < 3; ++axis)
+    EXPECT_NEAR(film.frame(0)->proxy_pose.position[axis], device[static_cast<std::size_t>(axis)], 1e-4);
+}
+
 TEST_F(ReplayedTrial, IsOpenedWithEverythingThatLeadsToASecond) {
   std::vector<double> shares;
   const auto opened =

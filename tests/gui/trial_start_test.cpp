@@ -152,7 +152,7 @@ TEST_F(TrialStart, AtTheValleculaTheHandTakesOverWithoutAJumpAndItCountsNeitherW
   for (const auto& row : rows) {
     ASSERT_EQ(row.score.set_aside.size(), 1u);
     const bool led = row.score.set_aside[0].find("Begun at the vallecula") == 0;
-    const bool no_attempt = row.score.set_aside[0].find("The blade did not enter the mouth: no attempt") == 0;
+    const bool no_attempt = row.score.set_aside[0].find("Neither blade nor tube entered the mouth: no attempt") == 0;
     EXPECT_NE(led, no_attempt) << "the one before the reset began nothing";
   }
   EXPECT_NE(rows[0].score.set_aside, rows[1].score.set_aside);

@@ -341,7 +341,7 @@ TEST_F(Views, WhereTheMouthIsNotKnownTheClockSaysWhatItCounts) {
   EXPECT_TRUE(shows(readings, "Attempt") && shows(readings, "at most 30 s"));
   // A panel that comes later goes on from where the other is.
   engine::Snapshot snapshot;
-  for (const auto& [time_s, depth_m] : {std::pair{1.0, -0.03}, {2.0, 0.02}, {7.5, -0.03}}) {
+  for (const auto& [time_s, depth_m] : {std::pair{1.0, -0.03}, {2.0, 0.02}, {7.5, 0.02}}) {
     snapshot.time_s = time_s;
     snapshot.proxy_pose.position = {0.0, depth_m, 0.0};
     readings.show_snapshot(snapshot);
@@ -350,9 +350,29 @@ TEST_F(Views, WhereTheMouthIsNotKnownTheClockSaysWhatItCounts) {
   TrialReadings later;
   later.set_scenario(scenario, mouth);
   later.go_on_from(readings);
-  snapshot.time_s = 8.0;
-  later.show_snapshot(snapshot);
-  EXPECT_TRUE(shows(later, "6.0 s")) << "though the blade is out by now";
+  const auto at = [&](double time_s, double depth_m) {
+    snapshot.time_s = time_s;
+    snapshot.proxy_pose.position = {0.0, depth_m, 0.0};
+    later.show_snapshot(snapshot);
+  };
+  at(8.0, 0.02);
+  EXPECT_TRUE(shows(later, "6.0 s"));
+  at(12.0, -0.03);
+  EXPECT_TRUE(shows(later, "6.0 s")) << "out again: the attempt is over, as in the score";
+  at(12.5, 0.02);
+  EXPECT_TRUE(shows(later, "10.5 s")) << "without a tube all ways in are one attempt, from the first to the last";
+  snapshot.has_intubation = true;
+  at(14.0, 0.02);
+  EXPECT_TRUE(shows(later, "0.0 s")) << "with a tube each is one";
+  later.clear();
+  later.set_led(true);
+  at(15.0, 0.02);
+  at(16.0, 0.02);
+  EXPECT_TRUE(shows(later, "0.0 s")) << "led there: no hand's attempt yet";
+  later.set_led(false);
+  at(17.0, 0.02);
+  at(18.0, 0.02);
+  EXPECT_TRUE(shows(later, "1.0 s"));
 }
 
 TEST(StateWords, ALimitIsTheDevicesAndNeverTissueGivingWay) {

@@ -305,7 +305,7 @@ TEST_F(WordsFromBelow, PausesHelpsAndDistractionsAreGerman) {
       for (const std::string& why : told.set_aside) look_at(why);
     }
   }
-  // As the newcomer read them in the German window.
+  // As they once stood in the German window.
   EXPECT_EQ(
       in_words("The tube is not in the trachea: the intubation was given up; asked for: good-depth").toStdString(),
       u8"Der Tubus ist nicht in der Trachea: Die Intubation wurde aufgegeben; verlangt: gute Tiefe");

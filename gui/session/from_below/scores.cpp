@@ -248,7 +248,7 @@ constexpr const char* kSentences[] = {
                       "failed, and its times are none"),
     QT_TRANSLATE_NOOP(
         "FromBelow",
-        "The blade did not enter the mouth: no attempt, so the trial counts neither as passed nor as failed"),
+        "Neither blade nor tube entered the mouth: no attempt, so the trial counts neither as passed nor as failed"),
     QT_TRANSLATE_NOOP(
         "FromBelow",
         "The instructor changed the infant's vital signs from %1 s: the trial counts neither as passed nor as failed"),

@@ -135,7 +135,7 @@ TEST(Helps, AStartWithoutAnAttemptCountsNeitherWay) {
     EXPECT_FALSE(s.counts()) << ended;
     ASSERT_EQ(s.set_aside.size(), 1u);
     EXPECT_EQ(s.reasons.front(), s.set_aside.front());
-    EXPECT_NE(s.set_aside.front().find("The blade did not enter the mouth: no attempt"), std::string::npos);
+    EXPECT_NE(s.set_aside.front().find("Neither blade nor tube entered the mouth: no attempt"), std::string::npos);
     EXPECT_TRUE(json_of(log, s)["no_attempt"].toBool());
   }
   // What was let run until its time was over, or by a script, is judged: nobody drew back from it.
@@ -160,6 +160,9 @@ TEST(Helps, ATipInTheMouthAnAssessmentOrAMouthThatIsNotKnownCounts) {
   const Score s = score_trial(unknown, scenario());
   EXPECT_TRUE(s.counts()) << "as before";
   EXPECT_TRUE(s.mouth_unknown);
+  TrialLog harm = never_begun("ended by trainee");
+  harm.ticks[2000].loads[kGum].force_n = {0.0, 0.0, scenario().pass.peak_gum_force_n + 1.0};
+  EXPECT_TRUE(score_trial(harm, scenario()).counts()) << "a gum that was pressed from outside is not made undone";
   TrialLog cut_off = never_begun("ended by trainee");
   cut_off.footer.complete = false;
   EXPECT_FALSE(score_trial(cut_off, scenario()).no_attempt) << "that is interrupted";
