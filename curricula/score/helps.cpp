@@ -70,7 +70,7 @@ void measure_helps(const TrialLog& log, const Scenario& scenario, bool led_in, S
   if (led_in)
     score.set_aside.push_back(
         "Begun at the vallecula: the blade was led there, so the trial counts neither as passed nor as failed, and its "
-        "times are none");
+        "times are not judged");
   if (score.no_attempt)
     score.set_aside.push_back(
         "Neither blade nor tube entered the mouth: no attempt, so the trial counts neither as passed nor as failed");

@@ -163,7 +163,12 @@ std::string what_to_change(const curricula::Score& score, const curricula::Scena
   if (tongue >= time)
     return QCoreApplication::translate("Advice", "Well done. Next time try for the same view with a gentler lift.")
         .toStdString();
-  return QCoreApplication::translate("Advice", "Well done. Next time go the same way with fewer pauses.").toStdString();
+  if (score.mouth_entries > 1)
+    return QCoreApplication::translate(
+               "Advice", "Well done. Next time go more smoothly, in one motion: the blade went in %1 times.")
+        .arg(score.mouth_entries)
+        .toStdString();
+  return QCoreApplication::translate("Advice", "Well done. Do it the same way again.").toStdString();
 }
 
 }  // namespace vallecula::gui

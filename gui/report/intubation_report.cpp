@@ -96,7 +96,7 @@ std::vector<Row> intubation_rows(const curricula::Score& score, const curricula:
           "time_to_pass_s", "at most"),
       lowest("Lowest saturation, displayed", i.lowest_spo2_percent, " %", i.lowest_spo2_at_s, "lowest_spo2_percent"),
       lowest("Lowest heart rate", i.lowest_heart_per_min, " per minute", i.lowest_heart_at_s, "lowest_heart_per_min"),
-      row(score, "CO2 detector", detector(i), "co2_confirmed", "yellow, with breath"),
+      row(score, "CO2 detector", detector(i), "co2_confirmed", "yellow by breath"),
       row(score, "Peak force along the tube", force(i.tip_load_n.value, i.tip_load_n.at_s) + against, "tube_force_n",
           "at most"),
       {"Tube's peak load by part", loads(i), "", ""},

@@ -118,7 +118,7 @@ std::string TwoHands::pause() const {
   if (!words.empty() || !second_guard_) return words;
   const std::string of_second =
       pause_words(second_guard_->state(), second_guard_->fault(), second_.device->confirms_itself());
-  return of_second.empty() ? "" : "the tube's hand: " + of_second;
+  return of_second.empty() ? "" : "The tube's hand: " + of_second;
 }
 
 void TwoHands::confirm() {

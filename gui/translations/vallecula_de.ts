@@ -111,8 +111,12 @@
         <translation>Gut gemacht. Versuchen Sie nächstes Mal dieselbe Sicht mit sanfterem Zug.</translation>
     </message>
     <message>
-        <source>Well done. Next time go the same way with fewer pauses.</source>
-        <translation>Gut gemacht. Gehen Sie nächstes Mal denselben Weg mit weniger Pausen.</translation>
+        <source>Well done. Next time go more smoothly, in one motion: the blade went in %1 times.</source>
+        <translation>Gut gemacht. Gehen Sie nächstes Mal flüssiger vor, in einer Bewegung: Der Spatel ging %1-mal hinein.</translation>
+    </message>
+    <message>
+        <source>Well done. Do it the same way again.</source>
+        <translation>Gut gemacht. Machen Sie es wieder genauso.</translation>
     </message>
 </context>
 <context>
@@ -1328,8 +1332,8 @@
         <translation>CO2-Detektor</translation>
     </message>
     <message>
-        <source>yellow, with breath</source>
-        <translation>gelb, mit Beatmungshub</translation>
+        <source>yellow by breath</source>
+        <translation>gelb bis Hub</translation>
     </message>
     <message>
         <source>Peak force along the tube</source>
@@ -1564,8 +1568,8 @@
         <translation>keine Echtzeit</translation>
     </message>
     <message>
-        <source>with breath</source>
-        <translation>mit Hub</translation>
+        <source>by breath</source>
+        <translation>bis Hub</translation>
     </message>
     <message>
         <source>at most %1 N</source>
@@ -1596,12 +1600,16 @@
         <translation>mindestens %1 /min</translation>
     </message>
     <message>
-        <source>with breath %1</source>
-        <translation>mit Hub %1</translation>
+        <source>by breath %1</source>
+        <translation>bis Hub %1</translation>
     </message>
     <message>
-        <source>yellow, with breath %1</source>
-        <translation>gelb, mit Hub %1</translation>
+        <source>yellow by breath %1</source>
+        <translation>gelb bis Hub %1</translation>
+    </message>
+    <message>
+        <source>yellow, breath %1</source>
+        <translation>gelb, Hub %1</translation>
     </message>
     <message>
         <source>%1 mm</source>
@@ -3548,8 +3556,8 @@
         <translation>die Expertenschleife hielt an einem Fehler der Berechnung an</translation>
     </message>
     <message>
-        <source>Begun at the vallecula: the blade was led there, so the trial counts neither as passed nor as failed, and its times are none</source>
-        <translation>An der Vallecula begonnen: Der Spatel wurde dorthin geführt, also zählt der Durchgang weder als bestanden noch als nicht bestanden, und er hat keine Zeiten</translation>
+        <source>Begun at the vallecula: the blade was led there, so the trial counts neither as passed nor as failed, and its times are not judged</source>
+        <translation>An der Vallecula begonnen: Der Spatel wurde dorthin geführt, also zählt der Durchgang weder als bestanden noch als nicht bestanden, und seine Zeiten werden nicht beurteilt</translation>
     </message>
     <message>
         <source>The instructor changed the infant&apos;s vital signs from %1 s: the trial counts neither as passed nor as failed</source>
@@ -6234,6 +6242,10 @@ Eine Label-Karte ohne Namen (NIfTI) wird nach diesen Werten gelesen: %1</transla
     <message>
         <source>Messages of the team</source>
         <translation>Meldungen des Teams</translation>
+    </message>
+    <message>
+        <source>Said before: %1</source>
+        <translation>Zuvor gesagt: %1</translation>
     </message>
     <message>
         <source>Nobody has said anything. An instructor&apos;s words come up here.</source>
@@ -9845,8 +9857,8 @@ Gerät: %3</translation>
         <translation>Zuerst &amp;bewerten ...</translation>
     </message>
     <message>
-        <source>Squares were interrupted or are not counted (practised with help, changed by an instructor, or without an attempt), crosses not passed, discs passed.</source>
-        <translation>Quadrate: abgebrochen oder nicht gezählt (mit Hilfe geübt, von einer Lehrperson verändert oder ohne Intubationsversuch), Kreuze: nicht bestanden, Punkte: bestanden.</translation>
+        <source>Squares, at their value but off the line, were interrupted or are not counted (practised with help, changed by an instructor, or without an attempt), crosses not passed, discs passed.</source>
+        <translation>Quadrate, bei ihrem Wert, aber nicht in der Linie: abgebrochen oder nicht gezählt (mit Hilfe geübt, von einer Lehrperson verändert oder ohne Intubationsversuch), Kreuze: nicht bestanden, Punkte: bestanden.</translation>
     </message>
 </context>
 <context>

@@ -218,7 +218,7 @@ TEST(Report, TellsOfAnIntubationWhereverAPersonReads) {
                            "to 60 % (severe desaturation), heart to 90 (bradycardia)",
                            "attempt 2: 35.0 to 50.0 s, 12 "
                            "breaths before",
-                           "yellow with breath 3 (met: yellow, with breath 6)"}) {
+                           "yellow with breath 3 (met: yellow by breath 6)"}) {
     EXPECT_NE(table.str().find(part), std::string::npos) << part << " in\n" << table.str();
   }
   for (const char* part : {"of 100\n", "not seen Tip in the vallecula", "(no source given; not validated)"})

@@ -100,6 +100,12 @@ TEST(Advice, PutsTheGumFirstAndAlwaysSaysSomething) {
   score.peak_tongue_force_n = 4.0;
   score.attempt_time_s = 15.0;
   EXPECT_EQ(what_to_change(score, scenario).find("Well done"), 0u);
+  score.attempt_time_s = 21.0;  // of 30 s: nearer its limit than the force is
+  score.mouth_entries = 1;
+  EXPECT_EQ(what_to_change(score, scenario), "Well done. Do it the same way again.") << "in once, and nothing to blame";
+  score.mouth_entries = 3;
+  EXPECT_NE(what_to_change(score, scenario).find("in one motion: the blade went in 3 times"), std::string::npos);
+  score.mouth_entries = 1;
   score.passed = false;
   std::set<std::string> said;
   score.attempt_time_s = 40.0;

@@ -245,7 +245,7 @@ constexpr const char* kSentences[] = {
     // Why a trial counts neither way, and the helps it had (curricula/score/helps, gui/report/technique_report)
     QT_TRANSLATE_NOOP("FromBelow",
                       "Begun at the vallecula: the blade was led there, so the trial counts neither as passed nor as "
-                      "failed, and its times are none"),
+                      "failed, and its times are not judged"),
     QT_TRANSLATE_NOOP(
         "FromBelow",
         "Neither blade nor tube entered the mouth: no attempt, so the trial counts neither as passed nor as failed"),
