@@ -55,6 +55,7 @@ DistractionPanel::DistractionPanel(QWidget* parent) : QFrame(parent) {
   idle_ = new QLabel(this);
   idle_->setObjectName("faint");
   idle_->setWordWrap(true);
+  idle_->setTextFormat(Qt::PlainText);  // an instructor's words are no markup
   column_->addWidget(idle_);
   said_ = new QLabel(this);
   said_->setObjectName("said");
@@ -66,6 +67,8 @@ DistractionPanel::DistractionPanel(QWidget* parent) : QFrame(parent) {
   said_for_.setInterval(kSaidMs);
   connect(&said_for_, &QTimer::timeout, this, [this] {
     said_->hide();
+    const bool asks = task_ != nullptr && !task_->distractions().empty();  // how to answer stays to be read
+    idle_->setText((asks ? asked_ + '\n' : QString()) + tr("Said before: %1").arg(line_));
     idle_->setVisible(rows_.empty());
     emit silent();
   });
@@ -82,9 +85,11 @@ void DistractionPanel::serve(DualTask* task, bool by_person) {
   said_->hide();
   const bool asks = task_ != nullptr && !task_->distractions().empty();
   setMinimumHeight(asks ? kHeight : 0);
-  idle_->setText(asks ? tr("You will be asked things meanwhile, here. Keys 1 to 6 answer, M silences an alarm; talk asks "
-                           "for nothing.")
-                      : tr("Nobody has said anything. An instructor's words come up here."));
+  idle_->setText(
+      asks ? tr("You will be asked things meanwhile, here. Keys 1 to 6 answer, M silences an alarm; talk asks "
+                "for nothing.")
+           : tr("Nobody has said anything. An instructor's words come up here."));
+  asked_ = idle_->text();
   idle_->show();
 }
 
@@ -108,6 +113,7 @@ bool DistractionPanel::key(QKeyEvent* event, bool pressed) {
 }
 
 void DistractionPanel::say(const QString& line) {
+  line_ = line;
   said_->setFont(larger(said_->font()));
   said_->setText(headed(tr("Instructor"), theme::target(), line));
   said_->show();

@@ -29,6 +29,7 @@ class DistractionPanel : public QFrame {
   /// To be called for every frame.
   void refresh();
   /// An instructor's sentence, for kSaidMs, below whatever waits for an answer; the next one takes its place.
+  /// Read, it stays paler as said before, where nothing waits.
   void say(const QString& line);
   static constexpr int kSaidMs = 8000;
   void set_said_for(int ms) { said_for_.setInterval(ms); }  ///< kSaidMs unless set
@@ -51,6 +52,7 @@ class DistractionPanel : public QFrame {
   bool by_person_ = false;
   std::vector<Row> rows_;
   QLabel *idle_, *said_;
+  QString line_, asked_;  ///< the last that was said; what stands here before anything is
   QTimer said_for_;
   QVBoxLayout* column_;
   QElapsedTimer since_beep_;

@@ -37,7 +37,7 @@ TrialChart::Content learning_chart(const std::vector<RecordRow>& rows, const Fig
     point.mark = !row.score.counts() ? TrialChart::Mark::interrupted
                  : row.score.passed  ? TrialChart::Mark::good
                                      : TrialChart::Mark::bad;
-    if (!row.score.counts()) point.value.reset();  // set aside or a part of a trial: comparable with nothing
+    point.apart = !row.score.counts();  // set aside or a part of a trial: comparable with nothing
     point.tip =
         QCoreApplication::translate("CurveCharts", "trial %1, %2: %3%4")
             .arg(++number)
@@ -71,7 +71,7 @@ TrialChart::Content cusum_chart(const CurveReading& reading) {
     const auto mark = point.verdict == curricula::CusumVerdict::competent   ? TrialChart::Mark::good
                       : point.verdict == curricula::CusumVerdict::deficient ? TrialChart::Mark::bad
                                                                             : TrialChart::Mark::neutral;
-    sum.points.push_back({point.sum, mark, begins,
+    sum.points.push_back({point.sum, mark, begins, false,
                           QCoreApplication::translate("CurveCharts", "trial %1: %2, sum %3, %4")
                               .arg(i + 1)
                               .arg(reading.successes[i] ? QCoreApplication::translate("CurveCharts", "success")

@@ -132,7 +132,7 @@ void TrialChart::draw_points(QPainter& painter) const {
   painter.setPen(QPen(theme::device(), 1.6));
   for (int i = 0; i < static_cast<int>(content_.points.size()); ++i) {
     const Point& point = content_.points[static_cast<std::size_t>(i)];
-    if (!point.value) continue;
+    if (!point.value || point.apart) continue;
     if (before >= 0 && !point.begins) painter.drawLine(position(before), position(i));
     before = i;
   }

@@ -18,6 +18,7 @@ class TrialChart : public QWidget {
     std::optional<double> value;  ///< nothing: the trial has none; its mark stands on the axis
     Mark mark = Mark::neutral;
     bool begins = false;  ///< no line leads here from the point before
+    bool apart = false;   ///< its mark stands at its value, but the line passes it by
     QString tip;          ///< said while the mouse is over it
   };
   struct Level {

@@ -85,7 +85,8 @@ void TrialsPanel::show_trials(long long trainee_id, std::vector<RecordRow> seen,
     if (at(row)->id == chosen_before && chosen_before != 0) table_->setCurrentCell(row, 0);
   row_chosen(table_->currentRow());
   message_->setText(rows() == 0 ? QString()
-                                : tr("Squares were interrupted or are not counted (practised with help, changed by an "
+                                : tr("Squares, at their value but off the line, were interrupted or are not counted "
+                                     "(practised with help, changed by an "
                                      "instructor, or without an attempt), crosses not passed, discs passed."));
 }
 

@@ -327,6 +327,14 @@ TEST_F(WindowPanelsOfATube, AllPanelsFitTheSmallestWindowAndTheUsual) {
     page.panels().distractions().set_said_for(1);
     page.say("Well seen.");
     EXPECT_TRUE(wait_for([&] { return seen(TrialPanels::cut); }, 20000)) << "read";
+    const auto left = [&] {
+      QStringList lines;
+      for (const auto* label : page.panels().distractions().findChildren<QLabel*>())
+        if (!label->isHidden()) lines << label->text();
+      return lines;
+    };
+    EXPECT_TRUE(wait_for([&] { return left() == QStringList("Said before: Well seen."); }, 20000))
+        << "and not that nobody has said anything";
     page.panels().distractions().set_said_for(DistractionPanel::kSaidMs);
     page.panels().dock(TrialPanels::team)->toggleViewAction()->trigger();
     for (const auto panel : {TrialPanels::video, TrialPanels::team})
