@@ -376,7 +376,7 @@ void TrialPanels::resizeEvent(QResizeEvent* event) {
 
 bool TrialPanels::event(QEvent* event) {
   if (event->type() == QEvent::Show) fit_later();
-  if (event->type() == QEvent::Show && open_) show_what_is_wanted();
+  if (event->type() == QEvent::Show && !event->spontaneous() && open_) show_what_is_wanted();
   if (event->type() == QEvent::Hide && !event->spontaneous()) hide_floating();  // the page was left
   // The mouse is let go on the window itself only between two docks: a border was moved.
   if (event->type() == QEvent::MouseButtonRelease) as_at_first_ = false;
