@@ -34,12 +34,12 @@ bool tube_entered(const TrialLog& log) {
   });
 }
 
-/// Something of it would have failed or been answered wrongly, wherever the tips were: that is not made undone by ending.
+/// A limit of force was passed, wherever the tips were: that is not made undone by ending. Questions are not judged.
 bool did_harm(const Scenario& scenario, const Score& score) {
   const PassLimits& pass = scenario.pass;
   return score.peak_tongue_force_n > pass.peak_tongue_force_n || score.peak_gum_force_n > pass.peak_gum_force_n ||
-         score.time_over_force_limit_s > pass.time_over_device_limit_s ||
-         (score.dual_task && score.dual_task->errors() + score.dual_task->missed > 0);
+         score.time_over_target_s > pass.time_over_target_s ||
+         score.time_over_force_limit_s > pass.time_over_device_limit_s;
 }
 
 std::string from(const Use& use) { return " from " + second(use.first_s); }
@@ -62,7 +62,7 @@ void measure_helps(const TrialLog& log, const Scenario& scenario, bool led_in, S
   score.eye_moves = use_of(log, kLoggedEyeMoves);
   score.extension = use_of(log, kLoggedExtension);
   score.aided = use_of(log, kLoggedAided, true);  // the trial waits while an expert is shown
-  if (log.header.has_intubation) {  // without one they change nothing
+  if (log.header.has_intubation) {                // without one they change nothing
     score.saturation_driven = use_of(log, kLoggedSaturationDriven);
     score.heart_driven = use_of(log, kLoggedHeartDriven);
     score.spasm_driven = use_of(log, kLoggedSpasm);

@@ -82,7 +82,7 @@ struct Score {
   Use eye_moves, extension, saturation_driven, heart_driven, spasm_driven;  ///< the last three by an instructor
   Use aided;                  ///< shown an expert's hands, or told a line by an instructor; in pauses as well
   bool at_vallecula = false;  ///< begun there: what the blade was led through is in no figure
-  bool no_attempt = false;    ///< practice that was ended or reset before blade or tube had entered the mouth
+  bool no_attempt = false;    ///< practice that was ended or reset before blade or tube had entered the mouth, unharmed
   /// Why the trial counts neither as passed nor as failed, whatever `passed` says: a sentence each; they stand first among
   /// the reasons. Empty: it counts.
   std::vector<std::string> set_aside;
@@ -138,8 +138,8 @@ struct Score {
 /// - the lowest saturation and heart rate count from the first attempt's start.
 /// - a trial begun at the vallecula is scored from where the hand took the blade over, and its attempt's time is not judged.
 /// - a practice trial that the trainee ended or reset before the blade's or the tube's tip had been in the mouth is no
-///   attempt, and set aside: what has no attempt was neither passed nor failed. Not where the mouth is not known; an
-///   assessment that was begun counts.
+///   attempt, and set aside: what has no attempt was neither passed nor failed. Not where the mouth is not known or a
+///   limit of force was passed; an assessment that was begun counts.
 /// - passed: the log is complete and finite, the attempt took place, and every limit of scenario.pass is kept.
 /// Never throws for a log that read_trial_log gave.
 Score score_trial(const TrialLog& log, const Scenario& scenario);

@@ -3,9 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
-#include <QJsonArray>
 
 #include "tests/curricula/score/hand_made_intubation.h"
 
@@ -99,7 +99,7 @@ TEST(Helps, WhatAnInstructorChangedCountsNeitherWay) {
 
 TEST(Helps, BegunAtTheValleculaIsScoredFromWhereTheHandTookOver) {
   TrialLog log = log_of([](LogTick& t) {
-    if (between(t, 6, 6.5)) t.loads[kTongue].force_n = {0, 9, 0};   // the plan's doing
+    if (between(t, 6, 6.5)) t.loads[kTongue].force_n = {0, 9, 0};    // the plan's doing
     if (between(t, 10, 10.5)) t.loads[kTongue].force_n = {0, 4, 0};  // the hand's
     if (between(t, 2, 3)) t.device_valid = false;                    // a pause leads nobody anywhere
   });
@@ -163,6 +163,13 @@ TEST(Helps, ATipInTheMouthAnAssessmentOrAMouthThatIsNotKnownCounts) {
   TrialLog harm = never_begun("ended by trainee");
   harm.ticks[2000].loads[kGum].force_n = {0.0, 0.0, scenario().pass.peak_gum_force_n + 1.0};
   EXPECT_TRUE(score_trial(harm, scenario()).counts()) << "a gum that was pressed from outside is not made undone";
+  TrialLog long_press = never_begun("ended by trainee");
+  const double over_n = 0.5 * (scenario().targets.tongue_force_n + scenario().pass.peak_tongue_force_n);
+  for (LogTick& tick : long_press.ticks) tick.loads[kTongue].force_n = {0.0, 0.0, over_n};
+  const Score pressed = score_trial(long_press, scenario());
+  ASSERT_LT(over_n, scenario().pass.peak_tongue_force_n);
+  ASSERT_GT(pressed.time_over_target_s, scenario().pass.time_over_target_s);
+  EXPECT_TRUE(pressed.counts()) << "nor is the time over the target";
   TrialLog cut_off = never_begun("ended by trainee");
   cut_off.footer.complete = false;
   EXPECT_FALSE(score_trial(cut_off, scenario()).no_attempt) << "that is interrupted";
