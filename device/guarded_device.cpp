@@ -98,12 +98,13 @@ void GuardedDevice::clutch(const DeviceReading& reading, const DeviceReading& to
 
 bool GuardedDevice::confirmed(const DeviceReading& tool, double elapsed_s) noexcept {
   near_s_ = length(subtract(tool.position_m, tool_.position_m)) <= kConfirmWithinM ? near_s_ + elapsed_s : 0.0;
-  return device_.confirms_itself() || (tool.buttons & ~buttons_) != 0 || near_s_ >= kConfirmHoldS ||
+  const bool was_kept_waiting = device_.plays_back() && fault() == DeviceFault::frozen;
+  return device_.confirms_itself() || was_kept_waiting || (tool.buttons & ~buttons_) != 0 || near_s_ >= kConfirmHoldS ||
          confirmations_.load(std::memory_order_relaxed) != confirmed_;
 }
 
-DeviceReading GuardedDevice::read(double time_s) noexcept {
-  const DeviceReading reading = device_.read(time_s);
+DeviceReading GuardedDevice::read(double time_s, double waited_s) noexcept {
+  const DeviceReading reading = device_.read(device_.plays_back() ? time_s - waited_s : time_s);
   const double elapsed_s = std::clamp(time_s - now_s_, 0.0, kLongestTickS);
   now_s_ = time_s;
   const bool has_pose = is_pose(reading);

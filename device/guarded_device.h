@@ -59,7 +59,10 @@ class GuardedDevice {
   // -----------------------------------------------------------------------------------
   /// The tool where the hand wants it, in the patient's axes. A pose that is no pose comes through once, as it is, for
   /// whoever records it; it pauses the device as driver_error.
-  DeviceReading read(double time_s) noexcept;
+  /// `waited_s`: of that time, how long what plays back has been kept waiting.
+  DeviceReading read(double time_s, double waited_s = 0.0) noexcept;
+  /// Somebody holds it, or has and the hand has not confirmed since: what plays back waits.
+  bool waits() const noexcept { return frozen() || (quiet() && fault() == DeviceFault::frozen); }
   /// Where the scene holds the tool (the proxy); between read and write, when there is one.
   void see_tool(const std::array<double, 3>& position_m, const std::array<double, 4>& rotation_wxyz) noexcept;
   /// Force on the hand in the patient's axes, N; once after every read. Returns what was sent, in the device's axes.

@@ -70,6 +70,9 @@ class HapticDevice {
   virtual double motor_warmth() const noexcept { return -1.0; }
   /// True where a fault that is over needs no hand to confirm it (a record of one that had).
   virtual bool confirms_itself() const noexcept { return false; }
+  /// True where all it does is laid down beforehand over the time it is read at: that time stands while somebody holds
+  /// the trial, and nobody has to take hold again.
+  virtual bool plays_back() const noexcept { return false; }
   /// True when nothing more will come (the end of a script). A live device never finishes.
   virtual bool finished(double time_s) const noexcept {
     (void)time_s;

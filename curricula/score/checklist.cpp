@@ -14,6 +14,8 @@ using Done = ChecklistItem::Done;
 
 /// A blade that enters so far to the left of the midline is at neither place where it may go in (assumed).
 constexpr double kStillMiddleM = 0.003;
+/// Less of the glottis beside the tube than this is none (assumed).
+constexpr double kSomeOfIt = 0.05;
 
 Item item(const char* id, const char* text, bool done, double at_s, const std::string& sentence) {
   return {id, text, done ? Done::yes : Done::no, at_s, sentence};
@@ -66,19 +68,24 @@ Item view_before_tube(const Attempt* attempt) {
                    : "Passed at " + second(*attempt->passed_cords_s) + " without a view before");
 }
 
-/// By the newest sight sample as the tip passed. The tube itself stands in the way: any of the glottis is enough.
+/// By the newest sight sample as the tip came into the larynx, some millimetres before the cords: from there on a tube
+/// that fits the opening fills it and hides it itself, whoever leads it.
 Item passed_in_sight(const Attempt* attempt, const TrialLog& log) {
   const char *id = "tube_passed_in_sight", *text = "Tube seen as it passed between the cords";
   if (!attempt || !attempt->passed_cords_s) return not_seen(id, text, "No tube passed the cords in an attempt");
-  double seen = 0.0;
+  double newest = 0.0, seen = 0.0, reached_s = *attempt->passed_cords_s;
   for (const LogTick& tick : log.ticks) {
     if (tick.time_s > *attempt->passed_cords_s) break;
-    if (tick.has_sight && !paused(tick)) seen = tick.glottis_visible;
+    if (tick.has_sight && !paused(tick)) newest = tick.glottis_visible;
+    if (tick.intubation.place == LoggedPlace::larynx) continue;
+    seen = newest;
+    reached_s = tick.time_s;
   }
   const bool in_mouth = *attempt->passed_cords_s < attempt->end_s;
-  return item(id, text, seen > 0.0 && in_mouth, *attempt->passed_cords_s,
+  return item(id, text, seen >= kSomeOfIt && in_mouth, *attempt->passed_cords_s,
               !in_mouth ? "Passed at " + second(*attempt->passed_cords_s) + " with the blade out"
-                        : fixed(100.0 * seen, 0) + " % of the glottis in sight at " + second(*attempt->passed_cords_s));
+                        : fixed(100.0 * seen, 0) + " % of the glottis in sight as it came to the cords at " +
+                              second(reached_s));
 }
 
 /// Of the tube that lies where it lies at the first breath through it.

@@ -29,6 +29,7 @@ class RecordedDevice final : public HapticDevice {
   /// Which fault it was is not recorded.
   DeviceFault fault() const noexcept override { return fault_.load(std::memory_order_relaxed); }
   bool confirms_itself() const noexcept override { return true; }
+  bool plays_back() const noexcept override { return true; }
   bool finished(double time_s) const noexcept override { return time_s > readings_.back().time_s; }
 
  private:

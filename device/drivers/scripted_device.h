@@ -70,6 +70,7 @@ class ScriptedDevice final : public HapticDevice {
   Calibration calibration() const noexcept override {
     return fault() == DeviceFault::not_calibrated ? Calibration::needs_hand : Calibration::not_needed;
   }
+  bool plays_back() const noexcept override { return true; }
   bool finished(double time_s) const noexcept override { return time_s > trajectory_.end_s(); }
 
   /// How often a fault began.

@@ -287,9 +287,8 @@ void ReplayPage::show_figures() {
   const std::size_t index =
       std::min(static_cast<std::size_t>(&tick - trial_->log->ticks.data()) / kPeaksEvery, trial_->peaks.size() - 1);
   bars_->clear();
-  bars_->show_forces({trial_->peaks[index].tongue_n, trial_->peaks[index].gum_n});
   const engine::TickRecord record = from_log(tick);
-  bars_->show_forces(blade_forces(record.loads, record.proxy_pose));
+  bars_->show_forces(blade_forces(record.loads, record.proxy_pose), trial_->peaks[index]);
   clock_->setText(clock_text(at_s_) + " / " + clock_text(trial_->end_s()) +
                   (trial_->score.pauses.empty() ? QString() : tr(" (with pauses)")));
   QStringList figures;

@@ -113,8 +113,8 @@ QImage ReplayPage::picture() {
   if (trial_) {
     const curricula::LogTick& tick = trial_->tick_at(at_s_);
     words += tr("  \u00b7  tongue %1 N, gum %2 N")
-                 .arg(decimal(ReplayTrial::load_n(tick, curricula::kTongue), 1))
-                 .arg(decimal(ReplayTrial::load_n(tick, curricula::kGum), 1));
+                 .arg(decimal(load_n(tick, curricula::kTongue), 1))
+                 .arg(decimal(load_n(tick, curricula::kGum), 1));
   }
   painter.drawText(QRect(10, high, whole.width() - 20, line), Qt::AlignVCenter | Qt::AlignLeft, words);
   return whole;

@@ -5,6 +5,8 @@
 namespace vallecula::gui {
 namespace {
 
+constexpr double kWorthTellingN = 0.5;  // a lighter touch of the larynx is every laryngoscopy's
+
 std::string seconds(const std::optional<double>& time_s) { return time_s ? number(*time_s, 1) + " s" : "never"; }
 
 std::vector<Row> tube_figures(const curricula::Score& score) {
@@ -23,8 +25,11 @@ std::vector<Row> tube_figures(const curricula::Score& score) {
       {"Time to view", seconds(decisive != nullptr ? decisive->time_to_view_s : std::nullopt), "", ""},
       row(score, "Time to pass", seconds(decisive != nullptr ? decisive->time_to_pass_s : std::nullopt),
           "time_to_pass_s", "at most"),
-      row(score, "CO2 detector", tube.co2_confirmed ? "yellow, breath " + std::to_string(*tube.co2_breaths) : "never yellow", "co2_confirmed", "by breath"),
-      row(score, "Peak force, tube", number(tube.tip_load_n.value, 1) + " N", "tube_force_n", "at most"),
+      row(score, "CO2 detector",
+          tube.co2_confirmed ? "yellow, breath " + std::to_string(*tube.co2_breaths) : "never yellow", "co2_confirmed",
+          "by breath"),
+      row(score, "Peak force at the tube's tip", number(tube.tip_load_n.value, 1) + " N", "tube_force_n", "at most"),
+      {"Peak force on the tube's hand", number(tube.hand_force_n.value, 1) + " N", "", ""},
   };
   if (tube.oesophagus_breaths > 0)
     rows.push_back({"In the oesophagus", std::to_string(tube.oesophagus_breaths) + " breaths",
@@ -42,6 +47,8 @@ std::vector<Row> result_figures(const TrialOutcome& outcome, const curricula::Sc
       row(score, "Peak force, tongue", number(score.peak_tongue_force_n, 1) + " N", "peak_tongue_force_n", "at most"));
   rows.push_back(
       row(score, "Peak force, gum", number(score.peak_gum_force_n, 1) + " N", "peak_gum_force_n", "at most"));
+  if (score.peak_force_n[curricula::kLarynx] > kWorthTellingN)
+    rows.push_back({"Peak force, larynx", number(score.peak_force_n[curricula::kLarynx], 1) + " N", "", ""});
   rows.push_back(row(score, "Glottis visible, best", number(score.glottis_visible_max_percent, 0) + " %",
                      "glottis_visible_max_percent", "at least"));
   if (!score.intubation)

@@ -130,7 +130,7 @@ void TrialPage::show_running(const engine::Snapshot& snapshot) {
   operator_view_->update_from(snapshot);
   operator_view_->draw();
   panels_->readings_panel().set_led(session_->led_in());
-  panels_->show_snapshot(snapshot, session_->scenario().sight_percent, session_->paused_s());
+  panels_->show_snapshot(snapshot, session_->scenario().sight_percent, session_->paused_s(), session_->peaks());
   panels_->readings_panel().show_drawing(frames_per_second(), GlView::governor().reduced());
   hands_->show_snapshot(snapshot);
   helps_->refresh();

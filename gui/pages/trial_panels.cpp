@@ -355,12 +355,13 @@ void TrialPanels::show_expert(const engine::Snapshot& snapshot, double sight_per
   bars_->show_expert(blade_forces(snapshot.loads, snapshot.proxy_pose));
 }
 
-void TrialPanels::show_snapshot(const engine::Snapshot& snapshot, double sight_percent, double paused_s) {
+void TrialPanels::show_snapshot(const engine::Snapshot& snapshot, double sight_percent, double paused_s,
+                                const PeaksSoFar& peaks) {
   show_pictures(snapshot, sight_percent);
   distractions_->refresh();
   monitor_->show_snapshot(snapshot);
   readings_->show_snapshot(snapshot, paused_s);
-  bars_->show_forces(blade_forces(snapshot.loads, snapshot.proxy_pose));
+  bars_->show_forces(blade_forces(snapshot.loads, snapshot.proxy_pose), peaks);
 }
 
 void TrialPanels::clear() {

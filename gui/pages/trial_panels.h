@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "gui/pages/key_list.h"
+#include "gui/session/peaks_so_far.h"
 #include "gui/session/trial_session.h"
 #include "gui/views/patient_look.h"
 
@@ -37,7 +38,7 @@ class TrialPanels : public QMainWindow {
   /// Draws cut and video where they can be seen; where the machine draws with the least it can, they take turns.
   void show_pictures(const engine::Snapshot& snapshot, double sight_percent);
   /// To be called for every frame: pictures and figures.
-  void show_snapshot(const engine::Snapshot& snapshot, double sight_percent, double paused_s);
+  void show_snapshot(const engine::Snapshot& snapshot, double sight_percent, double paused_s, const PeaksSoFar& peaks);
   /// Pictures and forces of an expert's hands; the trial's own clock, figures and peaks stay as they are.
   void show_expert(const engine::Snapshot& snapshot, double sight_percent);
   void clear();

@@ -59,7 +59,8 @@ Row outcome(const curricula::Score& score, const curricula::Scenario& scenario) 
 
 std::string intubation_sentence(const curricula::Score& score, const curricula::Scenario& scenario) {
   const curricula::IntubationScore& i = *score.intubation;
-  std::string text = in_words(verdict(score)).toStdString() + " (" + scenario.title + "): " + in_words(outcome_in_words(i)).toStdString() + ". ";
+  std::string text = in_words(verdict(score)).toStdString() + " (" + scenario.title +
+                     "): " + in_words(outcome_in_words(i)).toStdString() + ". ";
   if (i.attempts.empty()) return text + in_words("The blade never entered the mouth.").toStdString();
   text += in_words(count(i.attempts.size(), "attempt") + (i.attempts.size() == 1 ? " of " : ", the longest of ") +
                    number(score.attempt_time_s, 1) + " s")
@@ -97,9 +98,10 @@ std::vector<Row> intubation_rows(const curricula::Score& score, const curricula:
       lowest("Lowest saturation, displayed", i.lowest_spo2_percent, " %", i.lowest_spo2_at_s, "lowest_spo2_percent"),
       lowest("Lowest heart rate", i.lowest_heart_per_min, " per minute", i.lowest_heart_at_s, "lowest_heart_per_min"),
       row(score, "CO2 detector", detector(i), "co2_confirmed", "yellow by breath"),
-      row(score, "Peak force along the tube", force(i.tip_load_n.value, i.tip_load_n.at_s) + against, "tube_force_n",
-          "at most"),
-      {"Tube's peak load by part", loads(i), "", ""},
+      row(score, "Peak force along the tube, at its tip", force(i.tip_load_n.value, i.tip_load_n.at_s) + against,
+          "tube_force_n", "at most"),
+      {"Peak force on the tube's hand", force(i.hand_force_n.value, i.hand_force_n.at_s), "", ""},
+      {"Tube's peak push on each part, summed all round", loads(i), "", ""},
       {"Breaths given, mask and tube", std::to_string(i.breaths_given), "", ""},
   };
   if (i.oesophagus_entries > 0)

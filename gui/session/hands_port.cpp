@@ -66,14 +66,18 @@ void HandsPort::lead_in(device::Trajectory way, std::int64_t ticks) {
 }
 
 engine::PortInput HandsPort::read(double time_s) noexcept {
-  const device::DeviceReading reading = first_.read(time_s);
+  double waited_s = waited_s_.load(std::memory_order_relaxed);
+  if (first_.waits() || (second_ != nullptr && second_->waits())) waited_s += time_s - now_s_;
+  waited_s_.store(waited_s, std::memory_order_relaxed);
+  now_s_ = time_s;
+  const device::DeviceReading reading = first_.read(time_s, waited_s);
   const engine::Pose device = pose_of(reading);
   engine::PortInput input;
   input.pose = device;
   input.buttons = reading.buttons;
   input.valid = reading.valid;
   if (second_ != nullptr) {
-    const device::DeviceReading other = second_->read(time_s);
+    const device::DeviceReading other = second_->read(time_s, waited_s);
     input.second_pose = pose_of(other);
     input.valid = input.second_valid = reading.valid && other.valid;
   }
@@ -87,7 +91,7 @@ engine::PortInput HandsPort::read(double time_s) noexcept {
     input.pose = shown.blade();
   }
   if (plan_ == nullptr) return input;
-  std::uint32_t asked = plan_->at(time_s) | actions_->bits();
+  std::uint32_t asked = plan_->at(time_s - waited_s) | actions_->bits();
   if (!input.valid) asked &= kStandingActions;
   input.buttons = (reading.buttons & kDeviceButtons) | asked;
   return input;

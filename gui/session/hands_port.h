@@ -35,8 +35,8 @@ class HandsPort final : public engine::HapticPort {
             const device::ActionPlan& plan, const HandActions& actions);
 
   /// Before the first tick: the blade goes `way` by itself, one of `ticks` equal parts in each tick in which the hands
-  /// could be used; then the blade's hand has it where it is then, and moves it from there. Until then that hand feels and
-  /// moves nothing.
+  /// could be used; then the blade's hand has it where it is then, and moves it from there. Until then that hand feels
+  /// and moves nothing.
   void lead_in(device::Trajectory way, std::int64_t ticks);
   /// Any thread: that is still so.
   bool led_in() const noexcept { return led_in_.load(std::memory_order_relaxed); }
@@ -46,6 +46,8 @@ class HandsPort final : public engine::HapticPort {
   void write(const engine::Vec3& force_n) noexcept override;
   void write_second(const engine::Vec3& force_n) noexcept override;
 
+  /// How long scripts and records have been kept waiting by whoever held the trial, s. Any thread.
+  double waited_s() const noexcept { return waited_s_.load(std::memory_order_relaxed); }
   /// Which tool the one device has; with a device for each hand the blade's. Any thread.
   Tool in_hand() const noexcept { return in_hand_.load(std::memory_order_relaxed); }
 
@@ -63,8 +65,10 @@ class HandsPort final : public engine::HapticPort {
   std::optional<device::Trajectory> way_;  ///< that the blade is led
   std::int64_t led_ticks_ = 0, lead_ticks_ = 0;
   std::atomic<bool> led_in_{false};
-  bool valid_ = false;          ///< in the last tick
-  engine::Pose device_;         ///< of the last valid tick
+  double now_s_ = 0.0;
+  std::atomic<double> waited_s_{0.0};
+  bool valid_ = false;   ///< in the last tick
+  engine::Pose device_;  ///< of the last valid tick
   std::atomic<Tool> in_hand_{Tool::blade};
 };
 

@@ -24,7 +24,7 @@ TipPath path_of(const curricula::TrialLog& log) {
     if (tick.step_used < 0) continue;  // no step yet: no tool yet
     path.time_s.push_back(tick.time_s);
     path.tip_mm.push_back(millimetres(tick.proxy_pose.position_m));
-    path.tongue_n.push_back(static_cast<float>(ReplayTrial::load_n(tick, curricula::kTongue)));
+    path.tongue_n.push_back(static_cast<float>(load_n(tick, curricula::kTongue)));
   }
   return path;
 }
@@ -47,19 +47,13 @@ std::vector<PeaksSoFar> peaks_of(const curricula::TrialLog& log) {
   std::vector<PeaksSoFar> peaks;
   PeaksSoFar now;
   for (std::size_t i = 0; i < log.ticks.size(); ++i) {
-    now.tongue_n = std::max(now.tongue_n, static_cast<float>(ReplayTrial::load_n(log.ticks[i], curricula::kTongue)));
-    now.gum_n = std::max(now.gum_n, static_cast<float>(ReplayTrial::load_n(log.ticks[i], curricula::kGum)));
+    now.take(log.ticks[i]);
     if ((i + 1) % kPeaksEvery == 0 || i + 1 == log.ticks.size()) peaks.push_back(now);
   }
   return peaks;
 }
 
 }  // namespace
-
-double ReplayTrial::load_n(const curricula::LogTick& tick, curricula::LoadedStructure structure) {
-  const auto& f = tick.loads[structure].force_n;
-  return std::sqrt(f[0] * f[0] + f[1] * f[1] + f[2] * f[2]);
-}
 
 const curricula::LogTick& ReplayTrial::tick_at(double time_s) const {
   const double index = (time_s - log->ticks.front().time_s) / log->header.servo_period_s + 0.5;
@@ -73,7 +67,8 @@ std::string replay_refusal(const curricula::Scenario& scenario, bool instructor)
 }
 
 std::shared_ptr<ReplayTrial> open_replay(const std::filesystem::path& trial, const std::filesystem::path& patient,
-                                         const std::function<void(const std::string&, double)>& progress, bool instructor) {
+                                         const std::function<void(const std::string&, double)>& progress,
+                                         bool instructor) {
   progress("Reading the trial", 0.0);
   auto opened = std::make_shared<ReplayTrial>();
   opened->log_file = std::filesystem::is_directory(trial) ? trial / "trial.vtrial" : trial;

@@ -10,8 +10,9 @@
 
 #include "curricula/score/points.h"
 #include "engine/scene.h"
-#include "gui/session/replay_events.h"
 #include "gui/session/contact_heat.h"
+#include "gui/session/peaks_so_far.h"
+#include "gui/session/replay_events.h"
 #include "gui/views/patient_look.h"
 
 namespace vallecula::gui {
@@ -23,10 +24,6 @@ struct TipPath {
   std::vector<float> tongue_n;               ///< model force on the tongue; empty: nobody knows it
 };
 
-/// Largest force since the trial began, at the end of each kPeaksEvery ticks.
-struct PeaksSoFar {
-  float tongue_n = 0.0f, gum_n = 0.0f;
-};
 constexpr std::size_t kPeaksEvery = 10;
 
 struct ReplayTrial {
@@ -39,15 +36,13 @@ struct ReplayTrial {
   engine::SceneDescription scene;
   std::vector<std::string> notices;  ///< another build, other kernels
   std::shared_ptr<PatientLook> look;
-  TipPath path, expert_path;  ///< the scripted expert's on this patient; empty: it has no plan for it
-  std::vector<PeaksSoFar> peaks;
-  std::unique_ptr<ReplayFilm> film;  ///< computing since it was opened
+  TipPath path, expert_path;          ///< the scripted expert's on this patient; empty: it has no plan for it
+  std::vector<PeaksSoFar> peaks;      ///< at the end of each kPeaksEvery ticks
+  std::unique_ptr<ReplayFilm> film;   ///< computing since it was opened
   std::unique_ptr<ContactHeat> heat;  ///< of the film, likewise
 
   double end_s() const { return log->ticks.back().time_s; }
   const curricula::LogTick& tick_at(double time_s) const;
-  /// Of a model force by structure, N.
-  static double load_n(const curricula::LogTick& tick, curricula::LoadedStructure structure);
 };
 
 /// Why this trial is not replayed in the window, for a person (an instructor may see any); empty: it is.

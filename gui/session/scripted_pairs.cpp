@@ -22,21 +22,21 @@ using engine::Vec3;
 
 // s; the blade's hand is as high as it lifts at kSeen, the tube's then sets out.
 constexpr double kSeen = 10.0, kIntoMouth = 11.0, kBeforeInlet = 12.2, kAtInlet = 13.2;
-constexpr double kStep = 0.1;             // s between keyframes
-constexpr double kGulletDeep = 0.025;      // m beyond its mouth: the tip's last place (term)
-constexpr double kGivenUp = 13.0;         // s: until then the view is looked at
-constexpr double kRolled = 0.43;          // of the concave side to the right: from the corner of the mouth the way turns back
-constexpr double kLook = 0.5;             // s before the tube is pushed on
-constexpr double kPushSpeed = 0.008;      // m/s along the tube
-// The tube's tip, m (term) past the cords, until where the stylet is in it: bent as it is it goes no deeper into a straight
-// windpipe than its bend does.
+constexpr double kStep = 0.1;          // s between keyframes
+constexpr double kGulletDeep = 0.025;  // m beyond its mouth: the tip's last place (term)
+constexpr double kGivenUp = 13.0;      // s: until then the view is looked at
+constexpr double kRolled = 0.43;  // of the concave side to the right: from the corner of the mouth the way turns back
+constexpr double kLook = 0.5;     // s before the tube is pushed on
+constexpr double kPushSpeed = 0.008;  // m/s along the tube
+// The tube's tip, m (term) past the cords, until where the stylet is in it: bent as it is it goes no deeper into a
+// straight windpipe than its bend does.
 constexpr double kStyletUntil = 0.020;
-constexpr double kStyletTakes = 0.6;      // s
-constexpr double kBladeOutAfter = 0.6;    // s that the tube is held before the blade goes
-constexpr double kWithdrawal = 4.5;       // s that the blade takes (expert_laryngoscopy)
-constexpr double kVentilated = 30.0;      // s by mask where the heart begins slow
-constexpr double kBreaths = 12.2;         // s of breaths, 40 a minute: the detector needs up to 6
-constexpr double kLarynxLifted = 1.5;     // mm term: the way of the larynx under the expert's lift
+constexpr double kStyletTakes = 0.6;    // s
+constexpr double kBladeOutAfter = 0.6;  // s that the tube is held before the blade goes
+constexpr double kWithdrawal = 4.5;     // s that the blade takes (expert_laryngoscopy)
+constexpr double kVentilated = 30.0;    // s by mask where the heart begins slow
+constexpr double kBreaths = 12.2;       // s of breaths, 40 a minute: the detector needs up to 6
+constexpr double kLarynxLifted = 1.5;   // mm term: the way of the larynx under the expert's lift
 
 /// The tube as it hangs from the hand when nothing acts on it, in the grip's frame.
 class RestingTube {
@@ -54,6 +54,7 @@ class RestingTube {
                     frame(state_.position[node] - state_.position[0], state_.rotation[0] * Vec3::UnitZ()).transpose());
     return {tip - turn * state_.position[0], turn};
   }
+
  private:
   static Mat3 frame(const Vec3& along, const Vec3& concave) {
     const Vec3 x = along.normalized(), z = (concave - concave.dot(x) * x).normalized();
@@ -138,8 +139,13 @@ class Planner {
     while (course.airway[cords].part != AirwayPart::cords) ++cords;
     const double to_cords = way.to_ring(cords), to_carina = way.to_ring(course.airway.size() - 1);
     go(kIntoMouth, at_lips());
-    go(kBeforeInlet, {way.at(0) + 1e-3 * frame_.size * (8 * frame_.sight - 1.5 * frame_.left), mouth_});
-    go(kAtInlet, {way.at(0), mouth_});
+    // From the right and from below: over the middle the tube would hide from the eye what it is to enter. The inlet is
+    // narrow: 2 mm aside at it the tip of a 3.5 catches on the rim.
+    const auto beside = [&](double sight, double lift, double left) -> Vec3 {
+      return way.at(0) + 1e-3 * frame_.size * (sight * frame_.sight + lift * frame_.lift + left * frame_.left);
+    };
+    go(kBeforeInlet, {beside(8, -3.5, -4.5), mouth_});
+    go(kAtInlet, {beside(0, -1.5, -1.25), mouth_});
     go(time_s_ + kLook, aim_);
     const double goal = to_cords + share * (to_carina - to_cords) + beyond_m;
     const double stiff = std::min(goal, to_cords + kStyletUntil * frame_.size);
@@ -169,7 +175,9 @@ class Planner {
 
  private:
   Aim at_lips() const { return {frame_.at(56, 2, -9), frame_.at(110, 10, -16)}; }
-  Pose grip(const Aim& aim) const { return (drawn_ ? tube_ : stiff_).grip(aim.tip, aim.through, frame_.lift - kRolled * frame_.left); }
+  Pose grip(const Aim& aim) const {
+    return (drawn_ ? tube_ : stiff_).grip(aim.tip, aim.through, frame_.lift - kRolled * frame_.left);
+  }
 
   void wait_outside() {
     aim_ = {frame_.at(95, 12, -16), frame_.at(160, 30, -26)};

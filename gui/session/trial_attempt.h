@@ -1,5 +1,6 @@
-// One attempt of a trial: its loop, its log and its record, from the first tick to the last. What goes to the disk and to
-// the records is done on a thread of its own, in this order: what an earlier attempt left, the log, the record, the ticks.
+// One attempt of a trial: its loop, its log and its record, from the first tick to the last. What goes to the disk and
+// to the records is done on a thread of its own, in this order: what an earlier attempt left, the log, the record, the
+// ticks.
 #pragma once
 
 #include <atomic>
@@ -17,6 +18,7 @@
 #include "curricula/trial_log.h"
 #include "engine/haptics/runner.h"
 #include "gui/session/dual_task.h"
+#include "gui/session/peaks_so_far.h"
 #include "gui/session/results_folder.h"
 #include "gui/session/trial_record.h"
 #include "gui/session/two_hands.h"
@@ -45,7 +47,8 @@ class TrialAttempt {
   TrialAttempt(const TrialAttempt&) = delete;
   TrialAttempt& operator=(const TrialAttempt&) = delete;
 
-  // --- the thread that made it -----------------------------------------------------------------------------------------
+  // --- the thread that made it
+  // -----------------------------------------------------------------------------------------
   /// Returns at once. `before`: the attempt that was reset for this one, halted; kept and scored before all else.
   void start(std::unique_ptr<TrialAttempt> before);
   bool started() const { return worker_.joinable() || writer_; }
@@ -67,6 +70,7 @@ class TrialAttempt {
   std::string problem() const;
   std::uint32_t loop_fault() const { return loop_fault_; }
   std::int64_t paused_ticks() const { return paused_; }
+  PeaksSoFar peaks() const { return {tongue_peak_n_, gum_peak_n_}; }
 
  private:
   void work();
@@ -90,19 +94,21 @@ class TrialAttempt {
   const curricula::OpenTrial registered_;
   std::unique_ptr<TrialAttempt> before_;
   std::thread worker_;
-  /// Held while the loop is begun, while it runs at full speed, and while the hands are asked: once halted, nobody does.
+  /// Held while the loop is begun, while it runs at full speed, and while the hands are asked: once halted, nobody
+  /// does.
   std::recursive_mutex gate_;
 
   std::atomic<bool> stop_asked_{false}, ended_{false}, begun_{false};
   std::atomic<std::uint32_t> loop_fault_{0};  ///< of the first tick that had one
   std::atomic<std::int64_t> paused_{0};       ///< ticks in which a device that a hand needs could not be used
+  std::atomic<float> tongue_peak_n_{0.0f}, gum_peak_n_{0.0f};
   mutable std::mutex failure_mutex_;
   // Below: the worker's until it is joined.
   std::unique_ptr<curricula::TrialLogWriter> writer_;
   TrialRecord row_;
   std::int64_t recorded_ = 0;
-  std::int64_t pause_began_ = -1;  ///< tick of the last one that was not paused
-  std::int64_t away_ = 0;          ///< ticks of the present pause in which nobody held it: a device is away
+  std::int64_t pause_began_ = -1;          ///< tick of the last one that was not paused
+  std::int64_t away_ = 0;                  ///< ticks of the present pause in which nobody held it: a device is away
   std::vector<std::string> pause_faults_;  ///< as in the log's footer
   std::string ended_by_;
   std::exception_ptr failure_;  ///< under failure_mutex_

@@ -220,6 +220,7 @@ void TrialSession::freeze(Holder holder, bool on) {
 }
 bool TrialSession::frozen() const { return impl_->hands->frozen(); }
 bool TrialSession::frozen_by(Holder holder) const { return impl_->hands->frozen_by(holder); }
+PeaksSoFar TrialSession::peaks() const { return impl_->attempt->peaks(); }
 double TrialSession::paused_s() const { return kServoPeriodS * static_cast<double>(impl_->attempt->paused_ticks()); }
 std::string TrialSession::fault() const { return fault_words(impl_->attempt->loop_fault()); }
 bool TrialSession::finished() const { return impl_->attempt->ended(); }

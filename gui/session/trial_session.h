@@ -1,10 +1,10 @@
 // One trial: joins device, engine and recorder, owns their threads and their shutdown. No window in here.
 #pragma once
 
-#include <functional>
 #include <atomic>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -18,28 +18,29 @@
 #include "gui/session/hand_actions.h"
 #include "gui/session/held_tools.h"
 #include "gui/session/holder.h"
+#include "gui/session/peaks_so_far.h"
 #include "pipeline/package/patient_package.h"
 
 namespace vallecula::gui {
 
 struct TrialSetup {
-  std::filesystem::path patient;     ///< NAME.patient
+  std::filesystem::path patient;                            ///< NAME.patient
   std::shared_ptr<const pipeline::PatientPackage> package;  ///< as it was read from there already; null: it is read
-  std::filesystem::path curriculum;  ///< YAML
-  std::string scenario;              ///< id in it
+  std::filesystem::path curriculum;                         ///< YAML
+  std::string scenario;                                     ///< id in it
   curricula::Mode mode = curricula::Mode::practice;
-  std::uint32_t attempt_seed = 0;    ///< what the scenario's variation is drawn with; 0: as written
-  curricula::ToolChoice taken;       ///< of the blades and tubes that the scenario offers
-  std::string device;                ///< KIND[:ARG], one of device_names() (session/device_choice.h)
-  std::string second;                ///< of the tube's hand, as HandsSetup (session/two_hands.h)
+  std::uint32_t attempt_seed = 0;  ///< what the scenario's variation is drawn with; 0: as written
+  curricula::ToolChoice taken;     ///< of the blades and tubes that the scenario offers
+  std::string device;              ///< KIND[:ARG], one of device_names() (session/device_choice.h)
+  std::string second;              ///< of the tube's hand, as HandsSetup (session/two_hands.h)
   /// A tool of its own (m, tool frame) instead of the scenario's blade; null: the blade.
   std::shared_ptr<const engine::TriangleMesh> tool;
   /// Folder for trial.vtrial, tool.ply (of a tool of its own), score.json, report.html, force.png, fault.csv.
   std::filesystem::path out;
   /// A device of the caller's own, made anew where a script would be; empty: by the name above.
   std::function<std::unique_ptr<device::HapticDevice>()> own_device, own_second_device;
-  bool realtime = true;             ///< false: as fast as it goes, servo and simulation in lockstep on one thread
-  long long trainee_id = 0;         ///< whose trial it is, by the records; 0, or a hand of a script or record: nobody's
+  bool realtime = true;      ///< false: as fast as it goes, servo and simulation in lockstep on one thread
+  long long trainee_id = 0;  ///< whose trial it is, by the records; 0, or a hand of a script or record: nobody's
   /// Builds the scene, where the caller has what one is built of faster; empty: engine::build_scene.
   std::function<std::shared_ptr<const engine::Scene>(const engine::SceneDescription&)> build_scene;
   std::filesystem::path final_out;  ///< where the caller will move `out` to once all is whole; empty: it stays
@@ -48,19 +49,21 @@ struct TrialSetup {
 struct TrialOutcome {
   curricula::Score score;
   std::filesystem::path log, score_json, report, force_plot;
-  std::string fault;  ///< in plain words, with the file its ticks are in; empty: none
+  std::string fault;           ///< in plain words, with the file its ticks are in; empty: none
   bool replay_allowed = true;  ///< false: an assessment, whose replay stays locked to its trainee
   bool by_person = true;       ///< false: a script's or a record's hand
-  long long record_id = 0;  ///< of its row: what a rating or a note is given to
+  long long record_id = 0;     ///< of its row: what a rating or a note is given to
 };
 
 /// Life: construct (loads and builds; may take a second) -> start -> poll latest()/finished -> finish. start() and the
-/// resets return at once; what goes to disk and records is the session's own thread's, before the first tick. finish() is
-/// called once, and where it throws, the ticks written until then stay, to be kept when a program starts next; the destructor stops the threads of a trial that was not finished and keeps its log as interrupted.
+/// resets return at once; what goes to disk and records is the session's own thread's, before the first tick. finish()
+/// is called once, and where it throws, the ticks written until then stay, to be kept when a program starts next; the
+/// destructor stops the threads of a trial that was not finished and keeps its log as interrupted.
 class TrialSession {
  public:
   explicit TrialSession(const TrialSetup& setup);  ///< throws std::runtime_error with one clear message
-  ~TrialSession();  ///< of one that was started and not finished it may wait for disk and records: not on the window's thread
+  ~TrialSession();  ///< of one that was started and not finished it may wait for disk and records: not on the window's
+                    ///< thread
   TrialSession(const TrialSession&) = delete;
   TrialSession& operator=(const TrialSession&) = delete;
 
@@ -96,13 +99,15 @@ class TrialSession {
   /// No tick comes any more, and the hands are nobody's: waits for neither disk nor records. What is left to do is the
   /// destructor's.
   void halt();
-  /// Why the trial is paused and what to do, for a person; empty: it is not. While it is, the tool stays where it was, no
-  /// force is shown, and the trial's clock stands. Any thread, while no reset() runs.
+  /// Why the trial is paused and what to do, for a person; empty: it is not. While it is, the tool stays where it was,
+  /// no force is shown, and the trial's clock stands. Any thread, while no reset() runs.
   std::string pause() const;
   /// The hand confirms by a key that it has hold of the device again.
   void confirm();
   /// How long this attempt has been paused so far, s. Any thread.
   double paused_s() const;
+  /// The largest forces of this attempt so far, of every tick that is on record. Any thread.
+  PeaksSoFar peaks() const;
   /// The first fault of the loop in this attempt, in plain words; empty: none yet. Any thread.
   std::string fault() const;
   bool finished() const;  ///< the script or the scenario's time is over

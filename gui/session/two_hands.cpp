@@ -151,7 +151,9 @@ std::string TwoHands::pause_fault() const {
 }
 
 bool TwoHands::finished(double time_s) const {
-  return device_->finished(time_s) && (!second_.device || !second_is_scripted() || second_.device->finished(time_s));
+  const double played_s = time_s - (port_ ? port_->waited_s() : 0.0);
+  return device_->finished(played_s) &&
+         (!second_.device || !second_is_scripted() || second_.device->finished(played_s));
 }
 
 }  // namespace vallecula::gui

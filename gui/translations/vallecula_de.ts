@@ -1336,14 +1336,6 @@
         <translation>gelb bis Hub</translation>
     </message>
     <message>
-        <source>Peak force along the tube</source>
-        <translation>Höchste Kraft längs des Tubus</translation>
-    </message>
-    <message>
-        <source>Tube&apos;s peak load by part</source>
-        <translation>Höchste Last des Tubus nach Abschnitt</translation>
-    </message>
-    <message>
         <source>Breaths given, mask and tube</source>
         <translation>Beatmungshübe, Maske und Tubus</translation>
     </message>
@@ -1498,10 +1490,6 @@
     <message>
         <source>Time to pass</source>
         <translation>Zeit bis Passage</translation>
-    </message>
-    <message>
-        <source>Peak force, tube</source>
-        <translation>Höchste Kraft, Tubus</translation>
     </message>
     <message>
         <source>In the oesophagus</source>
@@ -2592,8 +2580,8 @@
         <translation>Passiert bei %1 s ohne Sicht davor</translation>
     </message>
     <message>
-        <source>%1 % of the glottis in sight at %2 s</source>
-        <translation>%1 % der Glottis in Sicht bei %2 s</translation>
+        <source>%1 % of the glottis in sight as it came to the cords at %2 s</source>
+        <translation>%1 % der Glottis in Sicht, als er bei %2 s an die Stimmlippen kam</translation>
     </message>
     <message>
         <source>Passed at %1 s with the blade out</source>
@@ -4186,6 +4174,26 @@
     <message>
         <source>No attempt: not counted for the course</source>
         <translation>Kein Intubationsversuch: zählt nicht für den Kurs</translation>
+    </message>
+    <message>
+        <source>Peak force along the tube, at its tip</source>
+        <translation>Höchste Kraft längs des Tubus, an der Spitze</translation>
+    </message>
+    <message>
+        <source>Tube&apos;s peak push on each part, summed all round</source>
+        <translation>Höchste Last des Tubus je Abschnitt, ringsum summiert</translation>
+    </message>
+    <message>
+        <source>Peak force at the tube&apos;s tip</source>
+        <translation>Höchste Kraft an der Tubusspitze</translation>
+    </message>
+    <message>
+        <source>Peak force on the tube&apos;s hand</source>
+        <translation>Höchste Kraft auf die Hand am Tubus</translation>
+    </message>
+    <message>
+        <source>Peak force, larynx</source>
+        <translation>Höchste Kraft, Larynx</translation>
     </message>
 </context>
 <context>
@@ -6500,16 +6508,16 @@ Nichts kann kaputtgehen, und jeder Versuch ist ein neuer. Bevor es beginnt, sagt
         <translation>Gerätegrenze: Das Gerät kann %1 N zeigen.</translation>
     </message>
     <message>
-        <source>Below the tongue&apos;s bar: what your hand lifts of the load along the handle, and what is levered on the upper jaw (hatched).</source>
-        <translation>Unter dem Balken der Zunge: was Ihre Hand von der Last längs des Griffs hebt und was am Oberkiefer gehebelt wird (schraffiert).</translation>
-    </message>
-    <message>
         <source>pass limit %1</source>
         <translation>Bestehensgrenze %1</translation>
     </message>
     <message>
         <source>device limit %1</source>
         <translation>Gerätegrenze %1</translation>
+    </message>
+    <message>
+        <source>Below the tongue&apos;s bar: what your hand lifts along the handle of all that lies on the blade, so it may be more than the tongue&apos;s share, and what is levered on the upper jaw (hatched).</source>
+        <translation>Unter dem Zungenbalken: was Ihre Hand längs des Griffs von allem hebt, was auf dem Spatel liegt – es kann mehr sein als der Anteil der Zunge –, und was auf den Oberkiefer gehebelt wird (schraffiert).</translation>
     </message>
 </context>
 <context>
@@ -9746,10 +9754,6 @@ Gerät: %3</translation>
         <translation>Katheter, nicht im Mund</translation>
     </message>
     <message>
-        <source>%1, %2 N</source>
-        <translation>%1, %2 N</translation>
-    </message>
-    <message>
         <source>Simulation</source>
         <translation>Simulation</translation>
     </message>
@@ -9776,6 +9780,10 @@ Gerät: %3</translation>
     <message>
         <source>Where this patient&apos;s mouth begins is not known: the clock counts from Start, and the result has no attempt&apos;s time.</source>
         <translation>Wo der Mund dieses Patienten beginnt, ist nicht bekannt: Die Uhr zählt ab Start, und das Ergebnis hat keine Zeit des Intubationsversuchs.</translation>
+    </message>
+    <message>
+        <source>%1, %2 N on the hand</source>
+        <translation>%1, %2 N auf die Hand</translation>
     </message>
 </context>
 <context>

@@ -85,15 +85,15 @@ void ForceBars::set_marks(const ForceMarks& marks) {
           .arg(newtons(tongue_.pass), newtons(gum_.pass))};
   if (device_limit_ > 0.0) lines << tr("Device limit: the device can show %1 N.").arg(newtons(device_limit_));
   lines << tr(
-      "Below the tongue's bar: what your hand lifts of the load along the handle, and what is levered on the "
-      "upper jaw (hatched).");
+      "Below the tongue's bar: what your hand lifts along the handle of all that lies on the blade, so it may be more "
+      "than the tongue's share, and what is levered on the upper jaw (hatched).");
   setToolTip(lines.join('\n'));
   clear();
 }
 
-void ForceBars::show_forces(const BladeForces& now) {
-  tongue_.peak = std::max(tongue_.peak, now.tongue_n);
-  gum_.peak = std::max(gum_.peak, now.gum_n);
+void ForceBars::show_forces(const BladeForces& now, const PeaksSoFar& peaks) {
+  tongue_.peak = std::max({tongue_.peak, now.tongue_n, static_cast<double>(peaks.tongue_n)});
+  gum_.peak = std::max({gum_.peak, now.gum_n, static_cast<double>(peaks.gum_n)});
   show(now, false);
 }
 
@@ -114,12 +114,6 @@ void ForceBars::show(const BladeForces& now, bool of_expert) {
 void ForceBars::clear() {
   tongue_.now = tongue_.peak = gum_.now = gum_.peak = lifted_ = levered_ = 0.0;
   of_expert_ = false;
-  update();
-}
-
-void ForceBars::go_on_from(const ForceBars& other) {
-  tongue_.peak = other.tongue_.peak;
-  gum_.peak = other.gum_.peak;
   update();
 }
 

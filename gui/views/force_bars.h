@@ -1,6 +1,6 @@
 // Force as bars, the display that trainees read best (CLINICAL.md): on the tongue and on the gum, apart, each with its
-// training target; of the tongue's load what the hand lifts and what is levered on the upper jaw; the device's own limit
-// is marked as what it is.
+// training target; of the tongue's load what the hand lifts and what is levered on the upper jaw; the device's own
+// limit is marked as what it is.
 #pragma once
 
 #include <QWidget>
@@ -8,6 +8,7 @@
 
 #include "curricula/scenario.h"
 #include "engine/tick_record.h"
+#include "gui/session/peaks_so_far.h"
 
 namespace vallecula::gui {
 
@@ -24,7 +25,7 @@ ForceMarks force_marks(const curricula::Scenario& scenario, double device_limit_
 
 /// Model forces at a moment, N.
 struct BladeForces {
-  double tongue_n = 0.0, gum_n = 0.0;     ///< magnitudes
+  double tongue_n = 0.0, gum_n = 0.0;      ///< magnitudes
   double lifted_n = 0.0, levered_n = 0.0;  ///< of what the blade bears, as the score has it (handle_loads)
 };
 BladeForces blade_forces(const std::array<engine::StructureLoad, engine::kLoadedStructures>& loads,
@@ -35,13 +36,11 @@ class ForceBars : public QWidget {
  public:
   explicit ForceBars(QWidget* parent = nullptr);
   void set_marks(const ForceMarks& marks);
-  /// Peaks are kept until clear().
-  void show_forces(const BladeForces& now);
+  /// `peaks`: the largest so far of what was not shown; the larger is kept until clear().
+  void show_forces(const BladeForces& now, const PeaksSoFar& peaks = {});
   /// An expert's, in place of one's own, whose peaks stay kept; until show_forces().
   void show_expert(const BladeForces& now);
   void clear();
-  /// The same attempt's peaks, which the other has shown from its beginning.
-  void go_on_from(const ForceBars& other);
   double tongue_peak_n() const { return tongue_.peak; }
   double gum_peak_n() const { return gum_.peak; }
   /// Share of the track's width that a force takes, 0..1.

@@ -203,7 +203,7 @@ void TrialReadings::show_snapshot(const engine::Snapshot& snapshot, double pause
     else
       tube_->setText(catheter ? tr("catheter not in the mouth") : tr("not in the mouth"));
     if (force_shown_ && now.at_mouth_m > 0.0)
-      tube_->setText(tr("%1, %2 N").arg(tube_->text()).arg(decimal(now.model_force_n.norm(), 1)));
+      tube_->setText(tr("%1, %2 N on the hand").arg(tube_->text()).arg(decimal(now.model_force_n.norm(), 1)));
   }
   const bool invalid = (snapshot.faults & engine::kFaultDeviceInvalid) != 0;
   state_->setText(words_for(snapshot.state, invalid).name);

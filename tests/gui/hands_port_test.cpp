@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <vector>
+
 #include "device/drivers/scripted_device.h"
 
 namespace vallecula::gui::test {
@@ -250,6 +252,34 @@ TEST_F(HandsPortTest, AButtonHeldAtTheHandOverChangesNoHand) {
   blade_device_.reading.buttons = kChange;
   tick(port);
   EXPECT_EQ(port.in_hand(), Tool::tube) << "pressed anew";
+}
+
+TEST_F(HandsPortTest, WhatPlaysBackWaitsForWhoeverHoldsTheTrialAndGoesOnByItself) {
+  // 40 mm along x in 4 s; a breath from the 1.5th second on.
+  std::vector<device::Keyframe> way(2);
+  way[1].time_s = 4.0;
+  way[1].position_m = {0.04, 0, 0};
+  device::ScriptedDevice script(device::Trajectory(way), device::HandSettings{});
+  device::GuardedDevice scripted(script, settings());
+  const device::ActionPlan breath({{1.5, engine::kActionBreath}});
+  HandsPort port(scripted, second_, breath, actions_);
+  ticks(port, 1000, Vec3::Zero(), Vec3::Zero());
+  const double before = tick(port).pose.position.x();
+  EXPECT_GT(before, 0.005);
+  scripted.freeze(true);
+  second_.freeze(true);
+  EXPECT_FALSE(ticks(port, 2000, Vec3::Zero(), Vec3::Zero()).valid);
+  scripted.freeze(false);
+  second_.freeze(false);
+  // The tube's hand is a person's: it holds still and so takes hold again, and the script waits for it as well.
+  int until = 0;
+  while (!tick(port).valid) ASSERT_LT(++until, 1000);
+  EXPECT_GE(until, 400) << "half a second of holding still";
+  EXPECT_NEAR(port.waited_s(), 2.0 + 1e-3 * until, 3e-3);
+  const engine::PortInput on = tick(port);
+  EXPECT_NEAR(on.pose.position.x(), before, 5e-5) << "from where it was";
+  EXPECT_EQ(on.buttons & engine::kActionBreath, 0u) << "not at the clock's 1.5 s";
+  EXPECT_NE(ticks(port, 600, Vec3::Zero(), Vec3::Zero()).buttons & engine::kActionBreath, 0u);
 }
 
 TEST_F(HandsPortTest, WithoutATubeKeysAndPlanAreHeardAsWell) {

@@ -115,6 +115,17 @@ TEST_F(SessionRealTime, OnlyWhatAPersonsHandsDidIsAPersons) {
   }
 }
 
+TEST_F(Session, ThePeaksSoFarAreInTheEndTheScores) {
+  TrialSession session(setup(false));
+  session.start();
+  wait(session);
+  const PeaksSoFar peaks = session.peaks();
+  const TrialOutcome outcome = session.finish("ended");
+  EXPECT_GT(peaks.tongue_n, 0.1f);
+  EXPECT_FLOAT_EQ(peaks.tongue_n, static_cast<float>(outcome.score.peak_tongue_force_n));
+  EXPECT_FLOAT_EQ(peaks.gum_n, static_cast<float>(outcome.score.peak_gum_force_n));
+}
+
 TEST_F(Session, TheRecordNamesWhereTheTrialWillBe) {
   TrialSetup moved = setup(false);
   moved.final_out = box_ / "in place";

@@ -280,6 +280,12 @@ TEST_F(Views, BarsTurnOverTheTargetAndKeepThePeak) {
   EXPECT_DOUBLE_EQ(bars.tongue_peak_n(), 5.1);
   bars.show_forces({0.0, 2.5, 0.0, 0.0});
   EXPECT_DOUBLE_EQ(bars.gum_peak_n(), 2.5);
+  PeaksSoFar between_pictures;
+  between_pictures.tongue_n = 6.0f;
+  between_pictures.gum_n = 2.0f;
+  bars.show_forces({1.0, 1.0, 1.0, 0.0}, between_pictures);
+  EXPECT_DOUBLE_EQ(bars.tongue_peak_n(), 6.0) << "of a tick that no picture showed";
+  EXPECT_DOUBLE_EQ(bars.gum_peak_n(), 2.5) << "the higher is kept";
   bars.clear();
   EXPECT_DOUBLE_EQ(bars.tongue_peak_n(), 0.0);
 }

@@ -80,7 +80,7 @@ TEST(Checklist, EachMistakeSaysNoToItsOwnItemAlone) {
        14.0},
       {"tube_passed_in_sight",
        [](LogTick& t) {
-         if (between(t, 13.9, 14.1)) t.glottis_visible = 0.0;
+         if (between(t, 11.9, 14.1)) t.glottis_visible = 0.0;  // in the larynx from 12 s on
        },
        14.0},
       {"stylet_out", [](LogTick& t) { t.intubation.in_hand = LoggedInHand::tube_with_stylet; }, 22.0},
@@ -106,6 +106,25 @@ TEST(Checklist, EachMistakeSaysNoToItsOwnItemAlone) {
       }
     }
   }
+}
+
+// It fills what it enters: of a 3.5 in a term glottis no ray passes beside it at the cords.
+TEST(Checklist, ATubeThatHidesTheGlottisOnlyAsItEntersWasSeen) {
+  const auto from = [](double hidden_s, double seen) {
+    return *find(score_of([=](LogTick& t) {
+                   if (between(t, hidden_s, 14.1)) t.glottis_visible = seen;
+                 }),
+                 "tube_passed_in_sight");
+  };
+  EXPECT_EQ(from(13.0, 0.0).done, Done::yes) << from(13.0, 0.0).sentence;
+  EXPECT_NE(from(13.0, 0.0).sentence.find("80 %"), std::string::npos) << from(13.0, 0.0).sentence;
+  EXPECT_EQ(from(11.9, 0.04).done, Done::no) << "a sliver beside it";
+  const ChecklistItem again = *find(score_of([](LogTick& t) {  // drawn back, and in again where nothing was seen
+                                      if (between(t, 13.0, 13.5)) t.intubation.place = LoggedPlace::mouth;
+                                      if (between(t, 13.0, 14.1)) t.glottis_visible = 0.0;
+                                    }),
+                                    "tube_passed_in_sight");
+  EXPECT_EQ(again.done, Done::no) << again.sentence;
 }
 
 TEST(Checklist, AMillerLiftIsLeftToTheInstructor) {
