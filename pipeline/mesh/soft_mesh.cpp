@@ -102,8 +102,8 @@ TetrahedralizeError hopeless(const Segmentation& s, const Point& at) {
   return TetrahedralizeError(text.str());
 }
 
-/// A border drawn by voxels, or carried to where the jaw was opened, can have steps too rough for its triangles: they are
-/// smoothed where these cross, and stay so in `field`.
+/// A border drawn by voxels, or carried to where the jaw was opened, can have steps too rough for its triangles: they
+/// are smoothed where these cross, and stay so in `field`.
 SoftSurface smooth_enough(const Segmentation& s, Volume<float>& field, double factor) {
   constexpr int kRounds = 8;
   auto soft = soft_surface(s, field, factor);
@@ -125,8 +125,8 @@ Filled filled_to_count(const Segmentation& s, Volume<float>& field, int tetrahed
   std::optional<Filled> best;
   double best_off = 0.0;
   std::vector<std::array<double, 2>> tried;  // logarithms of factor and count
-  // A border drawn by voxels is smoothed at once; one carried by an opened jaw may not need it with other sizes; one cut
-  // from grey values as they were measured crosses only where something is wrong with it, and is named.
+  // A border drawn by voxels is smoothed at once; one carried by an opened jaw may not need it with other sizes; one
+  // cut from grey values as they were measured crosses only where something is wrong with it, and is named.
   bool smooth = !s.replaced.empty();
   const bool carried = s.pose.mouth_opened_deg != 0.0 || s.pose.extension_deg != 0.0;
   int crossed = 0;
@@ -144,11 +144,13 @@ Filled filled_to_count(const Segmentation& s, Volume<float>& field, int tetrahed
         best = std::move(now);
         best_off = std::abs(count - wanted);
       }
-    } catch (const TetrahedralizeError&) {
+    } catch (const TetrahedralizeError& e) {
       // A surface that crosses itself somewhere on the thin leaf does not with other sizes.
       if (attempt + 1 == kAttempts && !best) {
         if (const auto places = crossings(now.soft); !places.empty()) throw hopeless(s, places.front());
-        throw;
+        // Of too few triangles the two sides of the thin leaf nearly meet, which kills the generator.
+        throw TetrahedralizeError(std::string(e.what()) +
+                                  "; import it with another number of tetrahedra (4000 is usual)");
       }
       if (attempt + 1 == kAttempts) return std::move(*best);
       if (carried && !smooth && ++crossed == 2) {
