@@ -6,6 +6,7 @@
 
 #include "gui/pages/background.h"
 #include "gui/report/chart_panel.h"
+#include "gui/views/theme.h"
 
 namespace vallecula::gui {
 
@@ -44,6 +45,7 @@ void LinkedChart::draw_now() {
       [this, of = asked_](const QImage& picture) {
         if (of != asked_) return;
         picture_ = picture;
+        shown_ = theme::of_this_ground(picture_);
         update();
       },
       [this](const QString& message) {
@@ -68,22 +70,29 @@ double LinkedChart::time_at(double x) const {
   return std::clamp(chart_time_axis(width(), height(), last_s_).time_s(x), 0.0, last_s_);
 }
 
+void LinkedChart::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() != QEvent::PaletteChange && event->type() != QEvent::StyleChange) return;
+  if (drawn()) shown_ = theme::of_this_ground(picture_);
+  update();
+}
+
 void LinkedChart::paintEvent(QPaintEvent*) {
   QPainter painter(this);
-  painter.fillRect(rect(), Qt::white);
+  painter.fillRect(rect(), theme::panel());
   if (picture_.isNull()) {
-    painter.setPen(chart::kGrey);
+    painter.setPen(theme::faint());
     painter.drawText(rect(), Qt::AlignCenter, problem_.isEmpty() ? tr("Drawing ...") : problem_);
     return;
   }
-  painter.drawImage(rect(), picture_);
+  painter.drawImage(rect(), shown_);
   const auto line = [&](double at_s, const QColor& colour, double wide) {
     painter.setPen(QPen(colour, wide));
     painter.drawLine(QPointF(x_of(at_s), 0.0), QPointF(x_of(at_s), height()));
   };
   if (marked_s_ >= 0.0)
     line(marked_s_, QColor(chart::kOrange.red(), chart::kOrange.green(), chart::kOrange.blue(), 150), 7.0);
-  line(now_s_, Qt::black, 2.0);
+  line(now_s_, theme::text(), 2.0);
 }
 
 void LinkedChart::resizeEvent(QResizeEvent* event) {

@@ -33,6 +33,7 @@ class LinkedChart : public QWidget {
 
  protected:
   void paintEvent(QPaintEvent* event) override;
+  void changeEvent(QEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
   void showEvent(QShowEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
@@ -42,7 +43,7 @@ class LinkedChart : public QWidget {
   void draw_soon();
   void draw_now();
   Draw draw_;
-  QImage picture_;
+  QImage picture_, shown_;  ///< as drawn for paper, and on the window's ground
   QString problem_;
   QTimer soon_;
   QPointer<QThread> drawing_;

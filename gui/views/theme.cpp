@@ -191,6 +191,25 @@ QColor of_this_ground(const QColor& colour) {
   return colour;
 }
 
+QImage of_this_ground(const QImage& on_paper) {
+  if (applied.ground == Ground::light) return on_paper;
+  QImage image = on_paper.convertToFormat(QImage::Format_RGB32);
+  const QColor& paper = panel();
+  // White becomes the panel's colour and not black.
+  const auto between = [](int value, int paper) { return paper + value * (255 - paper) / 255; };
+  for (int y = 0; y < image.height(); ++y) {
+    auto* line = reinterpret_cast<QRgb*>(image.scanLine(y));
+    for (int x = 0; x < image.width(); ++x) {
+      const int red = qRed(line[x]), green = qGreen(line[x]), blue = qBlue(line[x]);
+      // To each channel alike: of hue, saturation and lightness only the last changes, to one less itself.
+      const int turn = 255 - std::max({red, green, blue}) - std::min({red, green, blue});
+      line[x] = qRgb(between(red + turn, paper.red()), between(green + turn, paper.green()),
+                     between(blue + turn, paper.blue()));
+    }
+  }
+  return image;
+}
+
 void apply(QApplication& application, const Look& look) {
   applied = {look.ground, std::clamp(look.text_scale, kLeastTextScale, kMostTextScale)};
   colours = applied.ground == Ground::dark ? &kDark : &kLight;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QColor>
+#include <QImage>
 
 class QApplication;
 class QString;
@@ -43,6 +44,8 @@ void keep_wide(QWidget& widget, int pixels);
 void keep_high(QWidget& widget, int pixels);
 /// What a colour of the other ground is on this one (for what keeps its colour, as a list's rows do); else itself.
 QColor of_this_ground(const QColor& colour);
+/// A chart drawn for white paper as it is on this ground: on a dark one light and dark change places and the hues stay.
+QImage of_this_ground(const QImage& on_paper);
 
 /// Palette, font and style sheet of the whole application; whatever is open follows at once.
 void apply(QApplication& application, const Look& look = {});

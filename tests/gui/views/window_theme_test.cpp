@@ -116,6 +116,36 @@ TEST_F(WindowTheme, ValuesOfTheResultStayLargerThanTheirLabels) {
   }
 }
 
+// The colours of the charts (Okabe and Ito), as drawn on white.
+TEST_F(WindowTheme, AChartForPaperIsReadOnADarkGroundInItsOwnHues) {
+  QImage paper(9, 1, QImage::Format_RGB32);
+  const std::vector<QColor> colours{Qt::white,
+                                    QColor(0x22, 0x22, 0x22),
+                                    QColor(0x00, 0x72, 0xB2),
+                                    QColor(0xD5, 0x5E, 0x00),
+                                    QColor(0x00, 0x9E, 0x73),
+                                    QColor(0x55, 0x55, 0x55),
+                                    QColor(0x39, 0x78, 0x9b),
+                                    QColor(0xE3, 0xE3, 0xE3),
+                                    Qt::black};
+  for (int x = 0; x < 9; ++x) paper.setPixelColor(x, 0, colours[static_cast<std::size_t>(x)]);
+  theme::apply(*qApp, {Ground::light, 1.0});
+  EXPECT_EQ(theme::of_this_ground(paper), paper);
+  theme::apply(*qApp, {Ground::dark, 1.0});
+  const QImage dark = theme::of_this_ground(paper);
+  EXPECT_EQ(dark.pixelColor(0, 0), theme::panel());
+  EXPECT_EQ(dark.pixelColor(8, 0), QColor(Qt::white));
+  for (int x = 1; x < 7; ++x) {
+    const QColor before = paper.pixelColor(x, 0), now = dark.pixelColor(x, 0);
+    EXPECT_GE(contrast(now, theme::panel()), 3.0) << "WCAG 2.1, 1.4.11: " << now.name().toStdString();
+    if (before.hslSaturation() > 50) {
+      EXPECT_NEAR(now.hslHue(), before.hslHue(), 4) << now.name().toStdString();
+    }
+  }
+  EXPECT_LT(contrast(dark.pixelColor(7, 0), theme::panel()), 1.6) << "a grid stays faint";
+  theme::apply(*qApp, {});
+}
+
 TEST_F(WindowTheme, ADialogHasAnEdge) {
   for (const Ground ground : {Ground::dark, Ground::light}) {
     theme::apply(*qApp, {ground, 1.0});
