@@ -4,8 +4,8 @@
 #include <QDockWidget>
 #include <QKeyEvent>
 #include <QMenu>
-#include <QScrollArea>
 #include <QSettings>
+#include <QTabBar>
 #include <QTimer>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -17,6 +17,7 @@
 #include "gui/views/force_bars.h"
 #include "gui/views/monitor_panel.h"
 #include "gui/views/sagittal_view.h"
+#include "gui/views/scrolled.h"
 #include "gui/views/theme.h"
 #include "gui/views/trial_readings.h"
 #include "gui/views/video_view.h"
@@ -27,7 +28,8 @@ namespace {
 constexpr int kOneView = 150;    // px in height; where a view has less, the team's line comes before it
 constexpr int kTwoViews = 420;   // px in height from which two views stand one above the other
 constexpr int kArrangement = 1;  // of the kept state; another number is not taken back
-constexpr double kSideShare = 0.36;
+constexpr double kSideShare = 0.36, kMostSideShare = 0.42;
+constexpr double kReadingsLines = 4.0;  // the clock and how much is seen
 
 constexpr const char* kStateKey = "trial_page/panels";
 constexpr const char* kHidden = "trial_page/hidden";
@@ -39,6 +41,7 @@ const std::array<const char*, TrialPanels::kPanels> kNames{"monitor", "cut", "vi
 TrialPanels::TrialPanels(QWidget* centre, QWidget* parent) : QMainWindow(parent) {
   setWindowFlags(Qt::Widget);                    // the constructor makes every main window one of its own
   setContextMenuPolicy(Qt::PreventContextMenu);  // the right button turns the blade
+  theme::dress(*this, "QTabBar::tab { padding: 6px 7px; }");  // three names side by side
   setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
   setCorner(Qt::TopRightCorner, Qt::RightDockWidgetArea);
   setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
@@ -68,14 +71,8 @@ TrialPanels::TrialPanels(QWidget* centre, QWidget* parent) : QMainWindow(parent)
   add(cut, tr("Mid-&sagittal cut"), sagittal_view_);
   add(video, tr("&Video laryngoscope"), video_view_);
   add(force, tr("&Force"), framed(bars_, 8));
-  auto* scroll = new QScrollArea(this);  // with all panels open in a small window the last figures are scrolled to
-  scroll->setWidget(framed(readings_, 0));
-  scroll->setWidgetResizable(true);
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  scroll->setFocusPolicy(Qt::NoFocus);  // keys are the blade's
-  scroll->setMinimumHeight(90);
-  add(readings, tr("&Readings"), scroll);
+  // With all panels open in a small window the last figures are scrolled to.
+  add(readings, tr("&Readings"), new Scrolled(framed(readings_, 0), kReadingsLines, this));
   add(team, tr("&Team"), distractions_);
   menu_->addSeparator();
   menu_->addAction(tr("Panels &as at first"), this, &TrialPanels::restore_first);
@@ -152,7 +149,18 @@ std::vector<KeyRow> TrialPanels::keys() const {
 
 void TrialPanels::fit_later() {
   // Once the docks that came or went have their places.
-  if (as_at_first_) QTimer::singleShot(0, this, &TrialPanels::fit);
+  if (!as_at_first_) return;
+  QTimer::singleShot(0, this, &TrialPanels::fit);
+  QTimer::singleShot(0, this, &TrialPanels::widen);  // for the tabs that came by it
+}
+
+/// The side as wide as it is at first, or as the names on its tabs are, where the picture stays the largest.
+void TrialPanels::widen() {
+  if (!isVisible() || !as_at_first_) return;
+  double wide = kSideShare * width();
+  for (const QTabBar* tabs : findChildren<QTabBar*>(QString(), Qt::FindDirectChildrenOnly))
+    if (tabs->isVisible()) wide = std::max(wide, std::min(tabs->sizeHint().width() + 4.0, kMostSideShare * width()));
+  resizeDocks({docks_[force]}, {static_cast<int>(wide)}, Qt::Horizontal);
 }
 
 /// A panel behind another's tab is not.
@@ -194,10 +202,10 @@ void TrialPanels::fit_team(int left) {
   }
 }
 
-/// The side as wide as it is at first, and as high as its texts ask for; the cut has the rest.
+/// As high as its texts ask for; the cut has the rest.
 void TrialPanels::fit() {
   if (!isVisible() || !as_at_first_) return;
-  resizeDocks({docks_[force]}, {static_cast<int>(kSideShare * width())}, Qt::Horizontal);
+  widen();
   resizeDocks({docks_[monitor]}, {docks_[monitor]->sizeHint().height()}, Qt::Vertical);
   QList<QDockWidget*> side;
   QList<int> heights;
