@@ -20,6 +20,7 @@ using DistractionKind = curricula::Distraction::Kind;
 constexpr int kBeepMs = 1500;
 constexpr int kBarSteps = 1000;
 constexpr double kHeight = 150.0;  // of a question and one more; what is seen beside it must not jump
+constexpr int kLeastLines = 3;     // of a sentence, where all else has its least room too
 constexpr int kFirstAnswer = Qt::Key_1, kLastAnswer = Qt::Key_9, kSilence = Qt::Key_M;
 
 QColor colour_of(DistractionKind kind) {
@@ -92,15 +93,19 @@ void DistractionPanel::serve(DualTask* task, bool by_person) {
   idle_->show();
 }
 
-// A dock takes no height for width, so that words of several lines would be cut.
-QSize DistractionPanel::minimumSizeHint() const {
+// A dock takes no height for width: its panel says how high it is in the width it has, or is about to have.
+QSize DistractionPanel::sizeHint() const {
   const bool asks = task_ != nullptr && !task_->distractions().empty();
-  const int words = layout()->heightForWidth(std::max(width(), QFrame::minimumSizeHint().width()));
-  return {QFrame::minimumSizeHint().width(), std::max(words, asks ? static_cast<int>(theme::points(kHeight)) : 0)};
+  const int wide = width() < window()->width() / 4 ? window()->width() / 3 : width();
+  return {QFrame::sizeHint().width(),
+          std::max(layout()->heightForWidth(wide), asks ? static_cast<int>(theme::points(kHeight)) : 0)};
 }
 
-QSize DistractionPanel::sizeHint() const {
-  return {QFrame::sizeHint().width(), minimumSizeHint().height()};
+QSize DistractionPanel::minimumSizeHint() const {
+  const bool asks = task_ != nullptr && !task_->distractions().empty();
+  const QMargins around = layout()->contentsMargins();
+  const int some = kLeastLines * QFontMetrics(larger(font())).lineSpacing() + around.top() + around.bottom();
+  return {QFrame::minimumSizeHint().width(), asks ? sizeHint().height() : std::min(sizeHint().height(), some)};
 }
 
 void DistractionPanel::resizeEvent(QResizeEvent* event) {

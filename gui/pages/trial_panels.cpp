@@ -159,7 +159,7 @@ void TrialPanels::widen() {
   if (!isVisible() || !as_at_first_) return;
   double wide = kSideShare * width();
   for (const QTabBar* tabs : findChildren<QTabBar*>(QString(), Qt::FindDirectChildrenOnly))
-    if (tabs->isVisible()) wide = std::max(wide, std::min(tabs->sizeHint().width() + 4.0, kMostSideShare * width()));
+    if (tabs->isVisible() && tabs->count() > 1) wide = std::max(wide, std::min(tabs->sizeHint().width() + 4.0, kMostSideShare * width()));
   resizeDocks({docks_[force]}, {static_cast<int>(wide)}, Qt::Horizontal);
 }
 
@@ -240,6 +240,9 @@ void TrialPanels::fit() {
     if (docks_[panel]->isVisible()) {
       side << docks_[panel];
       heights << std::max(kOneView, left / 2);
+      // A sentence before a view is there to be read, all of it.
+      if (tabifiedDockWidgets(docks_[panel]).contains(docks_[team]) && docks_[team]->isVisible())
+        heights.back() = std::max(heights.back(), docks_[team]->sizeHint().height() + 2 * fontMetrics().lineSpacing());
     }
   resizeDocks(side, heights, Qt::Vertical);
 }
@@ -328,9 +331,15 @@ void TrialPanels::close_trial() {
 
 void TrialPanels::say(const QString& line) {
   distractions_->say(line);
+  // Once its words have their place: as high as they are, also where a person has arranged the panels.
+  QTimer::singleShot(0, this, [this] {
+    const QDockWidget& dock = *docks_[team];
+    if (!as_at_first_ && dock.isVisible() && !dock.isFloating())
+      resizeDocks({docks_[team]}, {std::max(dock.height(), dock.sizeHint().height())}, Qt::Vertical);
+  });
   if (said_) {
     if (docks_[team]->isVisible() && team_shares_place()) raise_team();
-    return;
+    return fit_later();
   }
   said_ = true;
   raise_team();

@@ -162,8 +162,10 @@ void TrialChart::draw_scales(QPainter& painter, ChartLabels& labels) const {
   const int every = std::max(1, static_cast<int>(std::ceil(tick_step(count, std::min(12, numbers)))));
   for (int number = every; number <= count; number += every) {
     painter.setPen(theme::faint());
-    labels.write(painter, QRectF(position(number - 1).x() - 2 * line, in.bottom() + 2, 4 * line, line),
-                 Qt::AlignHCenter | Qt::AlignTop, QString::number(number));
+    const QString words = QString::number(number);
+    const double half = 0.5 * type.horizontalAdvance(words) + 1.0;
+    const double middle = std::min(position(number - 1).x(), width() - half);  // the last ends with the chart
+    labels.write(painter, QRectF(middle - half, in.bottom() + 2, 2.0 * half, line), Qt::AlignCenter, words);
   }
   painter.setPen(theme::faint());
   labels.write(painter, QRectF(2, in.bottom() + 2, left - 4, line), Qt::AlignLeft | Qt::AlignTop, tr("trial"));

@@ -129,7 +129,8 @@ inline std::vector<std::string> cut_texts(const QWidget& page) {
     for (int i = 0; i < tabs->count(); ++i) {
       const QSize tab = tabs->tabRect(i).size();
       const int wanted = tabs->fontMetrics().horizontalAdvance(tabs->tabText(i).remove('&'));
-      if (tabs->isVisible() && std::max(tab.width(), tab.height()) < wanted)  // some stand on their side
+      // A bar of one is not shown by a window of docks.
+      if (!tabs->visibleRegion().isEmpty() && tabs->count() > 1 && std::max(tab.width(), tab.height()) < wanted)  // some stand on their side
         tell(*tabs, tabs->tabText(i),
              QString("%1 of %2 px wide").arg(std::max(tab.width(), tab.height())).arg(wanted));
     }

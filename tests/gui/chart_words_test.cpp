@@ -39,7 +39,7 @@ curricula::TrialLog crowded_log(const Crowd& crowd) {
     t.has_intubation = true;
     t.intubation.spo2 = t.intubation.sao2 = t.time_s > 20.0 ? 0.71 : 0.95;
     t.intubation.heart_per_min = t.time_s > 20.0 ? 99.0 : 150.0;
-    t.intubation.detector_yellow = t.time_s > crowd.sight_s + 1.0;
+    t.intubation.detector_yellow = t.time_s > crowd.sight_s + 0.3;
   }
   return log;
 }
@@ -83,7 +83,7 @@ class ChartWords : public ::testing::TestWithParam<std::string> {
 };
 
 TEST_P(ChartWords, LieBesideOneAnotherAndAreAsLargeAsAsked) {
-  const std::vector<Crowd> crowds{{},
+  const std::vector<Crowd> crowds{{7.9, 7.4, 31.0, 33.0, 30.0, 31.5},
                                   {7.9, 5.0, 1.0, 2.0, 1.5, 39.0},      // at the left end
                                   {7.9, 7.9, 39.5, 35.9, 39.0, 39.8},   // at the right end, limits as one
                                   {3.3, 6.8, 20.0, 20.2, 20.1, 20.3}};  // a pause upon all of it

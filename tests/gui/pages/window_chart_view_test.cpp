@@ -63,7 +63,7 @@ TEST_F(WindowChartView, ALearningCurvesWordsStandClearOfOneAnotherInEveryTextSiz
                     {5.1, theme::bad(), "nicht kompetent", false}};
   for (const double scale : {1.0, 1.35, 1.6}) {
     text(scale);
-    for (const int wider : {0, 140, 500}) {
+    for (const int wider : {0, 140, 600}) {
       TrialChart chart(nullptr);
       chart.show_content(content);
       const QSize least = chart.minimumSizeHint();
@@ -80,7 +80,7 @@ TEST_F(WindowChartView, ALearningCurvesWordsStandClearOfOneAnotherInEveryTextSiz
       QString title;
       for (const ChartLabel& label : chart.labels()) title += label.whole + ' ';
       EXPECT_TRUE(title.contains(content.title)) << which << ": " << title.toStdString();
-      if (wider == 500) EXPECT_TRUE(all.contains(content.title)) << "in one line where there is room";
+      if (wider == 600 && scale == 1.0) EXPECT_TRUE(all.contains(content.title)) << "in one line where there is room";
     }
   }
 }

@@ -42,7 +42,10 @@ TEST_P(WindowRecordsLargeText, NothingOfAPersonsProgressIsCut) {
   tabs->setCurrentWidget(page().findChild<ProgressTab*>());
   auto charts = page().findChild<ProgressTab*>()->findChildren<TrialChart*>();
   ASSERT_EQ(charts.size(), 2);
-  ASSERT_TRUE(wait_for([&] { return charts[0]->labels().size() > 8 && charts[1]->labels().size() > 8; }, 20000));
+  const bool drawn =
+      wait_for([&] { return charts[0]->labels().size() > 8 && charts[1]->labels().size() > 8; }, 20000);
+  keep_picture(*window_, std::string("records-large-") + GetParam() + ".png");
+  ASSERT_TRUE(drawn);
   QApplication::processEvents();
   EXPECT_EQ(window_->size(), QSize(1280, 800));
   EXPECT_EQ(cut_texts(page()), std::vector<std::string>()) << lines(cut_texts(page()));
@@ -51,7 +54,6 @@ TEST_P(WindowRecordsLargeText, NothingOfAPersonsProgressIsCut) {
     const auto trouble = trouble_of(painted_words(*chart), chart->size());
     EXPECT_EQ(trouble, std::vector<std::string>()) << lines(trouble);
   }
-  keep_picture(*window_, std::string("records-large-") + GetParam() + ".png");
 }
 
 INSTANTIATE_TEST_SUITE_P(Languages, WindowRecordsLargeText, ::testing::Values("en", "de"),
