@@ -52,9 +52,7 @@ ChartForm ChartView::form() const {
 
 double ChartView::em() const { return std::max(8.0, kOfThePage * QFontInfo(font()).pixelSize()); }
 
-QSize ChartView::minimumSizeHint() const {
-  return {kLeastWide, static_cast<int>(std::ceil(least_em_ * em()))};
-}
+QSize ChartView::minimumSizeHint() const { return {kLeastWide, static_cast<int>(std::ceil(least_em_ * em()))}; }
 
 QSize ChartView::sizeHint() const { return {700, minimumSizeHint().height()}; }
 
@@ -87,8 +85,8 @@ void ChartView::paintEvent(QPaintEvent*) {
   if (problem_.isEmpty() && !meanwhile_.isNull()) {
     painter.setRenderHint(QPainter::SmoothPixmapTransform);
     const QSize fitting = meanwhile_.size().scaled(size(), Qt::KeepAspectRatio);
-    return painter.drawImage(
-        QRect(QPoint((width() - fitting.width()) / 2, (height() - fitting.height()) / 2), fitting), meanwhile_);
+    return painter.drawImage(QRect(QPoint((width() - fitting.width()) / 2, (height() - fitting.height()) / 2), fitting),
+                             meanwhile_);
   }
   painter.setPen(chart::kGrey);
   painter.drawText(rect().adjusted(8, 8, -8, -8), Qt::AlignCenter | Qt::TextWordWrap,

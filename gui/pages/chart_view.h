@@ -1,5 +1,5 @@
-// A chart as large as it is seen, its letters as large as the window's; drawn on a thread of its own. Words that were cut
-// for want of room are said whole while the mouse is over them.
+// A chart as large as it is seen, its letters as large as the window's; drawn on a thread of its own. Words that were
+// cut for want of room are said whole while the mouse is over them.
 #pragma once
 
 #include <QPointer>

@@ -61,7 +61,8 @@ void HandPanel::serve(HandActions* actions, bool switches) {
 void HandPanel::keep_room() {
   const QString now = catheter_->text();
   int most = 0;
-  for (const QString& text : {tr("Tube out first (C)"), tr("Catheter out first (C)"), tr("Tube (C)"), tr("Catheter (C)")}) {
+  for (const QString& text :
+       {tr("Tube out first (C)"), tr("Catheter out first (C)"), tr("Tube (C)"), tr("Catheter (C)")}) {
     catheter_->setText(text);
     most = std::max(most, catheter_->sizeHint().width());
   }

@@ -160,8 +160,7 @@ QWidget* ReplayPage::make_pictures() {
   charts_->setFocusPolicy(Qt::NoFocus);
   force_chart_ = new LinkedChart(tr("Force over time"), kLeastUntitledForceChart, charts_);
   force_chart_->setObjectName("force_chart");
-  monitor_chart_ =
-      new LinkedChart(tr("Saturation and heart rate over time"), kLeastUntitledMonitorChart, charts_);
+  monitor_chart_ = new LinkedChart(tr("Saturation and heart rate over time"), kLeastUntitledMonitorChart, charts_);
   // With large text a chart is higher than its place.
   charts_->addTab(new Scrolled(force_chart_, 7.0, charts_), tr("Force"));
   charts_->addTab(new Scrolled(monitor_chart_, 7.0, charts_), tr("Monitor"));

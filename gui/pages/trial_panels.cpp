@@ -4,6 +4,7 @@
 #include <QDockWidget>
 #include <QKeyEvent>
 #include <QMenu>
+#include <QSet>
 #include <QSettings>
 #include <QTabBar>
 #include <QTimer>
@@ -39,8 +40,8 @@ const std::array<const char*, TrialPanels::kPanels> kNames{"monitor", "cut", "vi
 }  // namespace
 
 TrialPanels::TrialPanels(QWidget* centre, QWidget* parent) : QMainWindow(parent) {
-  setWindowFlags(Qt::Widget);                    // the constructor makes every main window one of its own
-  setContextMenuPolicy(Qt::PreventContextMenu);  // the right button turns the blade
+  setWindowFlags(Qt::Widget);                                 // the constructor makes every main window one of its own
+  setContextMenuPolicy(Qt::PreventContextMenu);               // the right button turns the blade
   theme::dress(*this, "QTabBar::tab { padding: 6px 7px; }");  // three names side by side
   setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
   setCorner(Qt::TopRightCorner, Qt::RightDockWidgetArea);
@@ -159,7 +160,8 @@ void TrialPanels::widen() {
   if (!isVisible() || !as_at_first_) return;
   double wide = kSideShare * width();
   for (const QTabBar* tabs : findChildren<QTabBar*>(QString(), Qt::FindDirectChildrenOnly))
-    if (tabs->isVisible() && tabs->count() > 1) wide = std::max(wide, std::min(tabs->sizeHint().width() + 4.0, kMostSideShare * width()));
+    if (tabs->isVisible() && tabs->count() > 1)
+      wide = std::max(wide, std::min(tabs->sizeHint().width() + 4.0, kMostSideShare * width()));
   resizeDocks({docks_[force]}, {static_cast<int>(wide)}, Qt::Horizontal);
 }
 
@@ -244,6 +246,18 @@ void TrialPanels::fit() {
       if (tabifiedDockWidgets(docks_[panel]).contains(docks_[team]) && docks_[team]->isVisible())
         heights.back() = std::max(heights.back(), docks_[team]->sizeHint().height() + 2 * fontMetrics().lineSpacing());
     }
+  // Where that is more than there is, the readings give way: their last are scrolled to.
+  if (const int at = side.indexOf(docks_[readings]); at >= 0) {
+    QSet<QDockWidget*> counted;
+    int over = -height();
+    for (int i = 0; i < side.size(); ++i) {
+      const auto tabbed = tabifiedDockWidgets(side[i]);
+      if (std::any_of(tabbed.begin(), tabbed.end(), [&](QDockWidget* one) { return counted.contains(one); })) continue;
+      counted.insert(side[i]);
+      over += heights[i];
+    }
+    heights[at] -= std::clamp(over, 0, std::max(0, heights[at] - docks_[readings]->minimumSizeHint().height()));
+  }
   resizeDocks(side, heights, Qt::Vertical);
 }
 

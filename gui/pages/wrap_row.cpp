@@ -28,9 +28,8 @@ int WrapRow::wide(const Row& row) const {
 }
 
 int WrapRow::high(const Row& row) {
-  return std::accumulate(row.begin(), row.end(), 0, [](int most, const QLayoutItem* item) {
-    return std::max(most, item->sizeHint().height());
-  });
+  return std::accumulate(row.begin(), row.end(), 0,
+                         [](int most, const QLayoutItem* item) { return std::max(most, item->sizeHint().height()); });
 }
 
 std::vector<WrapRow::Row> WrapRow::rows_for(int width) const {

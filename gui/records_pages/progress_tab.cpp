@@ -76,6 +76,7 @@ QWidget* ProgressTab::make_left() {
   for (const auto day : {Qt::Saturday, Qt::Sunday}) calendar_->setWeekdayTextFormat(day, weekend);
   day_ = new QLabel(left);
   day_->setObjectName("faint");
+  day_->setWordWrap(true);
   auto* column = new QVBoxLayout(left);
   column->setContentsMargins(0, 0, 8, 0);
   column->addWidget(whose_label_);

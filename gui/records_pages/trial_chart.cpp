@@ -14,9 +14,9 @@
 namespace vallecula::gui {
 namespace {
 
-constexpr double kRadius = 4.5;  ///< of a mark, pixels
-constexpr double kReach = 12.0;  ///< of the mouse
-constexpr double kRight = 12.0;  ///< pixels
+constexpr double kRadius = 4.5;                            ///< of a mark, pixels
+constexpr double kReach = 12.0;                            ///< of the mouse
+constexpr double kRight = 12.0;                            ///< pixels
 constexpr double kLeastLines = 9.0, kLeastLetters = 24.0;  ///< of text: its least height and width
 
 void draw_mark(QPainter& painter, const QPointF& at, TrialChart::Mark mark) {
@@ -92,7 +92,8 @@ void TrialChart::set_current(int index) {
 
 QSize TrialChart::minimumSizeHint() const {
   const QFontMetrics type(font());
-  return {static_cast<int>(kLeastLetters * type.averageCharWidth()), static_cast<int>(kLeastLines * type.lineSpacing())};
+  return {static_cast<int>(kLeastLetters * type.averageCharWidth()),
+          static_cast<int>(kLeastLines * type.lineSpacing())};
 }
 
 QSize TrialChart::sizeHint() const { return {std::max(260, minimumSizeHint().width()), minimumSizeHint().height()}; }
@@ -138,10 +139,12 @@ void TrialChart::paintEvent(QPaintEvent*) {
     return;
   }
   draw_scales(painter, labels);
-  draw_points(painter);
+  for (int i = 0; i < static_cast<int>(content_.points.size()); ++i)
+    labels.shun(QRectF(position(i).x() - kRadius, position(i).y() - kRadius, 2.0 * kRadius, 2.0 * kRadius));
   QColor paper = theme::ground();
   paper.setAlpha(190);
   labels_ = labels.draw(painter, paper);
+  draw_points(painter);  // over the words: no trial is hidden
 }
 
 void TrialChart::draw_scales(QPainter& painter, ChartLabels& labels) const {
@@ -175,8 +178,7 @@ void TrialChart::draw_scales(QPainter& painter, ChartLabels& labels) const {
     const double above = y(level.value) - labels.row_high() - 1, below = y(level.value) + 1;
     std::vector<LabelSlot> places;
     for (const double top : {level.text_below ? below : above, level.text_below ? above : below})
-      places.push_back(
-          {QRectF(in.left() + 4, top, in.width() - 8, labels.row_high()), Qt::AlignRight, false});
+      places.push_back({QRectF(in.left() + 4, top, in.width() - 8, labels.row_high()), Qt::AlignRight, false});
     labels.add(level.text, level.colour.lighter(115), QRectF(in.left(), y(level.value) - 4, in.width(), 8), places);
   }
 }

@@ -58,8 +58,8 @@ class TrialChart : public QWidget {
 
  private:
   QRectF frame() const;
-  double title_high() const;  ///< px: in two lines where one is too short
-  double left_wide() const;   ///< px: of the scale's figures
+  double title_high() const;             ///< px: in two lines where one is too short
+  double left_wide() const;              ///< px: of the scale's figures
   int nearest(const QPointF& at) const;  ///< -1: none there
   double y(double value) const;
   void draw_scales(QPainter& painter, ChartLabels& labels) const;

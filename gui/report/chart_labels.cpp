@@ -11,11 +11,15 @@ constexpr double kApart = 0.3;     // em between two labels
 
 }  // namespace
 
-std::vector<std::pair<double, double>> ChartLabels::free_of(const QRectF& row) const {
+std::vector<std::pair<double, double>> ChartLabels::free_of(const QRectF& row, bool off_shunned) const {
   std::vector<std::pair<double, double>> blocked;
-  for (const QRectF& place : taken_)
-    if (place.top() < row.bottom() && row.top() < place.bottom())
-      blocked.emplace_back(place.left() - kApart * em_, place.right() + kApart * em_);
+  const auto block = [&](const std::vector<QRectF>& places) {
+    for (const QRectF& place : places)
+      if (place.top() < row.bottom() && row.top() < place.bottom())
+        blocked.emplace_back(place.left() - kApart * em_, place.right() + kApart * em_);
+  };
+  block(taken_);
+  if (off_shunned) block(shunned_);
   std::sort(blocked.begin(), blocked.end());
   std::vector<std::pair<double, double>> free;
   double from = row.left();
@@ -36,17 +40,19 @@ void ChartLabels::add(const QString& text, const QColor& colour, const QRectF& m
   if (!text.isEmpty()) wishes_.push_back({text, colour, mark, std::move(places)});
 }
 
-ChartLabel ChartLabels::placed(const Wish& wish) const {
+ChartLabel ChartLabels::placed(const Wish& wish, bool off_shunned) const {
   const double wanted = type_.horizontalAdvance(wish.text) + 1.0;
   QRectF widest;
   Qt::AlignmentFlag widest_side = Qt::AlignLeft;
   const auto box_in = [](const QRectF& row, double left, double right, double wide, Qt::AlignmentFlag side) {
     const double middle = std::clamp(row.center().x() - 0.5 * wide, left, std::max(left, right - wide));
-    return QRectF(side == Qt::AlignLeft ? left : side == Qt::AlignRight ? right - wide : middle, row.top(), wide,
-                  row.height());
+    return QRectF(side == Qt::AlignLeft    ? left
+                  : side == Qt::AlignRight ? right - wide
+                                           : middle,
+                  row.top(), wide, row.height());
   };
   for (const LabelSlot& slot : wish.places) {
-    auto free = free_of(slot.row);
+    auto free = free_of(slot.row, off_shunned);
     if (slot.side == Qt::AlignRight) std::reverse(free.begin(), free.end());
     for (const auto& [left, right] : free) {
       if (slot.at_end && ((slot.side == Qt::AlignLeft && left > slot.row.left() + 0.5) ||
@@ -76,11 +82,11 @@ void ChartLabels::write(QPainter& painter, const QRectF& box, int alignment, con
 }
 
 std::vector<ChartLabel> ChartLabels::draw(QPainter& painter, const QColor& paper) {
-  std::stable_partition(wishes_.begin(), wishes_.end(), [](const Wish& wish) {
-    return !wish.places.empty() && wish.places.front().at_end;
-  });
+  std::stable_partition(wishes_.begin(), wishes_.end(),
+                        [](const Wish& wish) { return !wish.places.empty() && wish.places.front().at_end; });
   for (const Wish& wish : wishes_) {
-    const ChartLabel label = placed(wish);
+    ChartLabel label = placed(wish, true);
+    if (label.cut()) label = placed(wish, false);
     labels_.push_back(label);
     if (label.shown.isEmpty()) continue;
     taken_.push_back(label.box);

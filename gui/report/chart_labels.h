@@ -33,7 +33,10 @@ class ChartLabels {
   ChartLabels(const QFontMetricsF& type, double em) : type_(type), em_(em) {}
   /// No words come there.
   void take(const QRectF& place) { taken_.push_back(place); }
-  /// Words in the first of `places` that has room for them; where none has, cut in the widest. `mark`: what they are of.
+  /// Words come there only where there is no other place: curves and marks.
+  void shun(const QRectF& place) { shunned_.push_back(place); }
+  /// Words in the first of `places` that has room for them; where none has, cut in the widest. `mark`: what they are
+  /// of.
   void add(const QString& text, const QColor& colour, const QRectF& mark, std::vector<LabelSlot> places);
   /// Words whose place is given, cut to it; drawn at once.
   void write(QPainter& painter, const QRectF& box, int alignment, const QString& text);
@@ -53,12 +56,12 @@ class ChartLabels {
     std::vector<LabelSlot> places;
   };
   /// What of a row is free: left and right end, px.
-  std::vector<std::pair<double, double>> free_of(const QRectF& row) const;
-  ChartLabel placed(const Wish& wish) const;
+  std::vector<std::pair<double, double>> free_of(const QRectF& row, bool off_shunned) const;
+  ChartLabel placed(const Wish& wish, bool off_shunned) const;
 
   QFontMetricsF type_;
   double em_;
-  std::vector<QRectF> taken_;
+  std::vector<QRectF> taken_, shunned_;
   std::vector<ChartLabel> labels_;
   std::vector<Wish> wishes_;
 };

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 #include "gui/session/words_from_below.h"
 
@@ -81,6 +82,7 @@ void Panel::axes(const QStringList& titles, int value_ticks, bool times) {
 void Panel::line(const Series& series, const QPen& pen) {
   QPainterPath path;
   std::size_t first = 0;
+  QRectF piece;  // of the line, about a letter wide: words keep off it
   while (first < series.time_s.size()) {
     const double column = std::floor(x(series.time_s[first]));
     std::size_t low = first, high = first, last = first;
@@ -92,12 +94,16 @@ void Panel::line(const Series& series, const QPen& pen) {
     for (const std::size_t i : {first, std::min(low, high), std::max(low, high), last}) {
       const QPointF point(x(series.time_s[i]), y(series.value[i]));
       path.elementCount() == 0 ? path.moveTo(point) : path.lineTo(point);
+      const QRectF dot(point.x() - 0.5, point.y() - 0.5, 1.0, 1.0);
+      piece = piece.isNull() ? dot : piece.united(dot);
     }
+    if (piece.width() >= em_) labels_.shun(std::exchange(piece, QRectF()));
     first = last + 1;
   }
   painter_.setBrush(Qt::NoBrush);
   painter_.setPen(pen);
   painter_.drawPath(path);
+  if (!piece.isNull()) labels_.shun(piece);
 }
 
 void Panel::level(double value, const QColor& colour, Qt::PenStyle style, const QString& text, bool text_above) {
@@ -147,11 +153,12 @@ void Panel::peak(double time_s, double value, const QColor& colour, const QStrin
   painter_.setPen(QPen(Qt::white, em_ * 0.15));
   painter_.setBrush(colour);
   painter_.drawEllipse(at, em_ * 0.38, em_ * 0.38);
+  labels_.shun(QRectF(at.x() - 0.4 * em_, at.y() - 0.4 * em_, 0.8 * em_, 0.8 * em_));
   const double high = labels_.row_high();
   std::vector<LabelSlot> places = beside(at.x(), 0.6 * em_, at.y() - high - 0.2 * em_, -0.5 * high);
   const auto below = beside(at.x(), 0.6 * em_, at.y() + 0.2 * em_, 0.5 * high);
   places.insert(places.begin() + static_cast<std::ptrdiff_t>(std::min<std::size_t>(2, places.size())), below.begin(),
-               below.end());
+                below.end());
   labels_.add(text, colour.darker(130), QRectF(at.x() - 0.5 * em_, at.y() - 0.5 * em_, em_, em_), places);
 }
 

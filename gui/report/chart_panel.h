@@ -56,8 +56,8 @@ struct Chart {
   std::vector<ChartLabel> labels;
 };
 
-/// One panel: data to pixels, axes, lines. All lengths in units of `em`, the height of the chart's letters. Its words go
-/// to `labels`, which keeps them from lying on one another.
+/// One panel: data to pixels, axes, lines. All lengths in units of `em`, the height of the chart's letters. Its words
+/// go to `labels`, which keeps them from lying on one another.
 class Panel {
  public:
   Panel(QPainter& painter, ChartLabels& labels, const QRectF& frame, double end_s, double top, double em)
@@ -110,8 +110,8 @@ struct TimeAxis {
 /// Of a chart of this form of a trial whose last tick is at `last_s`.
 TimeAxis chart_time_axis(const ChartForm& form, double last_s);
 
-/// Sets the chart's font, writes its title and its legend over the panels from `left` to `right`; where the panels begin,
-/// px.
+/// Sets the chart's font, writes its title and its legend over the panels from `left` to `right`; where the panels
+/// begin, px.
 double begin_chart(QPainter& painter, ChartLabels& labels, const ChartForm& form, double left, double right,
                    const QString& title, const std::vector<LegendEntry>& legend);
 /// Of a chart's words, for its ChartLabels.

@@ -86,9 +86,9 @@ std::vector<ChartLabel> paint_force_chart(QPainter& painter, const ChartForm& fo
     view.span(from_s, to_s, chart::kAttempt);
   }
   force.axes({QCoreApplication::translate("Charts", "force (N)")}, 8, false);
-  view.axes({QCoreApplication::translate("Charts", "glottis seen (%)"),
-             QCoreApplication::translate("Charts", "seen (%)")},
-            2, true);
+  view.axes(
+      {QCoreApplication::translate("Charts", "glottis seen (%)"), QCoreApplication::translate("Charts", "seen (%)")}, 2,
+      true);
 
   force.line(gum, QPen(kGum, em * 0.16));
   force.line(tongue, QPen(kTongue, em * 0.18));

@@ -67,15 +67,15 @@ std::vector<ChartLabel> paint_monitor_chart(QPainter& painter, const ChartForm& 
   const TimeAxis axis = chart_time_axis(form, log.ticks.empty() ? 0.0 : log.ticks.back().time_s);
   const double left = axis.left, right = axis.right, gap = 1.6 * em;
   ChartLabels labels(chart_type(em), em);
-  const double begin = begin_chart(
-      painter, labels, form, left, right,
-      QCoreApplication::translate("Charts", "The monitor: %1").arg(QString::fromStdString(scenario.title)),
-      {{QCoreApplication::translate("Charts", "saturation as displayed"), QPen(kSpo2, em * 0.18)},
-       {QCoreApplication::translate("Charts", "as it really was"), QPen(kSao2, em * 0.1, Qt::DotLine)},
-       {QCoreApplication::translate("Charts", "heart"), QPen(kHeart, em * 0.18)},
-       {QCoreApplication::translate("Charts", "a breath given"), QPen(chart::kInk, em * 0.12)},
-       {QCoreApplication::translate("Charts", "tip in the oesophagus"),
-        QPen(kOesophagus, em * 0.9, Qt::SolidLine, Qt::FlatCap)}});
+  const double begin =
+      begin_chart(painter, labels, form, left, right,
+                  QCoreApplication::translate("Charts", "The monitor: %1").arg(QString::fromStdString(scenario.title)),
+                  {{QCoreApplication::translate("Charts", "saturation as displayed"), QPen(kSpo2, em * 0.18)},
+                   {QCoreApplication::translate("Charts", "as it really was"), QPen(kSao2, em * 0.1, Qt::DotLine)},
+                   {QCoreApplication::translate("Charts", "heart"), QPen(kHeart, em * 0.18)},
+                   {QCoreApplication::translate("Charts", "a breath given"), QPen(chart::kInk, em * 0.12)},
+                   {QCoreApplication::translate("Charts", "tip in the oesophagus"),
+                    QPen(kOesophagus, em * 0.9, Qt::SolidLine, Qt::FlatCap)}});
 
   const double room = form.height - begin - 4.2 * em - 2.0 * gap;
   const QRectF top(left, begin, right - left, 0.45 * room);
@@ -92,9 +92,9 @@ std::vector<ChartLabel> paint_monitor_chart(QPainter& painter, const ChartForm& 
   heart.axes(
       {QCoreApplication::translate("Charts", "heart (per minute)"), QCoreApplication::translate("Charts", "heart")}, 5,
       false);
-  view.axes({QCoreApplication::translate("Charts", "glottis seen (%)"),
-             QCoreApplication::translate("Charts", "seen (%)")},
-            2, true);
+  view.axes(
+      {QCoreApplication::translate("Charts", "glottis seen (%)"), QCoreApplication::translate("Charts", "seen (%)")}, 2,
+      true);
 
   saturation.line(recorded.sao2, QPen(kSao2, em * 0.1, Qt::DotLine));
   saturation.line(recorded.spo2, QPen(kSpo2, em * 0.18));

@@ -70,7 +70,8 @@ QSize ForceBars::minimumSizeHint() const {
   for (const QString& word : {tr("target %1"), tr("pass limit %1"), tr("device limit %1")})
     marks += small.horizontalAdvance(word.arg(newtons(9.9))) + 2.0;
   const double bar = names_wide() + theme::points(kLeastTrack) + figures_wide();
-  return {static_cast<int>(std::ceil(std::max(marks, bar))), static_cast<int>(std::max(4.2 * line() + 76.0, 2.0 * (2.0 * line() + now + 2.0) + parts_high()))};
+  return {static_cast<int>(std::ceil(std::max(marks, bar))),
+          static_cast<int>(std::max(4.2 * line() + 76.0, 2.0 * (2.0 * line() + now + 2.0) + parts_high()))};
 }
 double ForceBars::parts_high() const { return 9.0 + 4.0 + 1.2 * line(); }
 
@@ -133,15 +134,15 @@ double ForceBars::share_of_track(double newton) const { return std::clamp(newton
 
 double ForceBars::names_wide() const {
   const QFontMetricsF type(with_points(font(), kName));
-  return std::max({theme::points(64.0), type.horizontalAdvance(tr("Tongue")) + 10.0,
-                   type.horizontalAdvance(tr("Gum")) + 10.0});
+  return std::max(
+      {theme::points(64.0), type.horizontalAdvance(tr("Tongue")) + 10.0, type.horizontalAdvance(tr("Gum")) + 10.0});
 }
 
 double ForceBars::figures_wide() const {
   const QFontMetricsF now(with_points(font(), 13.0, true)), small(with_points(font(), kSmall));
-  return 9.0 + std::max({now.horizontalAdvance(tr("%1 N").arg(newtons(88.8))),
-                         small.horizontalAdvance(tr("peak %1").arg(newtons(88.8))),
-                         small.horizontalAdvance(tr("expert"))});
+  return 9.0 +
+         std::max({now.horizontalAdvance(tr("%1 N").arg(newtons(88.8))),
+                   small.horizontalAdvance(tr("peak %1").arg(newtons(88.8))), small.horizontalAdvance(tr("expert"))});
 }
 
 QRectF ForceBars::track_of(const QRectF& place) const {

@@ -20,7 +20,7 @@ QSize Scrolled::sizeHint() const {
   const QWidget& content = *widget();
   const int wide = viewport()->width();
   const int high = content.layout() != nullptr && content.layout()->hasHeightForWidth() ? content.heightForWidth(wide)
-                                                                                          : content.sizeHint().height();
+                                                                                        : content.sizeHint().height();
   return {content.sizeHint().width(), high};
 }
 

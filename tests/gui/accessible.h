@@ -113,7 +113,8 @@ inline std::vector<std::string> cut_texts(const QWidget& page) {
       const int wanted = label->heightForWidth(label->width());
       if (wanted > label->height() + 1)
         tell(*label, label->text(), QString("%1 of %2 px high").arg(label->height()).arg(wanted));
-    } else if (label->sizeHint().width() > label->width() + 1 && !(may_be_cut && label->toolTip().contains(label->text()))) {
+    } else if (label->sizeHint().width() > label->width() + 1 &&
+               !(may_be_cut && label->toolTip().contains(label->text()))) {
       tell(*label, label->text(), QString("%1 of %2 px wide").arg(label->width()).arg(label->sizeHint().width()));
     }
   }
@@ -130,9 +131,9 @@ inline std::vector<std::string> cut_texts(const QWidget& page) {
       const QSize tab = tabs->tabRect(i).size();
       const int wanted = tabs->fontMetrics().horizontalAdvance(tabs->tabText(i).remove('&'));
       // A bar of one is not shown by a window of docks.
-      if (!tabs->visibleRegion().isEmpty() && tabs->count() > 1 && std::max(tab.width(), tab.height()) < wanted)  // some stand on their side
-        tell(*tabs, tabs->tabText(i),
-             QString("%1 of %2 px wide").arg(std::max(tab.width(), tab.height())).arg(wanted));
+      if (!tabs->visibleRegion().isEmpty() && tabs->count() > 1 &&
+          std::max(tab.width(), tab.height()) < wanted)  // some stand on their side
+        tell(*tabs, tabs->tabText(i), QString("%1 of %2 px wide").arg(std::max(tab.width(), tab.height())).arg(wanted));
     }
   return found;
 }

@@ -99,9 +99,8 @@ TEST_P(ChartWords, LieBesideOneAnotherAndAreAsLargeAsAsked) {
             const ChartForm form{width, static_cast<int>(std::ceil(least * em)), em, titled};
             std::vector<ChartLabel> labels;
             const auto painted = painted_words({form.width, form.height}, [&](QPainter& painter) {
-              labels = (monitor ? paint_monitor_chart : paint_force_chart)(painter, form, crowded_log(crowd),
-                                                                           crowded_scenario(crowd),
-                                                                           crowded_score(crowd));
+              labels = (monitor ? paint_monitor_chart : paint_force_chart)(
+                  painter, form, crowded_log(crowd), crowded_scenario(crowd), crowded_score(crowd));
             });
             const std::string which = std::to_string(width) + " px, letters of " + std::to_string(em) +
                                       (monitor ? ", monitor" : ", force") + ", first sight at " +
@@ -117,9 +116,9 @@ TEST_P(ChartWords, LieBesideOneAnotherAndAreAsLargeAsAsked) {
               cut += label.cut() ? 1 : 0;
               EXPECT_GT(label.box.width() * label.box.height(), 0.0) << label.whole.toStdString();
               if (label.shown.isEmpty()) continue;
-              EXPECT_TRUE(std::any_of(painted.begin(), painted.end(),
-                                      [&](const PaintedWord& word) { return word.text == label.shown; }))
-                  << label.shown.toStdString();
+              EXPECT_TRUE(std::any_of(painted.begin(), painted.end(), [&](const PaintedWord& word) {
+                return word.text == label.shown;
+              })) << label.shown.toStdString();
             }
             for (const char* said : monitor ? std::vector<const char*>{"view", "tube past the cords", "paused",
                                                                        "CO2: detector yellow", "heart"}
@@ -140,9 +139,8 @@ TEST_P(ChartWords, OnPaperNothingOfAnOrdinaryTrialIsCut) {
   scenario.title = "Term infant, 3.2 kg, tube 3.5";
   const ChartForm paper = picture_form(1600, 900);
   EXPECT_EQ(paper.em, 20.0);
-  for (const Chart& chart :
-       {make_force_chart(paper, crowded_log(ordinary), scenario, crowded_score(ordinary)),
-        make_monitor_chart(paper, crowded_log(ordinary), scenario, crowded_score(ordinary))}) {
+  for (const Chart& chart : {make_force_chart(paper, crowded_log(ordinary), scenario, crowded_score(ordinary)),
+                             make_monitor_chart(paper, crowded_log(ordinary), scenario, crowded_score(ordinary))}) {
     EXPECT_EQ(chart.picture.size(), QSize(1600, 900));
     for (const ChartLabel& label : chart.labels) EXPECT_FALSE(label.cut()) << label.whole.toStdString();
   }

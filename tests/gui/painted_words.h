@@ -13,8 +13,8 @@ namespace vallecula::gui::window_test {
 
 struct PaintedWord {
   QString text;
-  QRectF place;      ///< of its ink, in the device's pixels
-  int pixels = 0;    ///< of its type
+  QRectF place;    ///< of its ink, in the device's pixels
+  int pixels = 0;  ///< of its type
 };
 
 /// What `paint` writes on a device of this size.

@@ -59,7 +59,8 @@ TEST_F(WindowChartView, ALearningCurvesWordsStandClearOfOneAnotherInEveryTextSiz
     content.points.push_back(point);
   }
   // Closer together than a line of text is high.
-  content.levels = {{5.0, theme::target(), "Ziel", true}, {5.2, theme::over(), "bestanden bis hierher", false},
+  content.levels = {{5.0, theme::target(), "Ziel", true},
+                    {5.2, theme::over(), "bestanden bis hierher", false},
                     {5.1, theme::bad(), "nicht kompetent", false}};
   for (const double scale : {1.0, 1.35, 1.6}) {
     text(scale);
