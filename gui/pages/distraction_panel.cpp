@@ -1,7 +1,6 @@
 #include "gui/pages/distraction_panel.h"
 
 #include <QApplication>
-#include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QProgressBar>
@@ -9,6 +8,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "gui/pages/wrap_row.h"
 #include "gui/report/markdown.h"
 #include "gui/views/theme.h"
 
@@ -19,7 +19,8 @@ using DistractionKind = curricula::Distraction::Kind;
 
 constexpr int kBeepMs = 1500;
 constexpr int kBarSteps = 1000;
-constexpr int kHeight = 150;  // of a question and one more; what is seen beside it must not jump
+constexpr double kHeight = 150.0;  // of a question and one more; what is seen beside it must not jump
+constexpr int kLeastLines = 3;     // of a sentence, where all else has its least room too
 constexpr int kFirstAnswer = Qt::Key_1, kLastAnswer = Qt::Key_9, kSilence = Qt::Key_M;
 
 QColor colour_of(DistractionKind kind) {
@@ -84,13 +85,32 @@ void DistractionPanel::serve(DualTask* task, bool by_person) {
   said_for_.stop();
   said_->hide();
   const bool asks = task_ != nullptr && !task_->distractions().empty();
-  setMinimumHeight(asks ? kHeight : 0);
   idle_->setText(
       asks ? tr("You will be asked things meanwhile, here. Keys 1 to 6 answer, M silences an alarm; talk asks "
                 "for nothing.")
            : tr("Nobody has said anything. An instructor's words come up here."));
   asked_ = idle_->text();
   idle_->show();
+}
+
+// A dock takes no height for width: its panel says how high it is in the width it has, or is about to have.
+QSize DistractionPanel::sizeHint() const {
+  const bool asks = task_ != nullptr && !task_->distractions().empty();
+  const int wide = width() < window()->width() / 4 ? window()->width() / 3 : width();
+  return {QFrame::sizeHint().width(),
+          std::max(layout()->heightForWidth(wide), asks ? static_cast<int>(theme::points(kHeight)) : 0)};
+}
+
+QSize DistractionPanel::minimumSizeHint() const {
+  const bool asks = task_ != nullptr && !task_->distractions().empty();
+  const QMargins around = layout()->contentsMargins();
+  const int some = kLeastLines * QFontMetrics(larger(font())).lineSpacing() + around.top() + around.bottom();
+  return {QFrame::minimumSizeHint().width(), asks ? sizeHint().height() : std::min(sizeHint().height(), some)};
+}
+
+void DistractionPanel::resizeEvent(QResizeEvent* event) {
+  QFrame::resizeEvent(event);
+  if (event->oldSize().width() != event->size().width()) updateGeometry();
 }
 
 int DistractionPanel::first_of(DistractionKind kind) const {
@@ -144,10 +164,12 @@ DistractionPanel::Row DistractionPanel::make_row(const DualTask::Open& open, boo
   text->setFont(larger(text->font()));
   inside->addWidget(text);
   if (it.kind == DistractionKind::talk) return row;
-  auto* buttons = new QHBoxLayout;
+  auto* answers = new QWidget(row.widget);
+  auto* buttons = new WrapRow(answers);
   buttons->setSpacing(6);
   const auto button = [&](const QString& label) {
-    auto* made = new QPushButton(label, row.widget);
+    auto* made = new QPushButton(label, answers);
+    made->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
     made->setFocusPolicy(Qt::NoFocus);  // keys are the hands'
     made->setStyleSheet("padding: 5px 8px;");
     made->setEnabled(by_person_);
@@ -165,8 +187,7 @@ DistractionPanel::Row DistractionPanel::make_row(const DualTask::Open& open, boo
               [this, number, answer] { task_->answer(number, answer); });
     }
   }
-  buttons->addStretch(1);
-  inside->addLayout(buttons);
+  inside->addWidget(answers);
   row.left = new QProgressBar(row.widget);
   row.left->setRange(0, kBarSteps);
   row.left->setTextVisible(false);

@@ -34,6 +34,12 @@ class DistractionPanel : public QFrame {
   static constexpr int kSaidMs = 8000;
   void set_said_for(int ms) { said_for_.setInterval(ms); }  ///< kSaidMs unless set
   std::vector<KeyRow> keys() const;
+  /// As high as all of it is, as wide as it is now.
+  QSize sizeHint() const override;
+  QSize minimumSizeHint() const override;
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
 
  signals:
   void silent();  ///< the instructor's sentence has been read

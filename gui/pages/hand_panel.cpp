@@ -1,15 +1,16 @@
 #include "gui/pages/hand_panel.h"
 
-#include <QHBoxLayout>
+#include <QEvent>
 #include <QKeyEvent>
 #include <QPushButton>
 #include <algorithm>
 
+#include "gui/pages/wrap_row.h"
+
 namespace vallecula::gui {
 
 HandPanel::HandPanel(QWidget* parent) : QWidget(parent) {
-  auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(0, 0, 0, 0);
+  auto* row = new WrapRow(this);
   row->setSpacing(6);
   const auto button = [&](const QString& text, const QString& tip) {
     auto* made = new QPushButton(text, this);
@@ -54,6 +55,29 @@ void HandPanel::serve(HandActions* actions, bool switches) {
   actions_ = actions;
   setEnabled(actions != nullptr);
   other_hand_->setVisible(switches);
+}
+
+/// As wide as the longest it will say: nothing beside it moves when it does.
+void HandPanel::keep_room() {
+  const QString now = catheter_->text();
+  int most = 0;
+  for (const QString& text :
+       {tr("Tube out first (C)"), tr("Catheter out first (C)"), tr("Tube (C)"), tr("Catheter (C)")}) {
+    catheter_->setText(text);
+    most = std::max(most, catheter_->sizeHint().width());
+  }
+  catheter_->setText(now);
+  catheter_->setMinimumWidth(most);
+}
+
+void HandPanel::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  keep_room();
+}
+
+void HandPanel::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::FontChange) keep_room();
 }
 
 void HandPanel::hold(const Held& held, bool on) {

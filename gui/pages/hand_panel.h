@@ -32,6 +32,10 @@ class HandPanel : public QWidget {
   /// What may be asked for, as hands and tools stand.
   void show_snapshot(const engine::Snapshot& snapshot);
 
+ protected:
+  void showEvent(QShowEvent* event) override;
+  void changeEvent(QEvent* event) override;
+
  private:
   struct Held {
     engine::Action action;
@@ -40,6 +44,7 @@ class HandPanel : public QWidget {
   };
   void hold(const Held& held, bool on);
   void change_catheter();
+  void keep_room();
 
   HandActions* actions_ = nullptr;
   /// What is done once, as its key goes down.

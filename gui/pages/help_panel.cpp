@@ -5,17 +5,18 @@
 #include <QPushButton>
 #include <QToolButton>
 
+#include "gui/pages/wrap_row.h"
+
 namespace vallecula::gui {
 
 HelpPanel::HelpPanel(QWidget* parent) : QWidget(parent) {
-  auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(0, 0, 0, 0);
+  auto* row = new WrapRow(this);
   row->setSpacing(6);
   const auto button = [&](const QString& text) {
     auto* made = new QPushButton(text, this);
     made->setFocusPolicy(Qt::NoFocus);  // keys are the hands'
     made->setStyleSheet("padding: 5px 6px;");
-    row->addWidget(made, 1);
+    row->addWidget(made);
     return made;
   };
   vallecula_ = button(tr("From vallecula (F)"));
@@ -23,19 +24,24 @@ HelpPanel::HelpPanel(QWidget* parent) : QWidget(parent) {
   extend_ = button(tr("Extend head (H)"));
   extend_->setCheckable(true);
   connect(extend_, &QPushButton::clicked, this, &HelpPanel::extend);
-  auto* eye = new QLabel(tr("My head"), this);
+  auto* head = new QWidget(this);
+  head->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Preferred);
+  auto* arrows = new QHBoxLayout(head);
+  arrows->setContentsMargins(6, 0, 0, 0);
+  arrows->setSpacing(6);
+  auto* eye = new QLabel(tr("My head"), head);
   eye->setObjectName("faint");
-  row->addSpacing(6);
-  row->addWidget(eye);
+  arrows->addWidget(eye);
+  row->addWidget(head);
   using engine::Action;
   const auto arrow = [&](int right, int up, Action action, Action opposite, Qt::ArrowType sign, const QString& name,
                          const QString& key) {
-    auto* made = new QToolButton(this);
+    auto* made = new QToolButton(head);
     made->setArrowType(sign);
     made->setCheckable(true);
     made->setFocusPolicy(Qt::NoFocus);
     made->setAccessibleName(name);
-    row->addWidget(made);
+    arrows->addWidget(made);
     connect(made, &QToolButton::clicked, this, [this, right, up] { move_eye(right, up); });
     return Eye{right, up, action, opposite, made, tr("%1: 2 cm, and back when pressed again (%2)").arg(name, key)};
   };

@@ -132,15 +132,15 @@ void ReplayPage::show_charts() {
   const auto log = trial_->log;
   const auto scenario = std::make_shared<const curricula::Scenario>(trial_->scenario);
   const auto score = std::make_shared<const curricula::Score>(trial_->score);
-  force_chart_->show_chart(
-      [log, scenario, score](int wide, int high) { return draw_force_chart(*log, *scenario, *score, wide, high); },
+  force_chart_->show_trial(
+      [log, scenario, score](const ChartForm& form) { return make_force_chart(form, *log, *scenario, *score); },
       trial_->end_s());
   const bool monitored = score->intubation.has_value();
   charts_->setTabEnabled(1, monitored);
   if (!monitored) charts_->setCurrentIndex(0);
   if (monitored)
-    monitor_chart_->show_chart(
-        [log, scenario, score](int wide, int high) { return draw_monitor_chart(*log, *scenario, *score, wide, high); },
+    monitor_chart_->show_trial(
+        [log, scenario, score](const ChartForm& form) { return make_monitor_chart(form, *log, *scenario, *score); },
         trial_->end_s());
 }
 

@@ -14,12 +14,15 @@
 #include "gui/pages/replay_page.h"
 #include "gui/pages/timed_list.h"
 #include "gui/pages/timeline.h"
+#include "gui/report/force_chart.h"
+#include "gui/report/monitor_chart.h"
 #include "gui/views/force_bars.h"
 #include "gui/views/heat_look.h"
 #include "gui/views/monitor_panel.h"
 #include "gui/views/operator_view.h"
 #include "gui/views/replay_marks.h"
 #include "gui/views/sagittal_view.h"
+#include "gui/views/scrolled.h"
 
 namespace vallecula::gui {
 
@@ -155,15 +158,16 @@ QWidget* ReplayPage::make_pictures() {
   charts_ = new QTabWidget(splitter);
   charts_->setObjectName("charts");
   charts_->setFocusPolicy(Qt::NoFocus);
-  force_chart_ = new LinkedChart(tr("Force over time"), charts_);
+  force_chart_ = new LinkedChart(tr("Force over time"), kLeastUntitledForceChart, charts_);
   force_chart_->setObjectName("force_chart");
-  monitor_chart_ = new LinkedChart(tr("Saturation and heart rate over time"), charts_);
-  charts_->addTab(force_chart_, tr("Force"));
-  charts_->addTab(monitor_chart_, tr("Monitor"));
+  monitor_chart_ = new LinkedChart(tr("Saturation and heart rate over time"), kLeastUntitledMonitorChart, charts_);
+  // With large text a chart is higher than its place.
+  charts_->addTab(new Scrolled(force_chart_, 7.0, charts_), tr("Force"));
+  charts_->addTab(new Scrolled(monitor_chart_, 7.0, charts_), tr("Monitor"));
   charts_->setTabPosition(QTabWidget::West);
   splitter->addWidget(top);
   splitter->addWidget(charts_);
-  splitter->setSizes({470, 210});
+  splitter->setSizes({450, 230});
   splitter->setStretchFactor(0, 1);
   splitter->setStretchFactor(1, 0);
   splitter->setChildrenCollapsible(false);

@@ -8,19 +8,21 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QRegularExpression>
-#include <QScrollArea>
 #include <QUrl>
 #include <QVBoxLayout>
+#include <stdexcept>
 
 #include "curricula/trial_log.h"
-#include "gui/pages/background.h"
+#include "gui/pages/chart_view.h"
 #include "gui/pages/replay_page.h"
 #include "gui/pages/result_figures.h"
 #include "gui/report/advice.h"
 #include "gui/report/figure_row.h"
+#include "gui/report/force_chart.h"
 #include "gui/report/monitor_chart.h"
 #include "gui/session/replay_trial.h"
 #include "gui/session/words_from_below.h"
+#include "gui/views/scrolled.h"
 #include "gui/views/theme.h"
 
 namespace vallecula::gui {
@@ -52,15 +54,8 @@ ResultPage::ResultPage(QWidget* parent) : QWidget(parent) {
   change_ = new QLabel(this);
   change_->setWordWrap(true);
   change_->setObjectName("heading");
-  plot_ = new QLabel(this);
-  monitor_ = new QLabel(this);
-  for (QLabel* plot : {plot_, monitor_}) {
-    plot->setMinimumSize(400, 160);
-    plot->setAlignment(Qt::AlignCenter);
-    plot->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Ignored);
-  }
-  plot_->setAccessibleName(tr("Force over time"));
-  monitor_->setAccessibleName(tr("Saturation and heart rate over time"));
+  plot_ = new ChartView(tr("Force over time"), kLeastForceChart, true, this);
+  monitor_ = new ChartView(tr("Saturation and heart rate over time"), kLeastMonitorChart, true, this);
   reasons_ = new QLabel(this);
   reasons_->setWordWrap(true);
   reasons_->setTextFormat(Qt::RichText);
@@ -96,18 +91,15 @@ ResultPage::ResultPage(QWidget* parent) : QWidget(parent) {
   side->addWidget(figures_panel);
   side->addSpacing(6);
   side->addWidget(reasons_, 1);
-  auto* scrolled = new QScrollArea(this);  // an intubation has more to say than a small window is high
-  scrolled->setWidget(column);
-  scrolled->setWidgetResizable(true);
-  scrolled->setFrameShape(QFrame::NoFrame);
-  scrolled->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  scrolled->setFocusPolicy(Qt::NoFocus);
-  auto* plots = new QVBoxLayout;
-  plots->addWidget(plot_, 1);
-  plots->addWidget(monitor_, 1);
+  auto* plots = new QWidget(this);
+  auto* charts = new QVBoxLayout(plots);
+  charts->setContentsMargins(0, 0, 0, 0);
+  charts->addWidget(plot_, 1);
+  charts->addWidget(monitor_, 1);
+  // An intubation has more to say than a small window is high, and charts stay readable with large text.
   auto* middle = new QHBoxLayout;
-  middle->addLayout(plots, 17);
-  middle->addWidget(scrolled, 11);
+  middle->addWidget(new Scrolled(plots, 10.0, this), 17);
+  middle->addWidget(new Scrolled(column, 4.0, this), 11);
   auto* foot = new QHBoxLayout;
   again_ = new QPushButton(tr("Again"), this);
   again_->setObjectName("primary");
@@ -134,10 +126,6 @@ ResultPage::ResultPage(QWidget* parent) : QWidget(parent) {
   all->addLayout(middle, 1);
   all->addWidget(told_);
   all->addLayout(foot);
-}
-
-ResultPage::~ResultPage() {
-  if (drawing_) drawing_->wait();
 }
 
 void ResultPage::show_outcome(const TrialOutcome& outcome, const curricula::Scenario& scenario,
@@ -183,9 +171,7 @@ void ResultPage::show_outcome(const TrialOutcome& outcome, const curricula::Scen
   if (drawn) where += '\n' + tr("Attempt seed %1: with it everything is the same once more.").arg(attempt.seed);
   if (!outcome.replay_allowed) where += '\n' + tr("An assessment: its replay stays locked.");
   where_->setText(where);
-  plot_picture_ = QPixmap(QString::fromStdString(outcome.force_plot.string()));
-  draw_monitor(outcome, scenario);
-  fit_plots();
+  show_charts(outcome, scenario);
   setFocus();
 }
 
@@ -194,25 +180,22 @@ void ResultPage::tell(const QString& message) {
   told_->setVisible(!message.isEmpty());
 }
 
-void ResultPage::draw_monitor(const TrialOutcome& outcome, const curricula::Scenario& scenario) {
-  ++shown_;
-  monitor_picture_ = QPixmap();
+/// As large as they are seen, of the log, which is read for it: long ones are not kept in memory beside a page of text.
+void ResultPage::show_charts(const TrialOutcome& outcome, const curricula::Scenario& scenario) {
+  const auto of_log = [log = outcome.log, score = outcome.score, scenario](const auto& make, const QString& words) {
+    return [=](const ChartForm& form) {
+      try {
+        return make(form, curricula::read_trial_log(log), scenario, score);
+      } catch (const std::exception& error) {
+        throw std::runtime_error(words.arg(QString::fromUtf8(error.what())).toStdString());
+      }
+    };
+  };
+  plot_->show_chart(of_log(make_force_chart, tr("The force plot could not be drawn: %1")),
+                    QImage(QString::fromStdString(outcome.force_plot.string())));
   monitor_->setVisible(outcome.score.intubation.has_value());
-  if (!outcome.score.intubation) return;
-  monitor_->setText(tr("Drawing saturation and heart rate ..."));
-  drawing_ = run_in_background<QImage>(
-      this,
-      [log = outcome.log, score = outcome.score, scenario] {
-        return draw_monitor_chart(curricula::read_trial_log(log), scenario, score);
-      },
-      [this, of = shown_](const QImage& chart) {
-        if (of != shown_) return;
-        monitor_picture_ = QPixmap::fromImage(chart);
-        fit_plots();
-      },
-      [this, of = shown_](const QString& message) {
-        if (of == shown_) monitor_->setText(tr("Saturation and heart rate cannot be drawn: %1").arg(message));
-      });
+  if (outcome.score.intubation)
+    monitor_->show_chart(of_log(make_monitor_chart, tr("Saturation and heart rate cannot be drawn: %1")));
 }
 
 void ResultPage::show_figures(const TrialOutcome& outcome, const curricula::Scenario& scenario) {
@@ -252,20 +235,6 @@ void ResultPage::show_figures(const TrialOutcome& outcome, const curricula::Scen
   if (!score.real_time_setup.empty())
     about += '\n' + tr("Real-time set-up: %1.").arg(QString::fromStdString(score.real_time_setup));
   for (int column = 0; column < 3; ++column) figures_->itemAtPosition(row - 1, column)->widget()->setToolTip(about);
-}
-
-void ResultPage::fit_plots() {
-  if (plot_picture_.isNull())
-    plot_->setText(tr("The force plot could not be read."));
-  else
-    plot_->setPixmap(plot_picture_.scaled(plot_->size(), Qt::KeepAspectRatio, Qt::SmoothTransformation));
-  if (!monitor_picture_.isNull())
-    monitor_->setPixmap(monitor_picture_.scaled(monitor_->size(), Qt::KeepAspectRatio, Qt::SmoothTransformation));
-}
-
-void ResultPage::resizeEvent(QResizeEvent* event) {
-  QWidget::resizeEvent(event);
-  if (!report_.empty()) fit_plots();
 }
 
 void ResultPage::keyPressEvent(QKeyEvent* event) {

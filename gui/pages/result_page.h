@@ -2,9 +2,6 @@
 // and every reason.
 #pragma once
 
-#include <QPixmap>
-#include <QPointer>
-#include <QThread>
 #include <QWidget>
 
 #include "curricula/scenario.h"
@@ -16,11 +13,12 @@ class QPushButton;
 
 namespace vallecula::gui {
 
+class ChartView;
+
 class ResultPage : public QWidget {
   Q_OBJECT
  public:
   explicit ResultPage(QWidget* parent = nullptr);
-  ~ResultPage() override;
   /// `folder`: where a person will find the results. `misfits`: why scenario and patient do not belong together.
   void show_outcome(const TrialOutcome& outcome, const curricula::Scenario& scenario,
                     const std::filesystem::path& folder, const std::vector<std::string>& misfits);
@@ -34,19 +32,15 @@ class ResultPage : public QWidget {
   void replay_wanted(double at_s);
 
  protected:
-  void resizeEvent(QResizeEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
 
  private:
-  void fit_plots();
-  void draw_monitor(const TrialOutcome& outcome, const curricula::Scenario& scenario);
+  void show_charts(const TrialOutcome& outcome, const curricula::Scenario& scenario);
   void show_figures(const TrialOutcome& outcome, const curricula::Scenario& scenario);
-  QLabel *title_, *verdict_, *outcome_, *change_, *plot_, *monitor_, *reasons_, *where_, *told_;
+  QLabel *title_, *verdict_, *outcome_, *change_, *reasons_, *where_, *told_;
   QPushButton *replay_, *again_, *same_;
   QGridLayout* figures_;
-  QPixmap plot_picture_, monitor_picture_;
-  QPointer<QThread> drawing_;
-  int shown_ = 0;  ///< counts outcomes: a chart that was drawn for an earlier one is not shown
+  ChartView *plot_, *monitor_;
   std::filesystem::path report_;
 };
 

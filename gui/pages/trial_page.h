@@ -27,6 +27,7 @@ class HandPanel;
 class HelpPanel;
 class MouseIntroduction;
 class OperatorView;
+class PartsLabel;
 class SagittalView;
 class SoundButton;
 class TrialPanels;
@@ -152,7 +153,8 @@ class TrialPage : public QWidget {
   QToolButton* panels_button_;
   BladeControl* control_;
   MouseIntroduction* introduction_;
-  QLabel *title_, *banner_, *help_, *steered_, *expert_sign_, *device_note_;
+  PartsLabel* help_;
+  QLabel *title_, *banner_, *steered_, *expert_sign_, *device_note_;
   QPushButton *start_, *end_, *reset_, *leave_, *zoom_;
   QTimer timer_;
   QElapsedTimer since_frame_, since_start_, since_shown_, since_rest_;

@@ -1,12 +1,14 @@
 // What the trial page shows and says while a trial is open, frame by frame.
 #include <QLabel>
 #include <QPushButton>
+#include <QRegularExpression>
 
 #include "device/drivers/mouse_device.h"
 #include "gui/pages/blade_control.h"
 #include "gui/pages/hand_panel.h"
 #include "gui/pages/help_panel.h"
 #include "gui/pages/hints.h"
+#include "gui/pages/parts_label.h"
 #include "gui/pages/sound_button.h"
 #include "gui/pages/trial_page.h"
 #include "gui/pages/trial_panels.h"
@@ -51,7 +53,7 @@ void TrialPage::show_help() {
                        : info.kind == "scripted" ? tr("Scripted hands are at work. Esc ends the trial.")
                        : info.kind == "recorded" ? tr("The hands of a recorded trial are at work. Esc ends the trial.")
                                                  : device_help(info);
-  help_->setText(tr("%1   |   F1: all keys").arg(help));
+  help_->set_parts(tr("%1   |   F1: all keys").arg(help).split(QRegularExpression("\\s+\\|\\s+")));
 }
 
 void TrialPage::steer() {

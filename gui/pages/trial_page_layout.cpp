@@ -11,6 +11,7 @@
 #include "gui/pages/hand_panel.h"
 #include "gui/pages/help_panel.h"
 #include "gui/pages/mouse_introduction.h"
+#include "gui/pages/parts_label.h"
 #include "gui/pages/sound_button.h"
 #include "gui/pages/trial_page.h"
 #include "gui/pages/trial_panels.h"
@@ -111,9 +112,8 @@ QWidget* TrialPage::make_foot() {
   auto* foot = new QWidget(this);
   auto* row = new QHBoxLayout(foot);
   row->setContentsMargins(0, 2, 0, 0);
-  help_ = new QLabel(foot);
+  help_ = new PartsLabel(foot);
   help_->setObjectName("faint");
-  help_->setWordWrap(true);
   start_ = new QPushButton(tr("Start"), foot);
   start_->setObjectName("primary");
   end_ = new QPushButton(tr("End"), foot);

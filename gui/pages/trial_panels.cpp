@@ -4,8 +4,9 @@
 #include <QDockWidget>
 #include <QKeyEvent>
 #include <QMenu>
-#include <QScrollArea>
+#include <QSet>
 #include <QSettings>
+#include <QTabBar>
 #include <QTimer>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -17,6 +18,7 @@
 #include "gui/views/force_bars.h"
 #include "gui/views/monitor_panel.h"
 #include "gui/views/sagittal_view.h"
+#include "gui/views/scrolled.h"
 #include "gui/views/theme.h"
 #include "gui/views/trial_readings.h"
 #include "gui/views/video_view.h"
@@ -27,7 +29,8 @@ namespace {
 constexpr int kOneView = 150;    // px in height; where a view has less, the team's line comes before it
 constexpr int kTwoViews = 420;   // px in height from which two views stand one above the other
 constexpr int kArrangement = 1;  // of the kept state; another number is not taken back
-constexpr double kSideShare = 0.36;
+constexpr double kSideShare = 0.36, kMostSideShare = 0.42;
+constexpr double kReadingsLines = 4.0;  // the clock and how much is seen
 
 constexpr const char* kStateKey = "trial_page/panels";
 constexpr const char* kHidden = "trial_page/hidden";
@@ -37,8 +40,9 @@ const std::array<const char*, TrialPanels::kPanels> kNames{"monitor", "cut", "vi
 }  // namespace
 
 TrialPanels::TrialPanels(QWidget* centre, QWidget* parent) : QMainWindow(parent) {
-  setWindowFlags(Qt::Widget);                    // the constructor makes every main window one of its own
-  setContextMenuPolicy(Qt::PreventContextMenu);  // the right button turns the blade
+  setWindowFlags(Qt::Widget);                                 // the constructor makes every main window one of its own
+  setContextMenuPolicy(Qt::PreventContextMenu);               // the right button turns the blade
+  theme::dress(*this, "QTabBar::tab { padding: 6px 7px; }");  // three names side by side
   setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
   setCorner(Qt::TopRightCorner, Qt::RightDockWidgetArea);
   setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
@@ -68,14 +72,8 @@ TrialPanels::TrialPanels(QWidget* centre, QWidget* parent) : QMainWindow(parent)
   add(cut, tr("Mid-&sagittal cut"), sagittal_view_);
   add(video, tr("&Video laryngoscope"), video_view_);
   add(force, tr("&Force"), framed(bars_, 8));
-  auto* scroll = new QScrollArea(this);  // with all panels open in a small window the last figures are scrolled to
-  scroll->setWidget(framed(readings_, 0));
-  scroll->setWidgetResizable(true);
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  scroll->setFocusPolicy(Qt::NoFocus);  // keys are the blade's
-  scroll->setMinimumHeight(90);
-  add(readings, tr("&Readings"), scroll);
+  // With all panels open in a small window the last figures are scrolled to.
+  add(readings, tr("&Readings"), new Scrolled(framed(readings_, 0), kReadingsLines, this));
   add(team, tr("&Team"), distractions_);
   menu_->addSeparator();
   menu_->addAction(tr("Panels &as at first"), this, &TrialPanels::restore_first);
@@ -152,7 +150,19 @@ std::vector<KeyRow> TrialPanels::keys() const {
 
 void TrialPanels::fit_later() {
   // Once the docks that came or went have their places.
-  if (as_at_first_) QTimer::singleShot(0, this, &TrialPanels::fit);
+  if (!as_at_first_) return;
+  QTimer::singleShot(0, this, &TrialPanels::fit);
+  QTimer::singleShot(0, this, &TrialPanels::widen);  // for the tabs that came by it
+}
+
+/// The side as wide as it is at first, or as the names on its tabs are, where the picture stays the largest.
+void TrialPanels::widen() {
+  if (!isVisible() || !as_at_first_) return;
+  double wide = kSideShare * width();
+  for (const QTabBar* tabs : findChildren<QTabBar*>(QString(), Qt::FindDirectChildrenOnly))
+    if (tabs->isVisible() && tabs->count() > 1)
+      wide = std::max(wide, std::min(tabs->sizeHint().width() + 4.0, kMostSideShare * width()));
+  resizeDocks({docks_[force]}, {static_cast<int>(wide)}, Qt::Horizontal);
 }
 
 /// A panel behind another's tab is not.
@@ -194,10 +204,10 @@ void TrialPanels::fit_team(int left) {
   }
 }
 
-/// The side as wide as it is at first, and as high as its texts ask for; the cut has the rest.
+/// As high as its texts ask for; the cut has the rest.
 void TrialPanels::fit() {
   if (!isVisible() || !as_at_first_) return;
-  resizeDocks({docks_[force]}, {static_cast<int>(kSideShare * width())}, Qt::Horizontal);
+  widen();
   resizeDocks({docks_[monitor]}, {docks_[monitor]->sizeHint().height()}, Qt::Vertical);
   QList<QDockWidget*> side;
   QList<int> heights;
@@ -232,7 +242,22 @@ void TrialPanels::fit() {
     if (docks_[panel]->isVisible()) {
       side << docks_[panel];
       heights << std::max(kOneView, left / 2);
+      // A sentence before a view is there to be read, all of it.
+      if (tabifiedDockWidgets(docks_[panel]).contains(docks_[team]) && docks_[team]->isVisible())
+        heights.back() = std::max(heights.back(), docks_[team]->sizeHint().height() + 2 * fontMetrics().lineSpacing());
     }
+  // Where that is more than there is, the readings give way: their last are scrolled to.
+  if (const int at = side.indexOf(docks_[readings]); at >= 0) {
+    QSet<QDockWidget*> counted;
+    int over = -height();
+    for (int i = 0; i < side.size(); ++i) {
+      const auto tabbed = tabifiedDockWidgets(side[i]);
+      if (std::any_of(tabbed.begin(), tabbed.end(), [&](QDockWidget* one) { return counted.contains(one); })) continue;
+      counted.insert(side[i]);
+      over += heights[i];
+    }
+    heights[at] -= std::clamp(over, 0, std::max(0, heights[at] - docks_[readings]->minimumSizeHint().height()));
+  }
   resizeDocks(side, heights, Qt::Vertical);
 }
 
@@ -320,9 +345,15 @@ void TrialPanels::close_trial() {
 
 void TrialPanels::say(const QString& line) {
   distractions_->say(line);
+  // Once its words have their place: as high as they are, also where a person has arranged the panels.
+  QTimer::singleShot(0, this, [this] {
+    const QDockWidget& dock = *docks_[team];
+    if (!as_at_first_ && dock.isVisible() && !dock.isFloating())
+      resizeDocks({docks_[team]}, {std::max(dock.height(), dock.sizeHint().height())}, Qt::Vertical);
+  });
   if (said_) {
     if (docks_[team]->isVisible() && team_shares_place()) raise_team();
-    return;
+    return fit_later();
   }
   said_ = true;
   raise_team();

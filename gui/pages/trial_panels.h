@@ -70,6 +70,7 @@ class TrialPanels : public QMainWindow {
   void arrange();
   void switch_as_at_first();
   void fit();
+  void widen();
   void fit_team(int left);  ///< px in height left for the views
   bool in_front(Panel panel) const;
   bool team_shares_place() const;

@@ -17,6 +17,7 @@
 #include "gui/records_pages/records_desk.h"
 #include "gui/records_pages/tables.h"
 #include "gui/records_pages/trials_panel.h"
+#include "gui/views/scrolled.h"
 #include "gui/views/theme.h"
 
 namespace vallecula::gui {
@@ -49,7 +50,8 @@ ProgressTab::ProgressTab(RecordsDesk& desk, const KnownCourses& courses, QWidget
     : QWidget(parent), desk_(desk), courses_(courses) {
   auto* row = new QHBoxLayout(this);
   row->addWidget(make_left(), 0);
-  row->addWidget(make_right(), 1);
+  // With large text charts and table are more than a small window is high.
+  row->addWidget(new Scrolled(make_right(), 10.0, this), 1);
   connect(&desk_, &RecordsDesk::changed, this, &ProgressTab::forget);
   empty_curve({});
 }
@@ -74,6 +76,7 @@ QWidget* ProgressTab::make_left() {
   for (const auto day : {Qt::Saturday, Qt::Sunday}) calendar_->setWeekdayTextFormat(day, weekend);
   day_ = new QLabel(left);
   day_->setObjectName("faint");
+  day_->setWordWrap(true);
   auto* column = new QVBoxLayout(left);
   column->setContentsMargins(0, 0, 8, 0);
   column->addWidget(whose_label_);

@@ -8,14 +8,16 @@
 #include <cmath>
 
 #include "gui/report/chart_panel.h"
+#include "gui/session/words_from_below.h"
 #include "gui/views/theme.h"
 
 namespace vallecula::gui {
 namespace {
 
-constexpr double kRadius = 4.5;  ///< of a mark, pixels
-constexpr double kReach = 12.0;  ///< of the mouse
-constexpr int kLeft = 46, kTop = 26, kRight = 12, kBottom = 20;
+constexpr double kRadius = 4.5;                            ///< of a mark, pixels
+constexpr double kReach = 12.0;                            ///< of the mouse
+constexpr double kRight = 12.0;                            ///< pixels
+constexpr double kLeastLines = 9.0, kLeastLetters = 24.0;  ///< of text: its least height and width
 
 void draw_mark(QPainter& painter, const QPointF& at, TrialChart::Mark mark) {
   using Mark = TrialChart::Mark;
@@ -43,10 +45,27 @@ void draw_mark(QPainter& painter, const QPointF& at, TrialChart::Mark mark) {
   }
 }
 
+/// In as many lines as its place is high.
+void draw_title(QPainter& painter, ChartLabels& labels, const QString& title, const QRectF& place) {
+  painter.setPen(theme::text());
+  const QFontMetricsF type(painter.font());
+  QString rest = title;
+  QRectF line(place.left(), place.top(), place.width(), type.lineSpacing());
+  while (type.horizontalAdvance(rest) > line.width() && line.bottom() + type.lineSpacing() <= place.bottom() + 1.0) {
+    int end = rest.lastIndexOf(' ');
+    while (end > 0 && type.horizontalAdvance(rest.left(end)) > line.width()) end = rest.lastIndexOf(' ', end - 1);
+    if (end <= 0) break;
+    labels.write(painter, line, Qt::AlignLeft | Qt::AlignVCenter, rest.left(end));
+    rest = rest.mid(end + 1);
+    line.translate(0.0, type.lineSpacing());
+  }
+  labels.write(painter, line, Qt::AlignLeft | Qt::AlignVCenter, rest);
+}
+
 }  // namespace
 
 TrialChart::TrialChart(QWidget* parent) : QWidget(parent) {
-  setMinimumSize(260, 130);
+  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
   setMouseTracking(true);
 }
 
@@ -71,7 +90,29 @@ void TrialChart::set_current(int index) {
   update();
 }
 
-QRectF TrialChart::frame() const { return QRectF(rect()).adjusted(kLeft, kTop, -kRight, -kBottom); }
+QSize TrialChart::minimumSizeHint() const {
+  const QFontMetrics type(font());
+  return {static_cast<int>(kLeastLetters * type.averageCharWidth()),
+          static_cast<int>(kLeastLines * type.lineSpacing())};
+}
+
+QSize TrialChart::sizeHint() const { return {std::max(260, minimumSizeHint().width()), minimumSizeHint().height()}; }
+
+double TrialChart::title_high() const {
+  const QFontMetricsF type(font());
+  const bool one = type.horizontalAdvance(content_.title) <= width() - 12;
+  return (one ? 1.0 : 2.0) * type.lineSpacing() + 4.0;
+}
+
+double TrialChart::left_wide() const {
+  const QFontMetricsF type(font());
+  return std::max(type.horizontalAdvance("0.0000"), type.horizontalAdvance(tr("trial"))) + 8.0;
+}
+
+QRectF TrialChart::frame() const {
+  const double line = QFontMetricsF(font()).lineSpacing();
+  return QRectF(rect()).adjusted(left_wide(), title_high() + 0.3 * line, -kRight, -1.25 * line);
+}
 
 double TrialChart::y(double value) const {
   return frame().bottom() - frame().height() * (value - low_) / (high_ - low_);
@@ -87,43 +128,58 @@ QPointF TrialChart::position(int index) const {
 void TrialChart::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
-  painter.setPen(theme::text());
-  painter.drawText(QRectF(6, 2, width() - 12, kTop - 6), Qt::AlignLeft | Qt::AlignVCenter, content_.title);
+  const QFontMetricsF type(painter.font());
+  ChartLabels labels(type, 0.8 * type.lineSpacing());
+  draw_title(painter, labels, content_.title, QRectF(6, 2, width() - 12, title_high()));
   if (content_.points.empty()) {
     painter.setPen(theme::faint());
-    painter.drawText(QRectF(rect()).adjusted(20, kTop, -20, -8), Qt::AlignCenter | Qt::TextWordWrap, content_.empty);
+    painter.drawText(QRectF(rect()).adjusted(20, title_high() + 2, -20, -8), Qt::AlignCenter | Qt::TextWordWrap,
+                     content_.empty);
+    labels_ = labels.draw(painter);
     return;
   }
-  draw_scales(painter);
-  draw_points(painter);
+  draw_scales(painter, labels);
+  for (int i = 0; i < static_cast<int>(content_.points.size()); ++i)
+    labels.shun(QRectF(position(i).x() - kRadius, position(i).y() - kRadius, 2.0 * kRadius, 2.0 * kRadius));
+  QColor paper = theme::ground();
+  paper.setAlpha(190);
+  labels_ = labels.draw(painter, paper);
+  draw_points(painter);  // over the words: no trial is hidden
 }
 
-void TrialChart::draw_scales(QPainter& painter) const {
+void TrialChart::draw_scales(QPainter& painter, ChartLabels& labels) const {
   const QRectF in = frame();
-  const double step = tick_step(high_ - low_, 4);
+  const QFontMetricsF type(painter.font());
+  const double line = type.lineSpacing(), left = left_wide();
+  const double step = tick_step(high_ - low_, std::clamp(static_cast<int>(in.height() / (1.5 * line)), 1, 4));
   for (double value = std::ceil(low_ / step) * step; value <= high_; value += step) {
     const double at = y(value);
     painter.setPen(QPen(theme::track(), 1.0));
     painter.drawLine(QPointF(in.left(), at), QPointF(in.right(), at));
     painter.setPen(theme::faint());
-    painter.drawText(QRectF(0, at - 9, kLeft - 6, 18), Qt::AlignRight | Qt::AlignVCenter,
-                     QString::number(std::abs(value) < 1e-9 * step ? 0.0 : value));
+    labels.write(painter, QRectF(0, at - 0.5 * line, left - 6, line), Qt::AlignRight | Qt::AlignVCenter,
+                 short_decimal(std::abs(value) < 1e-9 * step ? 0.0 : value, 6));
   }
   const int count = static_cast<int>(content_.points.size());
-  const int every = std::max(1, static_cast<int>(std::ceil(tick_step(count, 12))));
+  const int numbers = std::max(1, static_cast<int>(in.width() / (1.6 * type.horizontalAdvance("0000"))));
+  const int every = std::max(1, static_cast<int>(std::ceil(tick_step(count, std::min(12, numbers)))));
   for (int number = every; number <= count; number += every) {
     painter.setPen(theme::faint());
-    painter.drawText(QRectF(position(number - 1).x() - 20, in.bottom() + 2, 40, kBottom - 2),
-                     Qt::AlignHCenter | Qt::AlignTop, QString::number(number));
+    const QString words = QString::number(number);
+    const double half = 0.5 * type.horizontalAdvance(words) + 1.0;
+    const double middle = std::min(position(number - 1).x(), width() - half);  // the last ends with the chart
+    labels.write(painter, QRectF(middle - half, in.bottom() + 2, 2.0 * half, line), Qt::AlignCenter, words);
   }
   painter.setPen(theme::faint());
-  painter.drawText(QRectF(2, in.bottom() + 2, kLeft - 6, kBottom - 2), Qt::AlignLeft | Qt::AlignTop, tr("trial"));
+  labels.write(painter, QRectF(2, in.bottom() + 2, left - 4, line), Qt::AlignLeft | Qt::AlignTop, tr("trial"));
   for (const Level& level : content_.levels) {
     painter.setPen(QPen(level.colour, 1.4, Qt::DashLine));
     painter.drawLine(QPointF(in.left(), y(level.value)), QPointF(in.right(), y(level.value)));
-    painter.setPen(level.colour.lighter(115));
-    const double top = level.text_below ? y(level.value) + 1 : y(level.value) - 17;
-    painter.drawText(QRectF(in.left(), top, in.width() - 4, 16), Qt::AlignRight | Qt::AlignVCenter, level.text);
+    const double above = y(level.value) - labels.row_high() - 1, below = y(level.value) + 1;
+    std::vector<LabelSlot> places;
+    for (const double top : {level.text_below ? below : above, level.text_below ? above : below})
+      places.push_back({QRectF(in.left() + 4, top, in.width() - 8, labels.row_high()), Qt::AlignRight, false});
+    labels.add(level.text, level.colour.lighter(115), QRectF(in.left(), y(level.value) - 4, in.width(), 8), places);
   }
 }
 
@@ -171,8 +227,13 @@ bool TrialChart::event(QEvent* event) {
   if (event->type() != QEvent::ToolTip) return QWidget::event(event);
   auto* help = static_cast<QHelpEvent*>(event);
   const int index = nearest(help->pos());
+  const auto cut = std::find_if(labels_.begin(), labels_.end(), [help](const ChartLabel& label) {
+    return label.cut() && label.box.contains(help->pos());
+  });
   if (index >= 0)
     QToolTip::showText(help->globalPos(), content_.points[static_cast<std::size_t>(index)].tip, this);
+  else if (cut != labels_.end())
+    QToolTip::showText(help->globalPos(), cut->whole, this);
   else
     QToolTip::hideText();
   return true;

@@ -7,6 +7,8 @@
 #include <optional>
 #include <vector>
 
+#include "gui/report/chart_labels.h"
+
 namespace vallecula::gui {
 
 class TrialChart : public QWidget {
@@ -39,6 +41,10 @@ class TrialChart : public QWidget {
   void set_current(int index);  ///< the point that is ringed; -1: none
   /// Where a point is drawn, in the widget's pixels.
   QPointF position(int index) const;
+  /// The words on it as they were drawn last.
+  const std::vector<ChartLabel>& labels() const { return labels_; }
+  QSize sizeHint() const override;
+  QSize minimumSizeHint() const override;
 
  signals:
   void pointed_at(int index);  ///< clicked
@@ -52,14 +58,17 @@ class TrialChart : public QWidget {
 
  private:
   QRectF frame() const;
+  double title_high() const;             ///< px: in two lines where one is too short
+  double left_wide() const;              ///< px: of the scale's figures
   int nearest(const QPointF& at) const;  ///< -1: none there
   double y(double value) const;
-  void draw_scales(QPainter& painter) const;
+  void draw_scales(QPainter& painter, ChartLabels& labels) const;
   void draw_points(QPainter& painter) const;
 
   Content content_;
   double low_ = 0.0, high_ = 1.0;
   int current_ = -1;
+  std::vector<ChartLabel> labels_;
 };
 
 }  // namespace vallecula::gui

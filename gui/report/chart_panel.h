@@ -3,10 +3,14 @@
 
 #include <QColor>
 #include <QFont>
+#include <QImage>
 #include <QPainter>
 #include <QRectF>
 #include <QString>
+#include <QStringList>
 #include <vector>
+
+#include "gui/report/chart_labels.h"
 
 namespace vallecula::gui {
 
@@ -37,17 +41,34 @@ struct Series {
   }
 };
 
-/// One panel: data to pixels, axes, lines. All lengths in units of `em`, the height of the chart's letters.
+/// How large a chart is, and its letters.
+struct ChartForm {
+  int width = 1600, height = 900;  ///< pixels
+  double em = 20.0;                ///< height of its letters, px
+  bool titled = true;              ///< false: what stands around it names it already
+};
+/// Of a picture, whose letters are read with all of it: as large as they grow with it, 10 px at least.
+ChartForm picture_form(int width, int height);
+
+/// A chart and the words on it.
+struct Chart {
+  QImage picture;
+  std::vector<ChartLabel> labels;
+};
+
+/// One panel: data to pixels, axes, lines. All lengths in units of `em`, the height of the chart's letters. Its words
+/// go to `labels`, which keeps them from lying on one another.
 class Panel {
  public:
-  Panel(QPainter& painter, const QRectF& frame, double end_s, double top, double em)
-      : painter_(painter), frame_(frame), end_s_(end_s), top_(top), em_(em) {}
+  Panel(QPainter& painter, ChartLabels& labels, const QRectF& frame, double end_s, double top, double em)
+      : painter_(painter), labels_(labels), frame_(frame), end_s_(end_s), top_(top), em_(em) {}
 
   double x(double time_s) const { return frame_.left() + frame_.width() * time_s / end_s_; }
   double y(double value) const;
   const QRectF& frame() const { return frame_; }
 
-  void axes(const QString& title, int value_ticks, bool times);
+  /// `titles`: of the value, the fullest first; the first that has room beside the panel is taken.
+  void axes(const QStringList& titles, int value_ticks, bool times);
   /// Thousands of ticks on hundreds of pixels: every column shows its smallest and largest value, so no peak is lost.
   void line(const Series& series, const QPen& pen);
   /// A span on the panel's ground; to be called before the lines.
@@ -60,10 +81,11 @@ class Panel {
   void peak(double time_s, double value, const QColor& colour, const QString& text);
 
  private:
-  /// Text on a light ground, so that lines below it do not strike it through.
-  void label(const QRectF& box, bool right_aligned, const QColor& colour, const QString& text);
+  /// Beside a point, row after row from its first downwards (or upwards), on the side with more room first.
+  std::vector<LabelSlot> beside(double x, double gap, double first_top, double step) const;
 
   QPainter& painter_;
+  ChartLabels& labels_;
   QRectF frame_;
   double end_s_, top_, em_;
 };
@@ -72,7 +94,10 @@ struct LegendEntry {
   QString text;
   QPen pen;
 };
-void draw_legend(QPainter& painter, const QRectF& row, double em, const std::vector<LegendEntry>& entries);
+/// How high a legend is that is so wide, px: in as many rows as it needs.
+double legend_high(const QFontMetricsF& type, double width, double em, const std::vector<LegendEntry>& entries);
+void draw_legend(QPainter& painter, ChartLabels& labels, const QPointF& top_left, double width, double em,
+                 const std::vector<LegendEntry>& entries);
 
 /// Where the panels of a trial's chart lie, for whoever lays something over it.
 struct TimeAxis {
@@ -82,12 +107,14 @@ struct TimeAxis {
   double x(double time_s) const { return left + (right - left) * time_s / end_s; }
   double time_s(double x) const { return (x - left) / (right - left) * end_s; }
 };
-/// Of a chart of this size of a trial whose last tick is at `last_s`.
-TimeAxis chart_time_axis(int width, int height, double last_s);
+/// Of a chart of this form of a trial whose last tick is at `last_s`.
+TimeAxis chart_time_axis(const ChartForm& form, double last_s);
 
-/// The letters' height for a picture of this size.
-double chart_em(int width, int height);
-/// Sets the chart's font and writes its title over the panels from `left` to `right`.
-void begin_chart(QPainter& painter, double em, double left, double right, const QString& title);
+/// Sets the chart's font, writes its title and its legend over the panels from `left` to `right`; where the panels
+/// begin, px.
+double begin_chart(QPainter& painter, ChartLabels& labels, const ChartForm& form, double left, double right,
+                   const QString& title, const std::vector<LegendEntry>& legend);
+/// Of a chart's words, for its ChartLabels.
+QFontMetricsF chart_type(double em);
 
 }  // namespace vallecula::gui

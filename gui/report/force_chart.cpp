@@ -47,8 +47,8 @@ QString displayed_words(const curricula::LogHeader& header) {
              : QCoreApplication::translate("Charts", "shown by the device");
 }
 
-QImage draw_force_chart(const curricula::TrialLog& log, const curricula::Scenario& scenario,
-                        const curricula::Score& score, int width, int height) {
+std::vector<ChartLabel> paint_force_chart(QPainter& painter, const ChartForm& form, const curricula::TrialLog& log,
+                                          const curricula::Scenario& scenario, const curricula::Score& score) {
   if (qobject_cast<QGuiApplication*>(QCoreApplication::instance()) == nullptr) {
     throw std::logic_error("a chart needs a QGuiApplication for its fonts");
   }
@@ -65,33 +65,30 @@ QImage draw_force_chart(const curricula::TrialLog& log, const curricula::Scenari
     if (tick.has_sight) sight.add(tick.time_s, 100.0 * tick.glottis_visible);
   }
 
-  QImage image(width, height, QImage::Format_RGB32);
-  image.fill(Qt::white);
-  QPainter painter(&image);
-  const double em = chart_em(width, height);
-  const TimeAxis axis = chart_time_axis(width, height, log.ticks.empty() ? 0.0 : log.ticks.back().time_s);
+  const double em = form.em;
+  const TimeAxis axis = chart_time_axis(form, log.ticks.empty() ? 0.0 : log.ticks.back().time_s);
   const double left = axis.left, right = axis.right, end_s = axis.end_s;
-  const double sight_height = height * 0.16;
-  const QRectF force_frame(left, 4.6 * em, right - left, height - 4.6 * em - sight_height - 5.8 * em);
+  ChartLabels labels(chart_type(em), em);
+  const double top = begin_chart(
+      painter, labels, form, left, right,
+      QCoreApplication::translate("Charts", "Force over time: %1").arg(QString::fromStdString(scenario.title)),
+      {{QCoreApplication::translate("Charts", "tongue"), QPen(kTongue, em * 0.18)},
+       {QCoreApplication::translate("Charts", "gum"), QPen(kGum, em * 0.18)},
+       {displayed_words(log.header), QPen(kDisplayed, em * 0.1, Qt::DotLine)}});
+  const double sight_height = std::max(form.height * 0.16, 2.6 * em);
+  const QRectF force_frame(left, top, right - left, form.height - top - sight_height - 5.8 * em);
   const QRectF sight_frame(left, force_frame.bottom() + 1.6 * em, right - left, sight_height);
 
-  begin_chart(painter, em, left, right,
-              QCoreApplication::translate("Charts", "Force over time: %1").arg(QString::fromStdString(scenario.title)));
-  draw_legend(painter, QRectF(left, 2.6 * em, right - left, 1.4 * em), em,
-              {{QCoreApplication::translate("Charts", "tongue"), QPen(kTongue, em * 0.18)},
-               {QCoreApplication::translate("Charts", "gum"), QPen(kGum, em * 0.18)},
-               {displayed_words(log.header), QPen(kDisplayed, em * 0.1, Qt::DotLine)}});
-
-  Panel force(painter, force_frame, end_s, highest * 1.15, em);
-  Panel view(painter, sight_frame, end_s, 100.0, em);
+  Panel force(painter, labels, force_frame, end_s, highest * 1.15, em);
+  Panel view(painter, labels, sight_frame, end_s, 100.0, em);
   for (const auto& [from_s, to_s] : attempt_spans(score)) {
     force.span(from_s, to_s, chart::kAttempt);
     view.span(from_s, to_s, chart::kAttempt);
   }
-  force.axes(QCoreApplication::translate("Charts", "force (N)"), 8, false);
-  view.axes(sight_height < 8.0 * em ? QCoreApplication::translate("Charts", "seen (%)")
-                                    : QCoreApplication::translate("Charts", "glottis seen (%)"),
-            2, true);
+  force.axes({QCoreApplication::translate("Charts", "force (N)")}, 8, false);
+  view.axes(
+      {QCoreApplication::translate("Charts", "glottis seen (%)"), QCoreApplication::translate("Charts", "seen (%)")}, 2,
+      true);
 
   force.line(gum, QPen(kGum, em * 0.16));
   force.line(tongue, QPen(kTongue, em * 0.18));
@@ -127,7 +124,22 @@ QImage draw_force_chart(const curricula::TrialLog& log, const curricula::Scenari
         score.time_of_peak_tongue_force_s, score.peak_tongue_force_n, kTongue,
         QCoreApplication::translate("Charts", "tongue peak %1 N").arg(chart::number(score.peak_tongue_force_n, 2)));
   }
-  return image;
+  return labels.draw(painter);
+}
+
+Chart make_force_chart(const ChartForm& form, const curricula::TrialLog& log, const curricula::Scenario& scenario,
+                       const curricula::Score& score) {
+  QImage image(form.width, form.height, QImage::Format_RGB32);
+  image.fill(Qt::white);
+  QPainter painter(&image);
+  auto labels = paint_force_chart(painter, form, log, scenario, score);
+  painter.end();
+  return {image, std::move(labels)};
+}
+
+QImage draw_force_chart(const curricula::TrialLog& log, const curricula::Scenario& scenario,
+                        const curricula::Score& score, int width, int height) {
+  return make_force_chart(picture_form(width, height), log, scenario, score).picture;
 }
 
 void write_force_chart(const std::filesystem::path& png, const curricula::TrialLog& log,

@@ -54,8 +54,8 @@ Recorded read(const curricula::TrialLog& log) {
 
 }  // namespace
 
-QImage draw_monitor_chart(const curricula::TrialLog& log, const curricula::Scenario& scenario,
-                          const curricula::Score& score, int width, int height) {
+std::vector<ChartLabel> paint_monitor_chart(QPainter& painter, const ChartForm& form, const curricula::TrialLog& log,
+                                            const curricula::Scenario& scenario, const curricula::Score& score) {
   if (qobject_cast<QGuiApplication*>(QCoreApplication::instance()) == nullptr)
     throw std::logic_error("a chart needs a QGuiApplication for its fonts");
   if (!score.intubation || !log.header.has_intubation)
@@ -63,41 +63,38 @@ QImage draw_monitor_chart(const curricula::TrialLog& log, const curricula::Scena
   const curricula::IntubationScore& intubation = *score.intubation;
   const Recorded recorded = read(log);
 
-  QImage image(width, height, QImage::Format_RGB32);
-  image.fill(Qt::white);
-  QPainter painter(&image);
-  const double em = chart_em(width, height);
-  const TimeAxis axis = chart_time_axis(width, height, log.ticks.empty() ? 0.0 : log.ticks.back().time_s);
+  const double em = form.em;
+  const TimeAxis axis = chart_time_axis(form, log.ticks.empty() ? 0.0 : log.ticks.back().time_s);
   const double left = axis.left, right = axis.right, gap = 1.6 * em;
-  begin_chart(painter, em, left, right,
-              QCoreApplication::translate("Charts", "The monitor: %1").arg(QString::fromStdString(scenario.title)));
-  draw_legend(painter, QRectF(left, 2.6 * em, right - left, 1.4 * em), em,
-              {{QCoreApplication::translate("Charts", "saturation as displayed"), QPen(kSpo2, em * 0.18)},
-               {QCoreApplication::translate("Charts", "as it really was"), QPen(kSao2, em * 0.1, Qt::DotLine)},
-               {QCoreApplication::translate("Charts", "heart"), QPen(kHeart, em * 0.18)},
-               {QCoreApplication::translate("Charts", "a breath given"), QPen(chart::kInk, em * 0.12)},
-               {QCoreApplication::translate("Charts", "tip in the oesophagus"),
-                QPen(kOesophagus, em * 0.9, Qt::SolidLine, Qt::FlatCap)}});
+  ChartLabels labels(chart_type(em), em);
+  const double begin =
+      begin_chart(painter, labels, form, left, right,
+                  QCoreApplication::translate("Charts", "The monitor: %1").arg(QString::fromStdString(scenario.title)),
+                  {{QCoreApplication::translate("Charts", "saturation as displayed"), QPen(kSpo2, em * 0.18)},
+                   {QCoreApplication::translate("Charts", "as it really was"), QPen(kSao2, em * 0.1, Qt::DotLine)},
+                   {QCoreApplication::translate("Charts", "heart"), QPen(kHeart, em * 0.18)},
+                   {QCoreApplication::translate("Charts", "a breath given"), QPen(chart::kInk, em * 0.12)},
+                   {QCoreApplication::translate("Charts", "tip in the oesophagus"),
+                    QPen(kOesophagus, em * 0.9, Qt::SolidLine, Qt::FlatCap)}});
 
-  const double room = height - 4.6 * em - 4.2 * em - 2.0 * gap;
-  const QRectF top(left, 4.6 * em, right - left, 0.45 * room);
+  const double room = form.height - begin - 4.2 * em - 2.0 * gap;
+  const QRectF top(left, begin, right - left, 0.45 * room);
   const QRectF middle(left, top.bottom() + gap, right - left, 0.33 * room);
   const QRectF bottom(left, middle.bottom() + gap, right - left, 0.22 * room);
-  Panel saturation(painter, top, axis.end_s, 110.0, em);  // room above 100 for the marks
-  Panel heart(painter, middle, axis.end_s, recorded.fastest_per_min * 1.05, em);
-  Panel view(painter, bottom, axis.end_s, 100.0, em);
+  Panel saturation(painter, labels, top, axis.end_s, 110.0, em);  // room above 100 for the marks
+  Panel heart(painter, labels, middle, axis.end_s, recorded.fastest_per_min * 1.05, em);
+  Panel view(painter, labels, bottom, axis.end_s, 100.0, em);
   for (Panel* panel : {&saturation, &heart, &view}) {
     for (const auto& [from_s, to_s] : attempt_spans(score)) panel->span(from_s, to_s, chart::kAttempt);
     for (const auto& [from_s, to_s] : recorded.oesophagus_s) panel->span(from_s, to_s, kOesophagus);
   }
-  saturation.axes(QStringLiteral("SpO2 (%)"), bottom.height() < 8.0 * em ? 2 : 6, false);
-  const bool small = bottom.height() < 8.0 * em;  // on a page of a small window
-  heart.axes(small ? QCoreApplication::translate("Charts", "heart")
-                   : QCoreApplication::translate("Charts", "heart (per minute)"),
-             small ? 2 : 5, false);
-  view.axes(small ? QCoreApplication::translate("Charts", "seen (%)")
-                  : QCoreApplication::translate("Charts", "glottis seen (%)"),
-            small ? 1 : 2, true);
+  saturation.axes({QStringLiteral("SpO2 (%)")}, 6, false);
+  heart.axes(
+      {QCoreApplication::translate("Charts", "heart (per minute)"), QCoreApplication::translate("Charts", "heart")}, 5,
+      false);
+  view.axes(
+      {QCoreApplication::translate("Charts", "glottis seen (%)"), QCoreApplication::translate("Charts", "seen (%)")}, 2,
+      true);
 
   saturation.line(recorded.sao2, QPen(kSao2, em * 0.1, Qt::DotLine));
   saturation.line(recorded.spo2, QPen(kSpo2, em * 0.18));
@@ -141,7 +138,22 @@ QImage draw_monitor_chart(const curricula::TrialLog& log, const curricula::Scena
     heart.peak(intubation.lowest_heart_at_s, *intubation.lowest_heart_per_min, kHeart,
                QCoreApplication::translate("Charts", "lowest %1 per minute")
                    .arg(chart::number(*intubation.lowest_heart_per_min, 0)));
-  return image;
+  return labels.draw(painter);
+}
+
+Chart make_monitor_chart(const ChartForm& form, const curricula::TrialLog& log, const curricula::Scenario& scenario,
+                         const curricula::Score& score) {
+  QImage image(form.width, form.height, QImage::Format_RGB32);
+  image.fill(Qt::white);
+  QPainter painter(&image);
+  auto labels = paint_monitor_chart(painter, form, log, scenario, score);
+  painter.end();
+  return {image, std::move(labels)};
+}
+
+QImage draw_monitor_chart(const curricula::TrialLog& log, const curricula::Scenario& scenario,
+                          const curricula::Score& score, int width, int height) {
+  return make_monitor_chart(picture_form(width, height), log, scenario, score).picture;
 }
 
 }  // namespace vallecula::gui

@@ -5452,6 +5452,13 @@ Freie Software unter der GNU Affero General Public License, Version 3, weil TetG
     </message>
 </context>
 <context>
+    <name>vallecula::gui::ChartView</name>
+    <message>
+        <source>Drawing ...</source>
+        <translation>Wird gezeichnet ...</translation>
+    </message>
+</context>
+<context>
     <name>vallecula::gui::CheckPage</name>
     <message>
         <source>Under the pointer</source>
@@ -7293,10 +7300,6 @@ Gerät: %3</translation>
         <source>Click to go there</source>
         <translation>Klicken, um dorthin zu gehen</translation>
     </message>
-    <message>
-        <source>Drawing ...</source>
-        <translation>Wird gezeichnet ...</translation>
-    </message>
 </context>
 <context>
     <name>vallecula::gui::LiveEvents</name>
@@ -8533,10 +8536,6 @@ Gerät: %3</translation>
         <translation>Eine Prüfung: Ihre Wiedergabe bleibt gesperrt.</translation>
     </message>
     <message>
-        <source>Drawing saturation and heart rate ...</source>
-        <translation>Sättigung und Herzfrequenz werden gezeichnet ...</translation>
-    </message>
-    <message>
         <source>Saturation and heart rate cannot be drawn: %1</source>
         <translation>Sättigung und Herzfrequenz lassen sich nicht zeichnen: %1</translation>
     </message>
@@ -8549,12 +8548,12 @@ Gerät: %3</translation>
         <translation>Echtzeit-Einrichtung: %1.</translation>
     </message>
     <message>
-        <source>The force plot could not be read.</source>
-        <translation>Das Kraftdiagramm konnte nicht gelesen werden.</translation>
-    </message>
-    <message>
         <source>A link opens the replay %1 s before its moment, so that it is seen coming; on the timeline the moment itself is framed in yellow.</source>
         <translation>Ein Verweis öffnet die Wiedergabe %1 s vor seinem Augenblick, damit man ihn kommen sieht; auf der Zeitleiste ist der Augenblick selbst gelb umrahmt.</translation>
+    </message>
+    <message>
+        <source>The force plot could not be drawn: %1</source>
+        <translation>Das Kraftdiagramm konnte nicht gezeichnet werden: %1</translation>
     </message>
 </context>
 <context>

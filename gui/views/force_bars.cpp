@@ -15,6 +15,7 @@ namespace {
 
 constexpr double kSmall = 8.0, kName = 10.5;  // points
 constexpr double kBetweenWords = 6.0;         // px
+constexpr double kLeastTrack = 130.0;         // px at a text scale of one
 
 QString newtons(double force_n) { return decimal(force_n, 1); }
 
@@ -64,7 +65,13 @@ double ForceBars::line() const { return QFontMetricsF(with_points(font(), kSmall
 QSize ForceBars::sizeHint() const { return {420, minimumSizeHint().height() + 10}; }
 QSize ForceBars::minimumSizeHint() const {
   const double now = QFontMetricsF(with_points(font(), 13.0, true)).height();
-  return {280, static_cast<int>(std::max(4.2 * line() + 76.0, 2.0 * (2.0 * line() + now + 2.0) + parts_high()))};
+  const QFontMetricsF small(with_points(font(), kSmall));
+  double marks = 2.0 * kBetweenWords;  // each with its word: what it is stands nowhere else on the page
+  for (const QString& word : {tr("target %1"), tr("pass limit %1"), tr("device limit %1")})
+    marks += small.horizontalAdvance(word.arg(newtons(9.9))) + 2.0;
+  const double bar = names_wide() + theme::points(kLeastTrack) + figures_wide();
+  return {static_cast<int>(std::ceil(std::max(marks, bar))),
+          static_cast<int>(std::max(4.2 * line() + 76.0, 2.0 * (2.0 * line() + now + 2.0) + parts_high()))};
 }
 double ForceBars::parts_high() const { return 9.0 + 4.0 + 1.2 * line(); }
 
@@ -119,11 +126,21 @@ void ForceBars::clear() {
 
 double ForceBars::share_of_track(double newton) const { return std::clamp(newton / scale_, 0.0, 1.0); }
 
-QRectF ForceBars::track_of(const QRectF& place) const {
+double ForceBars::names_wide() const {
   const QFontMetricsF type(with_points(font(), kName));
-  const double longest = std::max(type.horizontalAdvance(tr("Tongue")), type.horizontalAdvance(tr("Gum")));
-  const double label = std::max(theme::points(64.0), longest + 10.0), figures = theme::points(72.0);
-  return place.adjusted(label, line() + 3.0, -figures, -4.0);
+  return std::max(
+      {theme::points(64.0), type.horizontalAdvance(tr("Tongue")) + 10.0, type.horizontalAdvance(tr("Gum")) + 10.0});
+}
+
+double ForceBars::figures_wide() const {
+  const QFontMetricsF now(with_points(font(), 13.0, true)), small(with_points(font(), kSmall));
+  return 9.0 +
+         std::max({now.horizontalAdvance(tr("%1 N").arg(newtons(88.8))),
+                   small.horizontalAdvance(tr("peak %1").arg(newtons(88.8))), small.horizontalAdvance(tr("expert"))});
+}
+
+QRectF ForceBars::track_of(const QRectF& place) const {
+  return place.adjusted(names_wide(), line() + 3.0, -figures_wide(), -4.0);
 }
 
 void ForceBars::paint_bar(QPainter& painter, const QRectF& place, const QString& name, const Bar& bar,

@@ -60,6 +60,8 @@ class ForceBars : public QWidget {
                  bool with_limit) const;
   void paint_parts(class QPainter& painter, const QRectF& place) const;
   QRectF track_of(const QRectF& place) const;
+  double names_wide() const;    ///< px: what stands before the tracks
+  double figures_wide() const;  ///< px: and behind them
   /// Of a line of small type, px.
   double parts_high() const;  ///< strip and words of lift and lever, px
   double line() const;

@@ -86,6 +86,7 @@ TrialReadings::TrialReadings(QWidget* parent) : QWidget(parent) {
   const auto caption = [&](const QString& text, int row, int column) {
     auto* label = new QLabel(text, this);
     label->setObjectName("faint");
+    label->setAlignment(Qt::AlignTop | Qt::AlignLeft);
     grid->addWidget(label, row, column);
     return label;
   };
@@ -124,10 +125,11 @@ TrialReadings::TrialReadings(QWidget* parent) : QWidget(parent) {
   caption(tr("Picture"), 7, 0);
   drawing_ = new QLabel(this);
   grid->addWidget(drawing_, 7, 1);
-  for (QLabel* figure :
-       {state_, loop_, steps_, drawing_, tube_})  // a narrow panel is not widened by them
-    figure->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-  for (QLabel* sentence : {tube_, drawing_}) sentence->setWordWrap(true);  // two lines where one is too short
+  for (QLabel* figure : {state_, loop_, steps_, drawing_, tube_}) {
+    figure->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // a narrow panel is not widened by them
+    figure->setWordWrap(true);                                            // two lines where one is too short
+    figure->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+  }
   grid->setColumnStretch(1, 1);
   grid->setColumnMinimumWidth(0, 100);
   show_tube(false);

@@ -18,6 +18,7 @@
 #include <QSlider>
 #include <QTabBar>
 #include <QTextEdit>
+#include <QToolButton>
 #include <QWidget>
 #include <algorithm>
 #include <string>
@@ -98,7 +99,7 @@ inline std::vector<std::string> unreachable_controls(const QWidget& page) {
   return found;
 }
 
-/// Every visible label, button and box whose text has less room than it asks for. A label that may be cut (its
+/// Every visible label, button, box and tab whose text has less room than it asks for. A label that may be cut (its
 /// horizontal policy ignores its size) must have the whole text as its tooltip.
 inline std::vector<std::string> cut_texts(const QWidget& page) {
   std::vector<std::string> found;
@@ -107,22 +108,33 @@ inline std::vector<std::string> cut_texts(const QWidget& page) {
   };
   for (const QLabel* label : page.findChildren<QLabel*>()) {
     if (!label->isVisible() || label->text().isEmpty()) continue;
-    if (label->sizePolicy().horizontalPolicy() == QSizePolicy::Ignored) continue;
+    const bool may_be_cut = label->sizePolicy().horizontalPolicy() == QSizePolicy::Ignored;
     if (label->wordWrap()) {
       const int wanted = label->heightForWidth(label->width());
       if (wanted > label->height() + 1)
         tell(*label, label->text(), QString("%1 of %2 px high").arg(label->height()).arg(wanted));
-    } else if (label->sizeHint().width() > label->width() + 1) {
+    } else if (label->sizeHint().width() > label->width() + 1 &&
+               !(may_be_cut && label->toolTip().contains(label->text()))) {
       tell(*label, label->text(), QString("%1 of %2 px wide").arg(label->width()).arg(label->sizeHint().width()));
     }
   }
   for (const QAbstractButton* button : page.findChildren<QAbstractButton*>()) {
-    const bool pushed = qobject_cast<const QPushButton*>(button) != nullptr;
-    const bool checked = qobject_cast<const QCheckBox*>(button) != nullptr;
-    if (!button->isVisible() || is_inner(*button, page) || (!pushed && !checked)) continue;
+    const bool worded = qobject_cast<const QPushButton*>(button) != nullptr ||
+                        qobject_cast<const QCheckBox*>(button) != nullptr ||
+                        (qobject_cast<const QToolButton*>(button) != nullptr && !button->text().isEmpty());
+    if (!button->isVisible() || is_inner(*button, page) || !worded) continue;
     if (button->sizeHint().width() > button->width() + 1)
       tell(*button, button->text(), QString("%1 of %2 px wide").arg(button->width()).arg(button->sizeHint().width()));
   }
+  for (const QTabBar* tabs : page.findChildren<QTabBar*>())
+    for (int i = 0; i < tabs->count(); ++i) {
+      const QSize tab = tabs->tabRect(i).size();
+      const int wanted = tabs->fontMetrics().horizontalAdvance(tabs->tabText(i).remove('&'));
+      // A bar of one is not shown by a window of docks.
+      if (!tabs->visibleRegion().isEmpty() && tabs->count() > 1 &&
+          std::max(tab.width(), tab.height()) < wanted)  // some stand on their side
+        tell(*tabs, tabs->tabText(i), QString("%1 of %2 px wide").arg(std::max(tab.width(), tab.height())).arg(wanted));
+    }
   return found;
 }
 
