@@ -23,7 +23,9 @@ std::vector<Row> tube_figures(const curricula::Score& score) {
       {"Time to view", seconds(decisive != nullptr ? decisive->time_to_view_s : std::nullopt), "", ""},
       row(score, "Time to pass", seconds(decisive != nullptr ? decisive->time_to_pass_s : std::nullopt),
           "time_to_pass_s", "at most"),
-      row(score, "CO2 detector", tube.co2_confirmed ? "yellow, breath " + std::to_string(*tube.co2_breaths) : "never yellow", "co2_confirmed", "by breath"),
+      row(score, "CO2 detector",
+          tube.co2_confirmed ? "yellow, breath " + std::to_string(*tube.co2_breaths) : "never yellow", "co2_confirmed",
+          "by breath"),
       row(score, "Peak force, tube", number(tube.tip_load_n.value, 1) + " N", "tube_force_n", "at most"),
   };
   if (tube.oesophagus_breaths > 0)

@@ -4187,6 +4187,22 @@
         <source>No attempt: not counted for the course</source>
         <translation>Kein Intubationsversuch: zählt nicht für den Kurs</translation>
     </message>
+    <message>
+        <source>recorded by another build (%1, %2); only the same build promises the same bits</source>
+        <translation>mit einem anderen Programmstand aufgezeichnet (%1, %2); bis aufs Bit gleich ist die Wiedergabe nur mit demselben Stand</translation>
+    </message>
+    <message>
+        <source>recorded with kernels for %1, computed here with %2</source>
+        <translation>mit Rechenkernen für %1 aufgezeichnet, hier mit %2 gerechnet</translation>
+    </message>
+    <message>
+        <source>expert shown</source>
+        <translation>Expertenablauf gezeigt</translation>
+    </message>
+    <message>
+        <source>list of keys</source>
+        <translation>Tastenliste</translation>
+    </message>
 </context>
 <context>
     <name>GivenLabels</name>
@@ -6624,6 +6640,10 @@ Nichts kann kaputtgehen, und jeder Versuch ist ein neuer. Bevor es beginnt, sagt
         <source>Tube (C)</source>
         <translation>Tubus (C)</translation>
     </message>
+    <message>
+        <source>Once the trial runs. %1</source>
+        <translation>Sobald der Durchgang läuft. %1</translation>
+    </message>
 </context>
 <context>
     <name>vallecula::gui::HelpDialog</name>
@@ -7228,6 +7248,10 @@ Gerät: %3</translation>
         <source>The trial is frozen: continue it first (F5); Close lets it go as well.</source>
         <translation>Der Durchgang ist angehalten: erst fortsetzen (F5); auch Schließen gibt ihn frei.</translation>
     </message>
+    <message>
+        <source>Stands at %1: the list of keys is read</source>
+        <translation>Steht bei %1: die Tastenliste wird gelesen</translation>
+    </message>
 </context>
 <context>
     <name>vallecula::gui::LabelView</name>
@@ -7366,6 +7390,14 @@ Gerät: %3</translation>
     <message>
         <source>Begun anew</source>
         <translation>Neu begonnen</translation>
+    </message>
+    <message>
+        <source>the trainee looks at the expert</source>
+        <translation>Am Spatel wird der Expertenablauf angesehen</translation>
+    </message>
+    <message>
+        <source>the trainee reads the list of keys</source>
+        <translation>Am Spatel wird die Tastenliste gelesen</translation>
     </message>
 </context>
 <context>
@@ -9566,6 +9598,14 @@ Gerät: %3</translation>
     <message>
         <source>The clock runs on: an assessment is not held up.</source>
         <translation>Die Uhr läuft weiter: Eine Prüfung wird nicht angehalten.</translation>
+    </message>
+    <message>
+        <source>Until then it is not ended here: ask your instructor.</source>
+        <translation>Bis dahin lässt er sich hier nicht beenden: Bitte die Lehrperson fragen.</translation>
+    </message>
+    <message>
+        <source>An instructor holds the trial: it is ended once they let it go on</source>
+        <translation>Die Lehrperson hält den Durchgang an: Er lässt sich beenden, sobald sie ihn freigibt</translation>
     </message>
 </context>
 <context>
