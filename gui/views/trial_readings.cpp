@@ -3,6 +3,7 @@
 #include <QGridLayout>
 #include <QLabel>
 #include <QPainter>
+#include <QVariant>
 #include <algorithm>
 
 #include "gui/session/words_from_below.h"
@@ -124,8 +125,7 @@ TrialReadings::TrialReadings(QWidget* parent) : QWidget(parent) {
   caption(tr("Picture"), 7, 0);
   drawing_ = new QLabel(this);
   grid->addWidget(drawing_, 7, 1);
-  for (QLabel* figure :
-       {state_, loop_, steps_, drawing_, tube_})  // a narrow panel is not widened by them
+  for (QLabel* figure : {state_, loop_, steps_, drawing_, tube_})  // a narrow panel is not widened by them
     figure->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   for (QLabel* sentence : {tube_, drawing_}) sentence->setWordWrap(true);  // two lines where one is too short
   grid->setColumnStretch(1, 1);
