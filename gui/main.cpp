@@ -11,6 +11,7 @@
 #include <string>
 
 #include "gui/commands/commands.h"
+#include "gui/commands/headless_application.h"
 #include "gui/session/device_choice.h"
 
 namespace {
@@ -57,6 +58,7 @@ void log_qt_message(QtMsgType type, const QMessageLogContext&, const QString& te
 int main(int argc, char** argv) {
   using namespace vallecula::gui;
   program_arguments() = {argc, argv};
+  write_plain_numbers();  // a window then has its language's
   spdlog::set_default_logger(spdlog::stderr_logger_mt("vallecula"));
   spdlog::set_pattern("%H:%M:%S %^%l%$ %v");
   spdlog::set_level(spdlog::level::warn);

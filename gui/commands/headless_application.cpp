@@ -1,5 +1,8 @@
 #include "gui/commands/headless_application.h"
 
+#include <QLocale>
+#include <clocale>
+
 #include "gui/commands/commands.h"
 
 namespace vallecula::gui {
@@ -18,6 +21,12 @@ HeadlessApplication::HeadlessApplication() {
   arguments[1] = option;
   arguments[2] = platform;
   application_ = std::make_unique<QGuiApplication>(count, arguments);
+  write_plain_numbers();
+}
+
+void write_plain_numbers() {
+  std::setlocale(LC_NUMERIC, "C");  // Qt has taken all of the system's
+  QLocale::setDefault(QLocale::c());
 }
 
 }  // namespace vallecula::gui

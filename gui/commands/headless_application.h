@@ -6,6 +6,9 @@
 
 namespace vallecula::gui {
 
+/// Reports, tables and figures of commands have a decimal point wherever they are made: other programs read them.
+void write_plain_numbers();
+
 /// A QGuiApplication on Qt's offscreen platform, which needs no display. Only one Qt application may live at a time.
 class HeadlessApplication {
  public:

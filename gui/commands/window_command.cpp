@@ -2,16 +2,15 @@
 // --window`.
 #include <spdlog/spdlog.h>
 
-#include <QTimer>
 #include <filesystem>
 #include <functional>
-#include <memory>
 #include <stdexcept>
 #include <string>
-#include <vector>
+#include <utility>
 
 #include "gui/commands/commands.h"
 #include "gui/pages/main_window.h"
+#include "gui/pages/remade_window.h"
 #include "gui/pages/versions.h"
 #include "gui/pages/window_application.h"
 #include "gui/session/curricula_files.h"
@@ -29,28 +28,9 @@ int run_window(const std::function<void(MainWindow&)>& opened) {
   program_log::note("started: " + system_lines().front());
   FoundCurricula found = find_curricula();
   for (const std::string& told : found.refused) spdlog::warn("{}", told);
-  std::unique_ptr<MainWindow> window;
-  const auto open = [&window, &found] {
-    auto next = std::make_unique<MainWindow>();
-    next->show_start(found.curricula);
-    if (window) next->setGeometry(window->geometry());
-    next->show();
-    window.swap(next);  // the one before goes once this is seen: the program ends with its last window
-  };
-  open();
-  window->look_back();
-  // In another language all of the window is made anew, with the first steps, where it was chosen.
-  const std::function<void()> follow_words = [&] {
-    QObject::connect(window.get(), &MainWindow::words_changed, &application.qt(), [&] {
-      QTimer::singleShot(0, &application.qt(), [&] {
-        open();
-        follow_words();
-        window->show_first_steps(true);
-      });
-    });
-  };
-  follow_words();
-  opened(*window);
+  RemadeWindow shown(std::move(found.curricula));
+  shown.window().look_back();
+  opened(shown.window());
   const int code = application.qt().exec();
   program_log::note("ended");
   program_log::end();

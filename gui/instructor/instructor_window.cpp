@@ -68,6 +68,7 @@ InstructorWindow::InstructorWindow(TrialPage& trial, LiveWatch& watch, RecordsDe
   connect(&trial_, &TrialPage::finished, this, &InstructorWindow::recorded);
   connect(&live_, &LiveWatch::told, this, &InstructorWindow::add_events);
   connect(&live_, &LiveWatch::begun_anew, this, &InstructorWindow::begin_anew);
+  connect(&live_, &LiveWatch::forgotten, events_, &QListWidget::clear);
   connect(&trainee_, &RecordsDesk::changed, this, &InstructorWindow::show_state);
   connect(&desk_, &RecordsDesk::changed, this, &InstructorWindow::show_state);
   connect(controls_, &InstructorControls::freeze_wanted, this, &InstructorWindow::freeze);
@@ -189,7 +190,6 @@ void InstructorWindow::take_session() {
   if (!session_) return;
   const auto& scenario = session_->scenario();
   const auto& scene = session_->scene();
-  assessed_ = scenario.attempt.mode == curricula::Mode::assessment;
   const auto mouth = mouth_of(session_->package());
   view_->show_patient(trial_.look(), scene.tool.surface, scene.intubation ? &*scene.intubation : nullptr);
   bars_->set_marks(force_marks(scenario, scene.haptics.device_limit_n));
@@ -201,6 +201,10 @@ void InstructorWindow::take_session() {
   monitor_->clear();
   record_ = 0;
   drawn_ = 0;
+  if (!trial_.running()) {  // as at the blade: tools, and what the monitor says, before the start
+    view_->update_from(session_->at_start());
+    monitor_->show_snapshot(session_->at_start());
+  }
   if (isVisible()) view_->draw();
   show_state();
 }
@@ -248,14 +252,15 @@ void InstructorWindow::wait() {
 }
 
 /// What an assessment keeps from the trainee, anybody could read off this window where none but instructors sit.
-bool InstructorWindow::shows_figures() const { return !assessed_ || desk_.instructor(); }
+bool InstructorWindow::shows_figures() const { return !live_.assessed() || desk_.instructor(); }
 
 void InstructorWindow::show_state() {
   const bool running = session_ && trial_.running();
-  const bool assessed = session_ && assessed_;
+  const bool assessed = session_ && live_.assessed();
   const bool infant = session_ && session_->scene().intubation.has_value();
   const bool frozen = running && session_->frozen_by(Holder::instructor);
   const bool expert = running && session_->frozen_by(Holder::expert);
+  const bool read = running && session_->frozen_by(Holder::reader);
   if (session_)
     title_->setText(plain_of(session_->scenario().title));
   else if (title_->text().isEmpty())
@@ -264,6 +269,7 @@ void InstructorWindow::show_state() {
                   : !running ? tr("Prepared, not started")
                   : frozen   ? tr("FROZEN at %1").arg(clock_words(live_.now_s()))
                   : expert   ? tr("Stands at %1: an expert is shown").arg(clock_words(live_.now_s()))
+                  : read     ? tr("Stands at %1: the list of keys is read").arg(clock_words(live_.now_s()))
                   : session_->pause().empty() ? tr("Running, %1").arg(clock_words(live_.now_s()))
                                               : tr("Paused at %1").arg(clock_words(live_.now_s())));
   const QString trainee = trainee_.who() ? words_of(trainee_.person()) : tr("nobody is signed in");

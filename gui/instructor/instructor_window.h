@@ -81,7 +81,6 @@ class InstructorWindow : public QWidget {
   QLabel *title_, *who_, *state_;
   QPushButton* next_;
   QWidget* forces_;
-  bool assessed_ = false;  ///< the trial that was opened last: it tells nobody but an instructor, over or not
   QElapsedTimer since_drawn_;
   int drawn_ = 0;
   long long record_ = 0;      ///< of the trial that was recorded last; 0: none

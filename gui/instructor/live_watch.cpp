@@ -9,6 +9,15 @@ namespace {
 
 constexpr std::size_t kMostKept = 500;
 
+/// The session tells whoever is at the blade; who watches is told of them.
+QString pause_told(const TrialSession& session) {
+  const std::string why = session.pause();
+  if (why.empty() || session.frozen_by(Holder::instructor)) return in_words(why);
+  if (session.frozen_by(Holder::expert)) return LiveWatch::tr("the trainee looks at the expert");
+  if (session.frozen_by(Holder::reader)) return LiveWatch::tr("the trainee reads the list of keys");
+  return in_words(why);
+}
+
 }  // namespace
 
 LiveWatch::LiveWatch(TrialPage& trial) : trial_(trial) {
@@ -25,6 +34,7 @@ void LiveWatch::take_session() {
   session_ = trial_.session();
   events_.clear();
   last_time_s_ = 0.0;
+  assessed_ = session_ && session_->scenario().attempt.mode == curricula::Mode::assessment;
   if (session_) events_of_.begin(session_->scenario(), mouth_of(session_->package()));
 }
 
@@ -40,7 +50,12 @@ void LiveWatch::frame(const engine::Snapshot& snapshot) {
 }
 
 void LiveWatch::follow(const engine::Snapshot& snapshot) {
-  keep(events_of_.watch(snapshot, in_words(session_->pause()), session_->paused_s(), &session_->dual_task()));
+  keep(events_of_.watch(snapshot, pause_told(*session_), session_->paused_s(), &session_->dual_task()));
+}
+
+void LiveWatch::forget() {
+  events_.clear();
+  emit forgotten();
 }
 
 void LiveWatch::add(const QString& text) { keep({{now_s(), text}}); }

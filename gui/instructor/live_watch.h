@@ -25,10 +25,15 @@ class LiveWatch : public QObject {
   double now_s() const { return events_of_.now_s(); }
   /// What was done at another window, told with the others.
   void add(const QString& text);
+  /// That trial is an assessment, over or not: what it keeps from its trainee is for instructors.
+  bool assessed() const { return assessed_; }
+  /// The next trainee sits down: what was told of the trial before goes with it.
+  void forget();
 
  signals:
   void told(const std::vector<vallecula::gui::LiveEvent>& events);  ///< since the last time
   void begun_anew();                                                ///< by a reset; told() follows
+  void forgotten();
 
  private:
   void take_session();
@@ -41,6 +46,7 @@ class LiveWatch : public QObject {
   LiveEvents events_of_;
   std::vector<LiveEvent> events_;
   double last_time_s_ = 0.0;
+  bool assessed_ = false;
 };
 
 }  // namespace vallecula::gui

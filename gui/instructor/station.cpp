@@ -27,6 +27,12 @@ InstructorStation::InstructorStation(QMainWindow& window, RecordsDesk& trainee, 
   // A trial belongs to whoever began it.
   connect(&trial_, &TrialPage::started, next_, [this] { next_->setEnabled(false); });
   connect(&trial_, &TrialPage::closed, next_, [this] { next_->setEnabled(true); });
+  // What was told of it is not the next trainee's; an instructor who signs in may look back at it.
+  connect(&trial_, &TrialPage::opened, this, [this] { watched_ = trainee_.person().id; });
+  connect(&trainee_, &RecordsDesk::changed, this, [this] {
+    const bool another = trainee_.who() && !trainee_.instructor() && trainee_.person().id != watched_;
+    if (another && !trial_.running()) watch_.forget();
+  });
 }
 
 InstructorStation::~InstructorStation() = default;
@@ -90,6 +96,7 @@ void InstructorStation::change_trainee() {
   connect(dialog, &SignInDialog::changes, this, [this] {
     trainee_.sign_out();
     emit next_trainee_begins();
+    watch_.forget();
   });
   connect(dialog, &SignInDialog::new_trainee_wanted, this, &InstructorStation::new_trainee_wanted);
   dialog->open();

@@ -41,8 +41,8 @@ class InstructorStation : public QObject {
   void set_device_maker(DeviceCheck::Maker maker) { maker_ = std::move(maker); }
 
  signals:
-  void next_trainee_begins();  ///< the one before is signed out; whatever was open of theirs is to be left
-  void new_trainee_wanted();   ///< nobody is signed in: somebody is to be registered
+  void next_trainee_begins();         ///< the one before is signed out; whatever was open of theirs is to be left
+  void new_trainee_wanted();          ///< nobody is signed in: somebody is to be registered
   void told(const QString& message);  ///< why something was not done
 
  private:
@@ -60,7 +60,8 @@ class InstructorStation : public QObject {
   DeviceChecks checks_;
   DeviceCheck::Maker maker_;
   std::function<bool()> may_change_;
-  LiveWatch watch_;  ///< from the first trial on, whoever looks
+  LiveWatch watch_;        ///< from the first trial on, whoever looks
+  long long watched_ = 0;  ///< whose the trial was that was opened last, by the records; 0: nobody's
 };
 
 }  // namespace vallecula::gui

@@ -15,7 +15,7 @@ HandPanel::HandPanel(QWidget* parent) : QWidget(parent) {
   const auto button = [&](const QString& text, const QString& tip) {
     auto* made = new QPushButton(text, this);
     made->setFocusPolicy(Qt::NoFocus);  // keys are the hands'
-    made->setToolTip(tip);
+    tips_[made] = tip;
     made->setStyleSheet("padding: 5px 4px;");
     made->setMinimumWidth(80);
     row->addWidget(made);
@@ -47,6 +47,7 @@ HandPanel::HandPanel(QWidget* parent) : QWidget(parent) {
   connect(other_hand_, &QPushButton::clicked, this, [this] {
     if (actions_ != nullptr) actions_->change_hand();
   });
+  set_running(false);
 }
 
 void HandPanel::serve(HandActions* actions, bool switches) {
@@ -80,6 +81,13 @@ void HandPanel::changeEvent(QEvent* event) {
   if (event->type() == QEvent::FontChange) keep_room();
 }
 
+void HandPanel::set_running(bool running) {
+  for (const auto& [button, tip] : tips_) {
+    button->setEnabled(running);
+    button->setToolTip(running ? tip : tr("Once the trial runs. %1").arg(tip));
+  }
+}
+
 void HandPanel::hold(const Held& held, bool on) {
   if (actions_ != nullptr) actions_->hold(held.action, on);
 }
@@ -110,11 +118,11 @@ bool HandPanel::key(QKeyEvent* event, bool pressed) {
 std::vector<KeyRow> HandPanel::keys() const {
   if (actions_ == nullptr) return {};
   std::vector<KeyRow> rows;
-  const auto add = [&](const auto& keys, const QPushButton* button) {
+  const auto add = [&](const auto& keys, QPushButton* button) {
     QStringList names;
     for (const int key : keys)
       if (key != 0) names << key_name(key);
-    rows.push_back({names.join(", "), button->toolTip()});
+    rows.push_back({names.join(", "), tips_.at(button)});
   };
   for (const Held& held : held_) add(held.keys, held.button);
   for (const Once& once : once_)

@@ -4,6 +4,7 @@
 
 #include <QWidget>
 #include <array>
+#include <map>
 #include <vector>
 
 #include "engine/snapshot.h"
@@ -22,6 +23,8 @@ class HandPanel : public QWidget {
   /// Whose bits are set from now on; nullptr: nobody's. `switches`: one device drives both hands in turn. What was held
   /// is let go.
   void serve(HandActions* actions, bool switches);
+  /// Before the start and after the end nothing of it can be had: it is grey and says so.
+  void set_running(bool running);
   bool serving() const { return actions_ != nullptr; }
   /// True when the key is one of these. Space gives a breath like B where nothing else takes it.
   bool key(QKeyEvent* event, bool pressed);
@@ -54,6 +57,7 @@ class HandPanel : public QWidget {
   };
   std::array<Held, 4> held_;
   std::array<Once, 2> once_;
+  std::map<QPushButton*, QString> tips_;  ///< of each button, while it can be had
   QPushButton *catheter_, *other_hand_;
 };
 

@@ -25,7 +25,7 @@ class DevicesPage;
 class HelpDialog;
 class HomePage;
 class KeptDraft;
-struct LeftDraft;
+struct FoundAtStart;
 class MainMenu;
 class ImportWizard;
 class InstructorStation;
@@ -66,6 +66,9 @@ class MainWindow : public QMainWindow {
   void show_first_steps(bool very_first);
   /// Tells of what an earlier program that ended too early left: trials, a course that was being written.
   void look_back();
+  bool looking_back() const { return looking_back_; }  ///< until looked_back()
+  /// This window takes the other's place: as large, maximised where it is, with what it has told of.
+  void take_over(MainWindow& before);
   /// Writes what the program did, and on what, into one text file; it names nobody.
   void save_log(const std::filesystem::path& to);
   KeptDraft& draft() { return *draft_; }
@@ -82,6 +85,7 @@ class MainWindow : public QMainWindow {
 
  signals:
   void words_changed();  ///< another language is installed: what is open keeps its words until it is made anew
+  void looked_back();
   void prepared();
   void trial_finished(const vallecula::gui::TrialOutcome& outcome);
   void trial_failed(const QString& message);
@@ -99,6 +103,7 @@ class MainWindow : public QMainWindow {
   void connect_help();
   void show_help();
   void follow(const QString& link);
+  void show_found();
   void restore_place();
   void keep_place();
   void show_page(QWidget* page);
@@ -152,7 +157,8 @@ class MainWindow : public QMainWindow {
   MainMenu* menu_;
   KeptDraft* draft_;
   HelpDialog* help_ = nullptr;
-  std::unique_ptr<LeftDraft> left_;
+  std::shared_ptr<FoundAtStart> found_;  ///< what is told of an earlier program; null: nothing
+  bool looking_back_ = false;
   QElapsedTimer prepare_time_, trial_time_;
   TrialSetup prepared_;  ///< of the trial that is prepared or runs
   StartPage* start_;

@@ -5,6 +5,7 @@
 #include <QFileDialog>
 #include <QMetaMethod>
 #include <QStackedWidget>
+#include <utility>
 
 #include "gui/authoring/authoring_page.h"
 #include "gui/authoring/kept_draft.h"
@@ -31,12 +32,13 @@ namespace {
 
 constexpr const char *kOpenDraft = "draft:open", *kDropDraft = "draft:drop", *kTrialLink = "trial:";
 
+}  // namespace
+
 struct FoundAtStart {
   std::vector<Tidied> tidied;
   std::optional<LeftDraft> draft;
+  QString problem;  ///< why it could not be looked for; empty: nothing
 };
-
-}  // namespace
 
 void MainWindow::connect_help() {
   draft_ = new KeptDraft(authoring_->document(), user_data_folder() / "unsaved", this);
@@ -130,43 +132,64 @@ void MainWindow::show_first_steps(bool very_first) {
 }
 
 void MainWindow::look_back() {
+  looking_back_ = true;
+  const auto over = [this] {
+    looking_back_ = false;
+    emit looked_back();
+  };
   run_in_background<FoundAtStart>(
       this,
       [folder = user_data_folder() / "unsaved"] {
-        return FoundAtStart{tidy_records(), left_draft(folder)};
+        return FoundAtStart{tidy_records(), left_draft(folder), {}};
       },
-      [this](const FoundAtStart& found) {
-        QStringList lines;
-        for (const Tidied& one : found.tidied) {
-          QString line = in_words(one.sentence).toHtmlEscaped();
-          if (!line.isEmpty()) line[0] = line[0].toUpper();
-          if (!one.log.empty())
-            line += QString(". <a href=\"%1%2\">%3</a>")
-                        .arg(kTrialLink, QString::fromStdString(one.log.string()).toHtmlEscaped(), tr("Look at it"));
-          lines << line;
-        }
-        if (found.draft) {
-          left_ = std::make_unique<LeftDraft>(*found.draft);
-          lines << tr("A course was being written when the program ended.") +
-                       QString(" <a href=\"%1\">%2</a> &nbsp; <a href=\"%3\">%4</a>")
-                           .arg(kOpenDraft, tr("Go on with it"), kDropDraft, tr("Let it go"));
-        }
-        home_->set_notice(lines.join("<br>"));
+      [this, over](const FoundAtStart& found) {
+        found_ = std::make_shared<FoundAtStart>(found);
+        show_found();
+        over();
       },
-      [this](const QString& message) { tell_first(message); });
+      [this, over](const QString& message) {
+        found_ = std::make_shared<FoundAtStart>();
+        found_->problem = message;
+        show_found();
+        over();
+      });
+}
+
+void MainWindow::show_found() {
+  if (!found_) return home_->set_notice({});
+  QStringList lines;
+  for (const Tidied& one : found_->tidied) {
+    QString line = in_words(one.sentence).toHtmlEscaped();
+    if (!line.isEmpty()) line[0] = line[0].toUpper();
+    if (!one.log.empty())
+      line += QString(". <a href=\"%1%2\">%3</a>")
+                  .arg(kTrialLink, QString::fromStdString(one.log.string()).toHtmlEscaped(), tr("Look at it"));
+    lines << line;
+  }
+  if (found_->draft)
+    lines << tr("A course was being written when the program ended.") +
+                 QString(" <a href=\"%1\">%2</a> &nbsp; <a href=\"%3\">%4</a>")
+                     .arg(kOpenDraft, tr("Go on with it"), kDropDraft, tr("Let it go"));
+  home_->set_notice(lines.join("<br>"));
+  if (!found_->problem.isEmpty()) tell_first(found_->problem);
+}
+
+void MainWindow::take_over(MainWindow& before) {
+  restoreGeometry(before.saveGeometry());
+  found_ = std::move(before.found_);
+  show_found();
 }
 
 void MainWindow::follow(const QString& link) {
-  home_->set_notice({});
+  const auto found = std::exchange(found_, nullptr);
+  show_found();
   if (link.startsWith(kTrialLink)) return open_files({link.mid(QString(kTrialLink).size()).toStdString()});
-  if (left_ == nullptr) return;
-  const LeftDraft left = *left_;
-  left_.reset();
+  if (!found || !found->draft) return;
   if (link == kOpenDraft) {
     pages_->setCurrentWidget(authoring_);
-    authoring_->recover(left.from, left.text);
+    authoring_->recover(found->draft->from, found->draft->text);
   }
-  remove_draft(left.kept);
+  remove_draft(found->draft->kept);
 }
 
 void MainWindow::restore_place() {

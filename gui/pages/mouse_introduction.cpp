@@ -1,6 +1,7 @@
 #include "gui/pages/mouse_introduction.h"
 
 #include <QCheckBox>
+#include <QCoreApplication>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -63,7 +64,7 @@ MouseIntroduction::MouseIntroduction(QWidget* parent) : QFrame(parent) {
   title_->setObjectName("heading");
   text_ = new QLabel(this);
   text_->setTextFormat(Qt::RichText);
-  text_->setWordWrap(true);  // a small window is narrower than the longest line
+  text_->setWordWrap(true);                                      // a small window is narrower than the longest line
   text_->setMinimumWidth(static_cast<int>(theme::points(540)));  // larger words want longer lines, not more of them
   never_again_ = new QCheckBox(tr("Don't show this again"), this);
   auto* known = new QPushButton(tr("Got it"), this);

@@ -17,6 +17,7 @@
 #include "gui/report/monitor_chart.h"
 #include "gui/session/log_conversion.h"
 #include "gui/session/words_from_below.h"
+#include "gui/views/capitalised.h"
 #include "gui/views/force_bars.h"
 #include "gui/views/heat_look.h"
 #include "gui/views/monitor_panel.h"
@@ -66,6 +67,11 @@ void ReplayPage::open(std::shared_ptr<ReplayTrial> trial, double at_s, bool mark
   const engine::SceneDescription& scene = trial_->scene;
   const auto* intubation = scene.intubation ? &*scene.intubation : nullptr;
   title_->setText(tr("Replay: %1").arg(QString::fromStdString(trial_->scenario.title)));
+  QStringList warned;
+  for (const std::string& notice : trial_->notices) warned << capitalised(in_words(notice));
+  warned.removeDuplicates();
+  notice_->setText(warned.join("\n"));
+  notice_->setVisible(!warned.isEmpty());
   change_->setText(in_words(what_to_change(trial_->score, trial_->scenario)));
   operator_view_->show_patient(trial_->look, scene.tool.surface, intubation);
   sagittal_view_->show_patient(trial_->look, scene.tool.surface, intubation);
@@ -247,8 +253,6 @@ void ReplayPage::show_film_progress() {
   if (!waiting_ && !done) said << tr("Simulating the trial again ... %1 % (Stop ends it)").arg(percent);
   if (waiting_ && done) said << tr("The replay was stopped before this second.");
   if (done && !film.remark().empty() && !waiting_) said << in_words(film.remark());
-  for (const std::string& notice : trial_->notices) said << QString::fromStdString(notice);
-  said.removeDuplicates();
   const QString text = said.join(". ");
   if (told_->toolTip() != text) {
     told_->setToolTip(text);

@@ -109,13 +109,13 @@ class ReplayPage : public QWidget {
   ForceBars* bars_;
   std::unique_ptr<ReplayMarks> marks_, cut_marks_;
   std::unique_ptr<HeatLook> heat_look_;
-  std::size_t heat_of_ = 0;     ///< frames whose pressures are drawn
+  std::size_t heat_of_ = 0;  ///< frames whose pressures are drawn
   Timeline* timeline_;
   LinkedChart *force_chart_, *monitor_chart_;
   QTabWidget *charts_, *lists_;
   TimedList *reasons_, *events_;
   NotesPanel* notes_;
-  QLabel *title_, *change_, *clock_, *figures_, *told_, *legend_;
+  QLabel *title_, *change_, *clock_, *figures_, *told_, *legend_, *notice_;
   QProgressBar* progress_;
   QPushButton *stop_, *play_;
   QComboBox* rate_;

@@ -47,6 +47,12 @@ ReplayPage::ReplayPage(QWidget* parent)
   all->addWidget(change_);
   all->addWidget(across, 1);
   timeline_ = new Timeline(this);
+  notice_ = new QLabel(this);
+  notice_->setObjectName("replay_notice");
+  notice_->setProperty("role", "warning");
+  notice_->setWordWrap(true);
+  notice_->hide();
+  all->addWidget(notice_);
   all->addLayout(make_now());
   all->addWidget(timeline_);
   all->addWidget(make_foot());

@@ -1,6 +1,7 @@
 // The widgets of the course's page and where they are. What is made first is reached first by the Tab key.
 #include <QComboBox>
 #include <QCoreApplication>
+#include <QDialog>
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>

@@ -152,16 +152,18 @@ void TrialPage::begin_anew(bool at_vallecula) {
   setFocus();
 }
 
-/// In a pause the tissue moves the blade on, and no hand feels it. A mouse stands nowhere in the room: it takes hold where
-/// the blade is now, instead of pulling from where it was with more than any device could show.
+/// In a pause the tissue moves the blade on, and no hand feels it. A mouse stands nowhere in the room: it takes hold
+/// where the blade is now, instead of pulling from where it was with more than any device could show. With the tube in
+/// the hand the blade is nobody's, and stays.
 void TrialPage::hand_to_blade() {
   auto* mouse = dynamic_cast<device::MouseDevice*>(&session_->device());
   if (mouse == nullptr || session_->latest().step < 0 || session_->led_in()) return;
-  if (session_->takes_turns() && session_->actions().changes() > 0) return;  // what it holds hangs at it from where it took it
+  if (session_->takes_turns() && session_->in_hand() != Tool::blade) return;
   const engine::Pose& blade = session_->latest().proxy_pose;
   const engine::Vec3& p = blade.position;
   const engine::Quat& q = blade.rotation;
   mouse->place({p.x(), p.y(), p.z()}, {q.w(), q.x(), q.y(), q.z()});
+  session_->actions().take_hold();  // what was taken by X or after a lead-in hangs at the mouse from where it was taken
 }
 
 void TrialPage::end(const QString& how) {
@@ -178,7 +180,8 @@ void TrialPage::end(const QString& how) {
   show_banner(tr("Scoring the trial ..."), "");
   show_buttons();
   scoring_ = run_in_background<TrialOutcome>(
-      this, [session = session_, how]() mutable {
+      this,
+      [session = session_, how]() mutable {
         const auto mine = std::move(session);  // not kept until the thread is tidied away
         return mine->finish(how.toStdString());
       },

@@ -106,6 +106,9 @@ class TrialPage : public QWidget {
   void draw_frame();
   void draw_at_rest();
   void show_buttons();
+  /// What ends or leaves the trial, which nobody does at this window while an instructor holds it.
+  void show_ways_out();
+  bool held_by_instructor() const;
   void show_help();
   /// The scenario's helps in the operator's view; all are off in an assessment.
   void show_helps();
@@ -166,6 +169,7 @@ class TrialPage : public QWidget {
   bool expert_wanted_ = false, expert_coming_ = false;
   Tool shown_in_hand_ = Tool::blade;
   bool running_ = false, ending_ = false;
+  bool end_refused_ = false;  ///< somebody wanted to end it while an instructor holds it
   int frames_ = 0;
 };
 

@@ -96,6 +96,7 @@ void TrialPage::draw_frame() {
   operator_view_->set_ghost_time(1e-3 * static_cast<double>(since_shown_.elapsed()));
   try {
     if (!running_) return draw_at_rest();
+    if (held_by_instructor() == end_->isEnabled()) show_ways_out();
     if (expert_wanted_) {
       draw_expert();
       emit waited();
@@ -138,11 +139,12 @@ void TrialPage::show_running(const engine::Snapshot& snapshot) {
   helps_->refresh();
   const QString pause =
       session_->starting() ? tr("The trial begins as soon as its log is on the disk.") : in_words(session_->pause());
+  const QString refused = end_refused_ ? " " + tr("Until then it is not ended here: ask your instructor.") : QString();
   sound_->hear(snapshot, !pause.isEmpty());
   if (session_->takes_turns() && session_->in_hand() != shown_in_hand_) show_steered();
   const bool hinted = curricula::rules_of(session_->scenario().attempt.mode).assistance;  // a help like the others
   show_banner(session_->led_in() ? tr("The blade is being led to the vallecula; then it is yours.")
-                                 : banner_for(snapshot, in_words(session_->fault()), pause),
+                                 : banner_for(snapshot, in_words(session_->fault()), pause + refused),
               snapshot.has_intubation && hinted
                   ? hint_for(snapshot, session_->scenario().sight_percent, operator_view_->blade_in(),
                              key_to_the_tube(session_->takes_turns(), session_->in_hand()))
@@ -159,13 +161,25 @@ void TrialPage::show_banner(const QString& alert, const QString& hint) {
                             .arg(theme::device().name(), theme::ground().name()));
 }
 
+bool TrialPage::held_by_instructor() const { return session_ && running_ && session_->frozen_by(Holder::instructor); }
+
+void TrialPage::show_ways_out() {
+  const bool held = held_by_instructor();
+  if (!held) end_refused_ = false;
+  const QString why = tr("An instructor holds the trial: it is ended once they let it go on");
+  end_->setEnabled(running_ && !held);
+  end_->setToolTip(held ? why : tr("Ends the trial and scores it (Esc)"));
+  leave_->setEnabled(!ending_ && !held && !(running_ && assessed()));
+  leave_->setToolTip(held ? why : tr("Back to where this trial was chosen (Esc, before the start)"));
+}
+
 void TrialPage::show_buttons() {
   start_->setEnabled(session_ != nullptr && !running_ && !ending_);
-  end_->setEnabled(running_);
   reset_->setEnabled(running_ && !assessed());
   // What was begun as an assessment counts: it is neither begun anew nor thrown away.
   reset_->setVisible(!assessed());
-  leave_->setEnabled(!ending_ && !(running_ && assessed()));
+  hands_->set_running(running_);
+  show_ways_out();
   using Zoom = OperatorView::Zoom;
   zoom_->setText(operator_view_->zoom() == Zoom::automatic ? tr("View: auto")
                  : operator_view_->zoom() == Zoom::face    ? tr("View: face")

@@ -81,6 +81,10 @@ void TrialPage::enter_pressed() {
 void TrialPage::escape_pressed() {
   if (close_key_list(this)) return;  // it says so, wherever the keys go
   if (expert_wanted_) return end_expert();
+  if (held_by_instructor()) {
+    end_refused_ = true;  // the banner says why
+    return;
+  }
   (running_ ? end_ : leave_)->click();
 }
 

@@ -54,7 +54,8 @@ QLayout* TrialPage::make_head() {
   sound_ = new SoundButton(this);
   panels_button_ = new QToolButton(this);
   panels_button_->setText(tr("&Panels"));
-  panels_button_->setToolTip(tr("Which panels are shown (Alt+1 and on); each may be moved, or taken out of the window"));
+  panels_button_->setToolTip(
+      tr("Which panels are shown (Alt+1 and on); each may be moved, or taken out of the window"));
   panels_button_->setPopupMode(QToolButton::InstantPopup);
   panels_button_->setFocusPolicy(Qt::NoFocus);
   auto* keys = new QToolButton(this);
@@ -130,10 +131,8 @@ QWidget* TrialPage::make_foot() {
     row->addWidget(button);
   }
   start_->setToolTip(tr("Begins the trial (Enter)"));
-  end_->setToolTip(tr("Ends the trial and scores it (Esc)"));
   reset_->setToolTip(tr("Begins anew; what was done until now is kept (R)"));
   zoom_->setToolTip(tr("How near the operator's view is: by itself, the face, or the mouth (Z)"));
-  leave_->setToolTip(tr("Back to where this trial was chosen (Esc, before the start)"));
   connect(start_, &QPushButton::clicked, this, &TrialPage::start);
   connect(end_, &QPushButton::clicked, this, [this] { end(curricula::kEndedByTrainee); });
   connect(reset_, &QPushButton::clicked, this, &TrialPage::reset);

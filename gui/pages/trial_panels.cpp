@@ -110,6 +110,7 @@ void TrialPanels::add(Panel panel, const QString& title, QWidget* content) {
   connect(action, &QAction::triggered, this, [this, panel](bool on) {
     if (!refusal(panel).isEmpty()) return show_what_is_wanted();
     wanted_[panel] = on;
+    if (panel == team && !on) line_open_ = false;
     if (on) docks_[panel]->raise();
     fit_later();
   });
@@ -132,13 +133,14 @@ void TrialPanels::restore_first() {
   for (QDockWidget* dock : docks_) removeDockWidget(dock);
   arrange();
   switch_as_at_first();
+  line_open_ = said_;
   show_what_is_wanted();
 }
 
 void TrialPanels::switch_as_at_first() {
   wanted_.fill(true);
   wanted_[video] = false;  // many learn by the direct view first
-  wanted_[team] = said_;   // comes when somebody speaks
+  wanted_[team] = false;   // comes when somebody speaks
 }
 
 std::vector<KeyRow> TrialPanels::keys() const {
@@ -302,7 +304,8 @@ void TrialPanels::show_what_is_wanted() {
     docks_[p]->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetFloatable |
                            (open ? QDockWidget::NoDockWidgetFeatures : QDockWidget::DockWidgetClosable));
     const bool has_picture = open_ || !docks_[p]->isFloating();
-    docks_[p]->setVisible(has_picture && (open || (refused.isEmpty() && wanted_[p])));
+    const bool told = panel == team && line_open_;  // of this trial: nobody has switched it on for others
+    docks_[p]->setVisible(has_picture && (open || told || (refused.isEmpty() && wanted_[p])));
   }
   fit_later();
 }
@@ -320,7 +323,7 @@ void TrialPanels::open(TrialSession& session, const std::shared_ptr<PatientLook>
   allowed_ = scenario.assistance;
   has_infant_ = scene.intubation.has_value();
   asks_ = !scenario.distractions.empty();
-  said_ = false;
+  said_ = line_open_ = false;
   sagittal_view_->show_patient(look, scene.tool.surface, has_infant_ ? &*scene.intubation : nullptr);
   video_view_->show_patient(look, scene.tool.surface, has_infant_ ? &*scene.intubation : nullptr);
   sagittal_view_->update_from(session.at_start(), scenario.sight_percent);
@@ -355,7 +358,7 @@ void TrialPanels::say(const QString& line) {
     if (docks_[team]->isVisible() && team_shares_place()) raise_team();
     return fit_later();
   }
-  said_ = true;
+  said_ = line_open_ = true;
   raise_team();
   fit_later();
 }
@@ -419,7 +422,10 @@ bool TrialPanels::eventFilter(QObject* watched, QEvent* event) {
   auto* dock = qobject_cast<QDockWidget*>(watched);
   if (dock == nullptr) return QMainWindow::eventFilter(watched, event);
   for (int p = 0; p < kPanels; ++p)
-    if (docks_[p] == dock && event->type() == QEvent::Close) wanted_[p] = false;
+    if (docks_[p] == dock && event->type() == QEvent::Close) {
+      wanted_[p] = false;
+      if (p == team) line_open_ = false;
+    }
   // A panel out of the window keeps no keys for itself: they are the hands'.
   if (dock->isFloating() && (event->type() == QEvent::KeyPress || event->type() == QEvent::KeyRelease))
     return QCoreApplication::sendEvent(parentWidget(), event);

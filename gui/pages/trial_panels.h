@@ -96,7 +96,8 @@ class TrialPanels : public QMainWindow {
   QDockWidget* behind_team_ = nullptr;  ///< the view that was in front when the team was raised before it
   curricula::Assistance allowed_;
   bool has_infant_ = false, asks_ = false, said_ = false, arranging_ = false, as_at_first_ = true;
-  bool open_ = false;  ///< a trial is
+  bool line_open_ = false;  ///< what an instructor said opened the team's panel, and nobody has closed it since
+  bool open_ = false;       ///< a trial is
   bool cut_next_ = false;
 };
 

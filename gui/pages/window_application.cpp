@@ -3,13 +3,14 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <clocale>
 #include <cstdlib>
 #include <stdexcept>
 #include <string>
 
 #include "gui/commands/commands.h"
-#include "gui/session/languages.h"
 #include "gui/pages/look_settings.h"
+#include "gui/session/languages.h"
 #include "gui/session/virtual_display.h"
 #include "gui/views/gl_view.h"
 
@@ -43,6 +44,8 @@ WindowApplication::WindowApplication() {
   static int one = 1;
   application_ = arguments.argv != nullptr ? std::make_unique<QApplication>(arguments.argc, arguments.argv)
                                            : std::make_unique<QApplication>(one, just_program);
+  std::setlocale(LC_NUMERIC,
+                 "C");  // Qt has taken the system's; what is shown goes by QLocale, what files hold does not
   QApplication::setApplicationName("Vallecula");
   QApplication::setApplicationDisplayName("Vallecula");
   install_language(*application_, language_at_start());

@@ -6,6 +6,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QRadioButton>
+#include <QVariant>
 #include <cmath>
 
 #include "curricula/score/checklist.h"

@@ -56,7 +56,8 @@ HandsPort::HandsPort(device::GuardedDevice& device, const engine::Pose& tube, st
       plan_(&plan),
       actions_(&actions),
       change_button_(change_button),
-      changes_(actions.changes()) {}
+      changes_(actions.changes()),
+      holds_(actions.holds()) {}
 
 void HandsPort::lead_in(device::Trajectory way, std::int64_t ticks) {
   way_ = std::move(way);
@@ -70,6 +71,7 @@ engine::PortInput HandsPort::read(double time_s) noexcept {
   if (first_.waits() || (second_ != nullptr && second_->waits())) waited_s += time_s - now_s_;
   waited_s_.store(waited_s, std::memory_order_relaxed);
   now_s_ = time_s;
+  const std::uint32_t holds = actions_ != nullptr ? actions_->holds() : 0;  // before the reading: the device is there
   const device::DeviceReading reading = first_.read(time_s, waited_s);
   const engine::Pose device = pose_of(reading);
   engine::PortInput input;
@@ -81,6 +83,7 @@ engine::PortInput HandsPort::read(double time_s) noexcept {
     input.second_pose = pose_of(other);
     input.valid = input.second_valid = reading.valid && other.valid;
   }
+  take_hold(holds, device);
   if (led_in()) {
     lead(device, input);
   } else if (takes_turns_) {
@@ -95,6 +98,12 @@ engine::PortInput HandsPort::read(double time_s) noexcept {
   if (!input.valid) asked &= kStandingActions;
   input.buttons = (reading.buttons & kDeviceButtons) | asked;
   return input;
+}
+
+void HandsPort::take_hold(std::uint32_t holds, const engine::Pose& device) noexcept {
+  if (holds == holds_) return;
+  holds_ = holds;
+  if (held_.in_hand() == Tool::blade && seen_ && !led_in() && engine::usable(device)) held_.take_blade(*seen_, device);
 }
 
 void HandsPort::lead(const engine::Pose& device, engine::PortInput& input) noexcept {
@@ -141,6 +150,7 @@ void HandsPort::take_turns(const device::DeviceReading& reading, engine::PortInp
 }
 
 void HandsPort::see_tool(const engine::Pose& tool) noexcept {
+  seen_ = tool;
   if (held_.in_hand() == Tool::blade && !led_in())
     see(first_, held_.device_for(tool));
   else if (valid_)

@@ -24,11 +24,11 @@ class HandsPort final : public engine::HapticPort {
   explicit HandsPort(device::GuardedDevice& blade) : first_(blade) {}
   /// The blade's hand alone.
   HandsPort(device::GuardedDevice& blade, const device::ActionPlan& plan, const HandActions& actions)
-      : first_(blade), plan_(&plan), actions_(&actions) {}
+      : first_(blade), plan_(&plan), actions_(&actions), holds_(actions.holds()) {}
   /// A device for each hand.
   HandsPort(device::GuardedDevice& blade, device::GuardedDevice& tube, const device::ActionPlan& plan,
             const HandActions& actions)
-      : first_(blade), second_(&tube), plan_(&plan), actions_(&actions) {}
+      : first_(blade), second_(&tube), plan_(&plan), actions_(&actions), holds_(actions.holds()) {}
   /// One device that takes blade and tube in turn, by HandActions::change_hand() or by `change_button` (a bit of the
   /// device's, 0: none); the tube lies at `tube`.
   HandsPort(device::GuardedDevice& device, const engine::Pose& tube, std::uint32_t change_button,
@@ -53,6 +53,7 @@ class HandsPort final : public engine::HapticPort {
 
  private:
   void take_turns(const device::DeviceReading& reading, engine::PortInput& input) noexcept;
+  void take_hold(std::uint32_t holds, const engine::Pose& device) noexcept;
   void lead(const engine::Pose& device, engine::PortInput& input) noexcept;
 
   device::GuardedDevice& first_;
@@ -61,14 +62,15 @@ class HandsPort final : public engine::HapticPort {
   bool takes_turns_ = false;
   const device::ActionPlan* plan_ = nullptr;
   const HandActions* actions_ = nullptr;
-  std::uint32_t change_button_ = 0, buttons_ = 0, changes_ = 0;
+  std::uint32_t change_button_ = 0, buttons_ = 0, changes_ = 0, holds_ = 0;
   std::optional<device::Trajectory> way_;  ///< that the blade is led
   std::int64_t led_ticks_ = 0, lead_ticks_ = 0;
   std::atomic<bool> led_in_{false};
   double now_s_ = 0.0;
   std::atomic<double> waited_s_{0.0};
-  bool valid_ = false;   ///< in the last tick
-  engine::Pose device_;  ///< of the last valid tick
+  bool valid_ = false;                ///< in the last tick
+  std::optional<engine::Pose> seen_;  ///< where the scene holds the blade; none: there was no tick yet
+  engine::Pose device_;               ///< of the last valid tick
   std::atomic<Tool> in_hand_{Tool::blade};
 };
 

@@ -133,9 +133,12 @@ std::vector<ReplayEvent> replay_events(const curricula::TrialLog& log, const cur
         words("peak force on the tongue, %.1f N", score.peak_tongue_force_n));
   if (score.peak_gum_force_n > 0.0)
     add(score.time_of_peak_gum_force_s, Kind::peak, words("peak force on the gum, %.1f N", score.peak_gum_force_n));
-  for (const curricula::Pause& pause : score.pauses)
-    events.push_back({pause.at_s, pause.at_s + pause.for_s, Kind::pause,
-                      pause.fault.empty() ? std::string("pause") : "pause: " + pause.fault});
+  for (const curricula::Pause& pause : score.pauses) {
+    std::string fault = pause.fault;
+    std::replace(fault.begin(), fault.end(), '_', ' ');
+    events.push_back(
+        {pause.at_s, pause.at_s + pause.for_s, Kind::pause, fault.empty() ? std::string("pause") : "pause: " + fault});
+  }
   for (const curricula::LogEvent& event : log.events)
     add(static_cast<double>(event.tick) * log.header.servo_period_s, Kind::distraction,
         distraction_words(event, scenario));

@@ -129,6 +129,7 @@ void TwoHands::confirm() {
 void TwoHands::freeze(Holder holder, bool on) {
   const auto bit = static_cast<std::uint32_t>(holder);
   on ? held_by_ |= bit : held_by_ &= ~bit;
+  if (on) last_held_ = held_by_.load();
   guard_->freeze(frozen());
   if (second_guard_) second_guard_->freeze(frozen());
 }
@@ -147,7 +148,12 @@ bool TwoHands::held() const {
 std::string TwoHands::pause_fault() const {
   const bool second = second_guard_ && pauses(*second_guard_) && !pauses(*guard_);
   const device::HapticDevice& device = second ? *second_.device : *device_;
-  return device.confirms_itself() ? "" : device::name_of((second ? second_guard_ : guard_)->fault());
+  const device::DeviceFault fault = (second ? second_guard_ : guard_)->fault();
+  if (device.confirms_itself()) return "";
+  if (fault != device::DeviceFault::frozen) return device::name_of(fault);
+  const std::uint32_t held_by = last_held_;  // whoever it was may have let go again already
+  const auto is = [&](Holder holder) { return (held_by & static_cast<std::uint32_t>(holder)) != 0; };
+  return is(Holder::instructor) ? device::name_of(fault) : is(Holder::expert) ? "expert_shown" : "list_of_keys";
 }
 
 bool TwoHands::finished(double time_s) const {

@@ -62,7 +62,8 @@ class TwoHands {
   bool frozen_by(Holder holder) const { return (held_by_ & static_cast<std::uint32_t>(holder)) != 0; }
   /// It is a person who keeps it paused, or has and the hand has not confirmed yet: no device is away.
   bool held() const;
-  /// Name of the fault of the device that pauses it, as LogFooter::pause_faults; empty: it is not known.
+  /// Name of the fault of the device that pauses it, as LogFooter::pause_faults; empty: it is not known. Of a trial
+  /// that somebody holds: "frozen" by an instructor, "expert_shown", "list_of_keys".
   std::string pause_fault() const;
   /// Nothing more will come of the scripts.
   bool finished(double time_s) const;
@@ -82,7 +83,8 @@ class TwoHands {
   std::unique_ptr<device::GuardedDevice> guard_, second_guard_;
   std::unique_ptr<HandsPort> port_;
   HandActions actions_;
-  std::atomic<std::uint32_t> held_by_{0};  ///< bits of Holder
+  std::atomic<std::uint32_t> held_by_{0};    ///< bits of Holder
+  std::atomic<std::uint32_t> last_held_{0};  ///< as held_by_ was when somebody last began to hold it
 };
 
 }  // namespace vallecula::gui

@@ -10,6 +10,7 @@
 #include <vtkProperty.h>
 #include <vtkTextProperty.h>
 
+#include <QCoreApplication>
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>

@@ -20,7 +20,6 @@
 namespace vallecula::gui {
 namespace {
 
-constexpr int kPartMs = 30;           // of one part of a view's first picture, if no single prop takes longer
 constexpr double kCorner = 1.0 / 64;  // of the view's sides: so few pixels cost nothing beside what is made ready
 
 /// One frame of the window: from the first view that is drawn until it is handed to the screen.
@@ -155,6 +154,18 @@ void GlView::render() {
         "without a screen run `vallecula demo`, which starts its own)");
   fit();
   window_->Render();
+  ready_ = true;
+}
+
+/// What VTK has drawn in no frame yet.
+std::vector<vtkProp*> GlView::new_props() const {
+  std::vector<vtkProp*> fresh;
+  auto* props = renderer_->GetViewProps();
+  vtkCollectionSimpleIterator at;
+  props->InitTraversal(at);
+  while (vtkProp* prop = props->GetNextProp(at))
+    if (std::find(known_.begin(), known_.end(), prop) == known_.end()) fresh.push_back(prop);
+  return fresh;
 }
 
 /// What was never drawn is drawn alone into a corner first: its shaders are compiled and its triangles handed over,
@@ -165,30 +176,27 @@ bool GlView::make_new_props_ready() {
   if (!isValid()) return true;  // render() says so
   QElapsedTimer timer;
   timer.start();
-  const auto is_known = [this](vtkProp* prop) { return std::find(known_.begin(), known_.end(), prop) != known_.end(); };
-  auto* props = renderer_->GetViewProps();
-  std::vector<vtkProp*> fresh;
-  vtkCollectionSimpleIterator at;
-  props->InitTraversal(at);
-  while (vtkProp* prop = props->GetNextProp(at))
-    if (!is_known(prop)) fresh.push_back(prop);
+  const std::vector<vtkProp*> fresh = new_props();
   if (fresh.empty()) return true;
   known_.erase(std::remove(known_.begin(), known_.end(), nullptr), known_.end());
   std::vector<std::pair<vtkProp*, int>> shown;
+  auto* props = renderer_->GetViewProps();
+  vtkCollectionSimpleIterator at;
   props->InitTraversal(at);
   while (vtkProp* prop = props->GetNextProp(at)) {
     shown.emplace_back(prop, prop->GetVisibility());
     prop->VisibilityOff();
   }
   renderer_->SetViewport(0.0, 0.0, kCorner, kCorner);
+  fit();
   std::size_t made = 0;
-  while (made < fresh.size() && timer.elapsed() < kPartMs) {
+  do {
     vtkProp* prop = fresh[made++];
     prop->VisibilityOn();
-    render();
+    window_->Render();
     prop->VisibilityOff();
     known_.emplace_back(prop);
-  }
+  } while (made < fresh.size() && timer.elapsed() < part_ms_);
   renderer_->SetViewport(0.0, 0.0, 1.0, 1.0);
   for (const auto& [prop, visible] : shown) prop->SetVisibility(visible);
   drawn_ = false;
@@ -199,10 +207,7 @@ void GlView::draw() {
   if (!isVisible()) return;
   if (!(used_ == governor().quality())) use_present();
   making_ready_ = !make_new_props_ready();
-  if (making_ready_) {
-    QMetaObject::invokeMethod(this, &GlView::draw_on, Qt::QueuedConnection);
-    return;
-  }
+  if (making_ready_) return draw_later();
   frame_watch().begins();
   QElapsedTimer timer;
   timer.start();
@@ -210,9 +215,23 @@ void GlView::draw() {
   last_draw_ms_ = static_cast<double>(timer.nsecsElapsed()) * 1e-6;
 }
 
+/// Once, however often it is asked for until then.
+void GlView::draw_later() {
+  if (drawing_later_) return;
+  drawing_later_ = true;
+  QMetaObject::invokeMethod(this, &GlView::draw_on, Qt::QueuedConnection);
+}
+
 /// Unless somebody else has drawn meanwhile.
 void GlView::draw_on() {
-  if (making_ready_) draw();
+  drawing_later_ = false;
+  if (isValid() && (!drawn_ || !ready_ || making_ready_)) draw();
+}
+
+void GlView::forget_picture() {
+  pixels_ = {};
+  drawn_ = fetched_ = ready_ = false;
+  update();
 }
 
 /// From the driver, which may still be drawing: as late as possible, so that several views are drawn together.
@@ -269,12 +288,14 @@ void GlView::resizeEvent(QResizeEvent* event) {
 
 void GlView::paintEvent(QPaintEvent*) {
   QPainter painter(this);
-  if (!isValid() || (making_ready_ && !drawn_)) {  // draw() says so; what was hidden before it was ready goes on now
+  // Nothing new is drawn from here: all shaders at once would hold the window up. What was hidden before it was ready
+  // goes on now, and so does a view that is seen before anybody has drawn it.
+  if (!isValid() || !ready_ || (!drawn_ && !new_props().empty())) {
     if (pixels_.isNull())
       painter.fillRect(rect(), palette().window());
     else
       painter.drawImage(rect(), pixels_.mirrored());  // of the same patient: what is new comes to it
-    QMetaObject::invokeMethod(this, &GlView::draw_on, Qt::QueuedConnection);
+    if (isValid()) draw_later();                      // draw() says what is wrong where it is not
     return;
   }
   if (!drawn_) render();

@@ -46,6 +46,8 @@ class GlView : public QWidget {
   bool isValid() const { return context_ != nullptr; }
   /// Parts of its first picture are still to be made; it is not on the screen yet.
   bool making_ready() const { return making_ready_; }
+  /// How long the window waits for one of them, if no single prop takes longer; 0: each prop is a part.
+  void set_part_ms(int ms) { part_ms_ = ms; }
   double last_draw_ms() const { return last_draw_ms_; }  ///< until VTK was done; the driver may draw on
   /// Draws these beside what is shown, until another patient is.
   void add_marks(const std::vector<vtkSmartPointer<vtkProp>>& marks);
@@ -67,7 +69,7 @@ class GlView : public QWidget {
   /// What of the scene goes must be released in the view's own context, not in that of the view drawn last.
   void make_current();
   /// Another patient comes: until it is drawn nothing of the one before is shown.
-  void forget_picture() { pixels_ = {}; }
+  void forget_picture();
   /// Draws with this from the next frame on; a view with effects of its own takes those as well.
   virtual void use(const Quality& quality);
   /// Uses what the governor says now: for what has just come into the view, which begins with everything.
@@ -77,7 +79,9 @@ class GlView : public QWidget {
 
  private:
   void begin_opengl();
+  std::vector<vtkProp*> new_props() const;
   bool make_new_props_ready();
+  void draw_later();
   void draw_on();
   void fit();
   void render();
@@ -91,7 +95,9 @@ class GlView : public QWidget {
   vtkSmartPointer<QVTKInteractor> interactor_;
   std::unique_ptr<QVTKInteractorAdapter> adapter_;
   std::vector<vtkWeakPointer<vtkProp>> known_;  ///< have been drawn
-  bool making_ready_ = false;
+  bool making_ready_ = false, drawing_later_ = false;
+  bool ready_ = false;  ///< all of it was drawn once since the view was made, or got another patient
+  int part_ms_ = 30;
   QImage pixels_;  ///< as VTK drew them
   bool drawn_ = false, fetched_ = false;
   bool mouse_camera_ = false, dragging_ = false;

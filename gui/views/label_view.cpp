@@ -88,6 +88,7 @@ void LabelView::labels_changed() {
     for (auto& [value, actor] : actors_) renderer()->RemoveActor(actor);
     actors_.clear();
     framed_ = false;
+    forget_picture();
     draw_soon();
   }
   stale_ = true;

@@ -3,6 +3,7 @@
 #include <QGridLayout>
 #include <QLabel>
 #include <QPainter>
+#include <QVariant>
 #include <algorithm>
 
 #include "gui/session/words_from_below.h"

@@ -77,6 +77,49 @@ TEST_F(HandsPortTest, EachDeviceMovesItsToolAndFeelsIt) {
   EXPECT_EQ(blade_device_.force[1], 0.0);
 }
 
+// In a pause the tissue moves the blade on, and the mouse is put there; what hung at it 3 cm away hangs there no more.
+TEST_F(HandsPortTest, WhoTakesHoldAnewHasTheBladeWhereItIsAlsoAfterHandsWereChanged) {
+  HandsPort port(blade_, tube_, kChange, plan_, actions_);
+  blade_device_.reading.position_m = {0.01, 0, 0};
+  tick(port);
+  actions_.change_hand();  // the tube
+  tick(port);
+  blade_device_.reading.position_m = {0.04, 0, 0};
+  tick(port);
+  actions_.take_hold();
+  const engine::PortInput tube = tick(port);
+  EXPECT_NEAR(tube.second_pose.position.x(), 0.13, 1e-12) << "with the tube in the hand the blade is nobody's";
+  EXPECT_NEAR(tube.pose.position.x(), 0.01, 1e-12);
+  actions_.change_hand();  // and the blade again
+  EXPECT_NEAR(tick(port).pose.position.x(), 0.01, 1e-12);
+  blade_.freeze(true);
+  const engine::Pose moved{Vec3(0.012, 0.003, -0.001), engine::Quat(0.8, 0, 0.6, 0)};
+  const auto stands = [&] {
+    time_s_ += 0.001;
+    const engine::PortInput input = port.read(time_s_);
+    port.see_tool(moved);
+    port.write(Vec3::Zero());
+    return input;
+  };
+  EXPECT_FALSE(stands().valid);
+  actions_.change_hand();  // does nothing in a pause, and changes nothing of what follows
+  stands();
+  blade_device_.reading.position_m = {moved.position.x(), moved.position.y(), moved.position.z()};
+  blade_device_.reading.rotation_wxyz = {0.8, 0, 0.6, 0};
+  EXPECT_GT((stands().pose.position - moved.position).norm(), 0.01) << "it hangs at the device from where it was taken";
+  actions_.take_hold();
+  blade_.freeze(false);
+  stands();
+  blade_.confirm();
+  engine::PortInput input = stands();
+  for (int i = 0; i < 10 && !input.valid; ++i) input = stands();
+  ASSERT_TRUE(input.valid);
+  EXPECT_LT((input.pose.position - moved.position).norm(), 1e-12);
+  EXPECT_LT(input.pose.rotation.angularDistance(moved.rotation), 1e-7);
+  blade_device_.reading.position_m[0] += 0.002;
+  EXPECT_NEAR(tick(port).pose.position.x(), moved.position.x() + 0.002, 1e-12) << "and goes with the hand from there";
+}
+
 TEST_F(HandsPortTest, EitherDevicesFaultPausesBothAndShowsNoForceOfIts) {
   HandsPort port(blade_, second_, plan_, actions_);
   ticks(port, 200, Vec3(1, 0, 0), Vec3(0, 2, 0));

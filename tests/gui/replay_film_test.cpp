@@ -148,7 +148,8 @@ TEST_F(ReplayedTrial, OfALogThatWasChangedSaysFromWhereItDiffers) {
   EXPECT_EQ(film.computed(), film.plan().frames) << "it is shown all the same";
 }
 
-// In real time the first tick is written before any step is done: it knows no tool, and must not show one at the origin.
+// In real time the first tick is written before any step is done: it knows no tool, and must not show one at the
+// origin.
 TEST_F(ReplayedTrial, TheFirstTickOfATrialInRealTimeShowsTheBladeWhereTheHandHasIt) {
   auto first = std::make_shared<curricula::TrialLog>(*log_);
   first->ticks[0].step_used = -1;
@@ -163,8 +164,7 @@ TEST_F(ReplayedTrial, TheFirstTickOfATrialInRealTimeShowsTheBladeWhereTheHandHas
 
 TEST_F(ReplayedTrial, IsOpenedWithEverythingThatLeadsToASecond) {
   std::vector<double> shares;
-  const auto opened =
-      open_replay(folder(), {}, [&](const std::string&, double share) { shares.push_back(share); });
+  const auto opened = open_replay(folder(), {}, [&](const std::string&, double share) { shares.push_back(share); });
   EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
   EXPECT_EQ(shares.back(), 1.0);
   EXPECT_EQ(opened->log_file, folder() / "trial.vtrial");
@@ -230,8 +230,10 @@ TEST(ReplayEvents, StandAtTheirSeconds) {
       change(log.ticks[static_cast<std::size_t>(i)]);
   };
   using Tick = curricula::LogTick;
-  during(1.0, 1.5, [](Tick& t) { t.loads[curricula::kTongue].force_n = {0.0, 3.0, 4.0}; });   // 5 N
-  during(1.6, 1.8, [](Tick& t) { t.loads[curricula::kTongue].force_n = {0.0, -5.0, 0.0}; });  // a shiver later: the same
+  during(1.0, 1.5, [](Tick& t) { t.loads[curricula::kTongue].force_n = {0.0, 3.0, 4.0}; });  // 5 N
+  during(1.6, 1.8, [](Tick& t) {
+    t.loads[curricula::kTongue].force_n = {0.0, -5.0, 0.0};
+  });  // a shiver later: the same
   during(3.0, 3.2, [](Tick& t) { t.state = curricula::LoggedState::limited; });
   during(4.0, 9.999, [](Tick& t) {
     t.intubation.place = curricula::LoggedPlace::larynx;
@@ -259,12 +261,13 @@ TEST(ReplayEvents, StandAtTheirSeconds) {
   score.intubation->attempts.push_back(attempt);
 
   const std::vector<ReplayEvent> events = replay_events(log, scenario, score);
-  const std::vector<Expected> expected = {
-      {0.5, 9.5, Kind::attempt_begins}, {1.0, 1.8, Kind::over_target},  {2.0, 2.0, Kind::distraction},
-      {2.5, 2.5, Kind::first_sight},    {2.75, 2.75, Kind::distraction}, {3.0, 3.2, Kind::device_limit},
-      {4.0, 4.0, Kind::cords_passed},   {5.001, 5.001, Kind::cords_passed}, {6.0, 6.0, Kind::breath},
-      {6.5, 6.5, Kind::co2},            {7.0, 7.0, Kind::alarm},        {7.2, 7.2, Kind::alarm},
-      {8.0, 9.0, Kind::pause},          {9.5, 9.5, Kind::attempt_ends}};
+  const std::vector<Expected> expected = {{0.5, 9.5, Kind::attempt_begins}, {1.0, 1.8, Kind::over_target},
+                                          {2.0, 2.0, Kind::distraction},    {2.5, 2.5, Kind::first_sight},
+                                          {2.75, 2.75, Kind::distraction},  {3.0, 3.2, Kind::device_limit},
+                                          {4.0, 4.0, Kind::cords_passed},   {5.001, 5.001, Kind::cords_passed},
+                                          {6.0, 6.0, Kind::breath},         {6.5, 6.5, Kind::co2},
+                                          {7.0, 7.0, Kind::alarm},          {7.2, 7.2, Kind::alarm},
+                                          {8.0, 9.0, Kind::pause},          {9.5, 9.5, Kind::attempt_ends}};
   ASSERT_EQ(events.size(), expected.size());
   for (std::size_t i = 0; i < expected.size(); ++i) {
     EXPECT_NEAR(events[i].at_s, expected[i].at_s, 1e-9) << events[i].text;
@@ -273,6 +276,8 @@ TEST(ReplayEvents, StandAtTheirSeconds) {
   }
   EXPECT_EQ(events[4].text, "question answered rightly");
   EXPECT_EQ(events[12].text, "pause: unplugged");
+  score.pauses[0].fault = "communication_lost";
+  EXPECT_EQ(replay_events(log, scenario, score)[12].text, "pause: communication lost") << "in words";
 
   EXPECT_EQ(next_event(events, 4.0), &events[7]);
   EXPECT_EQ(next_event(events, 5.5), &events[9]) << "a breath is no place to go to";

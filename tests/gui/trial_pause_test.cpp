@@ -286,7 +286,8 @@ TEST_F(TrialPauseRealTime, HeldByAPersonItStandsAndGoesOnWithoutAJump) {
     }
     if (before.step_used >= 0) {
       ASSERT_LT(apart(t.proxy_pose.position_m, before.proxy_pose.position_m),
-                2e-4 * static_cast<double>(std::max<std::int64_t>(1, t.step_used - before.step_used))) << t.time_s;
+                2e-4 * static_cast<double>(std::max<std::int64_t>(1, t.step_used - before.step_used)))
+          << t.time_s;
     }
   }
   EXPECT_TRUE(log.ticks.back().device_valid);
@@ -333,9 +334,38 @@ TEST_F(TrialPauseRealTime, EachWhoHoldsItLetsGoForThemselvesAndAResetForNobody) 
     const LogTick &t = log.ticks[i], &before = log.ticks[i - 1];
     if (before.step_used >= 0) {
       ASSERT_LT(apart(t.proxy_pose.position_m, before.proxy_pose.position_m),
-                2e-4 * static_cast<double>(std::max<std::int64_t>(1, t.step_used - before.step_used))) << t.time_s;
+                2e-4 * static_cast<double>(std::max<std::int64_t>(1, t.step_used - before.step_used)))
+          << t.time_s;
     }
   }
+}
+
+TEST_F(TrialPauseRealTime, EveryPauseIsKeptByWhoHeldIt) {
+  TrialSetup live = setup(hand("", {{0, 0.006}, {60, 0.006}}), "who");
+  live.realtime = true;
+  TrialSession session(live);
+  session.start();
+  const auto wait_for = [&](const std::function<bool()>& done) {
+    for (int i = 0; i < 8000 && !done(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    return done();
+  };
+  ASSERT_TRUE(wait_for([&] { return session.latest().ticks > 100; }));
+  const auto held_by = [&](Holder holder) {
+    const double before_s = session.paused_s();
+    session.freeze(holder, true);
+    ASSERT_TRUE(wait_for([&] { return session.paused_s() > before_s + 0.02; }));
+    session.freeze(holder, false);
+    ASSERT_TRUE(wait_for([&] { return session.pause().find("held") == std::string::npos; }));
+    session.confirm();
+    ASSERT_TRUE(wait_for([&] { return session.pause().empty(); })) << session.pause();
+    const std::int64_t again = session.latest().ticks;
+    ASSERT_TRUE(wait_for([&] { return session.latest().ticks > again + 50; }));
+  };
+  for (const Holder holder : {Holder::reader, Holder::expert, Holder::instructor, Holder::reader}) held_by(holder);
+  const TrialOutcome outcome = session.finish("ended");
+  std::vector<std::string> faults;
+  for (const curricula::Pause& pause : outcome.score.pauses) faults.push_back(pause.fault);
+  EXPECT_EQ(faults, (std::vector<std::string>{"list_of_keys", "expert_shown", "frozen", "list_of_keys"}));
 }
 
 TEST_F(TrialPause, ADeviceThatIsAwayForTenMinutesEndsTheTrialAndAPersonWhoHoldsItDoesNot) {

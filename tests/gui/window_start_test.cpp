@@ -1,4 +1,5 @@
-// What a start tells: the first one its steps, one after a program that ended too early what is left; and the log of a session.
+// What a start tells: the first one its steps, one after a program that ended too early what is left; and the log of a
+// session.
 #include <signal.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -15,11 +16,12 @@
 #include "device/found_devices.h"
 #include "gui/authoring/authoring_page.h"
 #include "gui/authoring/kept_draft.h"
-#include "gui/pages/about_dialog.h"
 #include "gui/instructor/station.h"
+#include "gui/pages/about_dialog.h"
 #include "gui/pages/first_run.h"
 #include "gui/pages/help_dialog.h"
 #include "gui/pages/main_menu.h"
+#include "gui/pages/remade_window.h"
 #include "gui/pages/trial_page.h"
 #include "gui/pages/versions.h"
 #include "gui/records_pages/records_page.h"
@@ -126,6 +128,53 @@ TEST_F(WindowStart, TheFirstStepsOfferTheLanguageAndGoOnInIt) {
   emit box->activated(box->currentIndex());
   EXPECT_TRUE(anew) << "whoever made the window makes it anew";
   EXPECT_EQ(language(), "en");
+}
+
+// At the first start after an older program: what it left is told, the window is as large as its person made it, and
+// then they choose their language in the first steps.
+TEST_F(WindowStart, MadeAnewInAnotherLanguageItKeepsWhatItToldAndItsSize) {
+  const fs::path folder = user_data_folder() / "unsaved";
+  const fs::path draft = folder / ("unsaved-" + std::to_string(gone_process()) + ".yaml");
+  fs::create_directories(folder);
+  write_file_whole(draft, "# never saved\nschema: 2\n");
+  const auto choose = [](const QString& name) {
+    auto* steps = opened<FirstRun>();
+    ASSERT_NE(steps, nullptr);
+    auto* box = steps->findChild<QComboBox*>("language");
+    box->setCurrentIndex(box->findText(name));
+    emit box->activated(box->currentIndex());
+  };
+  RemadeWindow shown({curricula::load_curriculum(test::write_curriculum(box_.folder()))});
+  bool remade = false;
+  QObject::connect(&shown, &RemadeWindow::remade, [&] { remade = true; });
+  const auto notice = [&] { return shown.window().home_page().findChild<QLabel*>("notice"); };
+  shown.window().look_back();
+  shown.window().welcome();
+  shown.window().showMaximized();
+  ASSERT_TRUE(shown.window().looking_back()) << "the language is chosen before it has looked back";
+  choose("Deutsch");
+  ASSERT_TRUE(wait_for([&] { return remade; }, 10000));
+  EXPECT_TRUE(shown.window().isVisible());
+  EXPECT_TRUE(shown.window().isMaximized());
+  ASSERT_TRUE(notice()->isVisible()) << "what is found once is not lost with the window before";
+  EXPECT_TRUE(notice()->text().contains("Daran weiterschreiben")) << notice()->text().toStdString();
+  ASSERT_NE(opened<FirstRun>(), nullptr) << "they begin anew";
+  EXPECT_EQ(opened<FirstRun>()->windowTitle().toStdString(), "Willkommen bei Vallecula");
+  keep_picture(shown.window(), "home-remade-german.png");
+  // And back, from a window of its own size.
+  shown.window().showNormal();
+  shown.window().setGeometry(40, 50, 1111, 777);
+  QApplication::processEvents();
+  remade = false;
+  choose("English");
+  ASSERT_TRUE(wait_for([&] { return remade; }, 10000));
+  EXPECT_FALSE(shown.window().isMaximized());
+  EXPECT_EQ(shown.window().size(), QSize(1111, 777));
+  ASSERT_TRUE(notice()->isVisible());
+  opened<FirstRun>()->close();
+  emit notice()->linkActivated("draft:drop");
+  EXPECT_FALSE(notice()->isVisible());
+  EXPECT_FALSE(fs::exists(draft)) << "the window made anew can let it go";
 }
 
 TEST_F(WindowStart, ItsStepsCanBeSkippedAndComeAgainOnlyWhenAskedFor) {
@@ -270,8 +319,8 @@ TEST_F(WindowStart, TheLogOfASessionNamesNobody) {
   for (const char* said : {"Vallecula ", "Qt ", "VTK ", "drawn by ", "page home", "page trial", "trial prepared in ",
                            "device mouse", "trial ended after", "trial failed: "})
     EXPECT_NE(sent.find(said), std::string::npos) << said << "\n" << sent;
-  for (const std::string& never : {trainee, std::string("Quist"), patient_name, std::string("Ottokar"), box_.folder().string(),
-                                   std::string("/home/"), std::string("/tmp/")})
+  for (const std::string& never : {trainee, std::string("Quist"), patient_name, std::string("Ottokar"),
+                                   box_.folder().string(), std::string("/home/"), std::string("/tmp/")})
     EXPECT_EQ(sent.find(never), std::string::npos) << never << "\n" << sent;
 }
 

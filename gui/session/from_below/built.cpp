@@ -36,6 +36,8 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("FromBelow", "%1: recognised late"),
     // gui/session
     QT_TRANSLATE_NOOP("FromBelow", "pause: %1"),
+    QT_TRANSLATE_NOOP("FromBelow", "recorded by another build (%1, %2); only the same build promises the same bits"),
+    QT_TRANSLATE_NOOP("FromBelow", "recorded with kernels for %1, computed here with %2"),
     QT_TRANSLATE_NOOP("FromBelow",
                       "from %1 s on the tissue's shape may be a little different from what it was (%2 is the first to "
                       "differ); figures are the recorded ones"),

@@ -129,6 +129,8 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("FromBelow", "not calibrated"),
     QT_TRANSLATE_NOOP("FromBelow", "driver error"),
     QT_TRANSLATE_NOOP("FromBelow", "frozen"),
+    QT_TRANSLATE_NOOP("FromBelow", "expert shown"),
+    QT_TRANSLATE_NOOP("FromBelow", "list of keys"),
     QT_TRANSLATE_NOOP("FromBelow", "ended by trainee"),
     QT_TRANSLATE_NOOP("FromBelow", "no source given"),
 };

@@ -17,11 +17,13 @@
 #include "gui/pages/trial_panels.h"
 #include "gui/session/languages.h"
 #include "gui/views/force_bars.h"
+#include "gui/views/monitor_panel.h"
 #include "gui/views/operator_view.h"
 #include "gui/views/theme.h"
 #include "gui/views/trial_readings.h"
 #include "tests/gui/accessible.h"
 #include "tests/gui/arc_patient.h"
+#include "tests/gui/picture_difference.h"
 
 namespace vallecula::gui::window_test {
 namespace {
@@ -288,6 +290,106 @@ TEST_F(WindowInstructor, WhatIsFrozenHereOnlyThisWindowLetsGo) {
   EXPECT_NE(button("Continue"), nullptr);
   second().close();
   EXPECT_FALSE(page.session()->frozen()) << "nobody is left who could let it go";
+}
+
+TEST_F(WindowInstructor, BeforeTheStartItShowsToolsAndMonitorAsTheyAreAtTheBlade) {
+  open_with_course();
+  open_second();
+  ASSERT_TRUE(wait_for([&] { return second_is_open(); }, 10000));
+  TrialSetup whole = setup("tube");
+  whole.curriculum = test::write_tube_curriculum(box_.folder());
+  whole.patient = test::write_arc_patient(box_.folder());
+  prepare(whole);
+  ASSERT_EQ(state(), "Prepared, not started");
+  const TrialSession& session = *window_->trial_page().session();
+  const auto* tube = &*session.scene().intubation;
+  OperatorView truth, bare;  // as the trial begins; and the patient alone
+  auto* view = second().findChild<OperatorView*>();
+  for (OperatorView* one : {&truth, &bare}) {
+    one->resize(view->size());
+    one->show_patient(window_->trial_page().look(), session.scene().tool.surface, tube);
+    one->settle();
+  }
+  truth.update_from(session.at_start());
+  truth.settle();
+  ASSERT_GT(picture_difference(truth.picture(), bare.picture()).mean_grey, 0.5) << "tools are seen in it";
+  EXPECT_LT(picture_difference(view->picture(), truth.picture()).mean_grey, 0.3);
+  auto* monitor = second().findChild<MonitorPanel*>();
+  MonitorPanel says(&second()), silent(&second());
+  for (MonitorPanel* one : {&says, &silent}) one->resize(monitor->size());
+  says.show_snapshot(session.at_start());
+  const auto off = [&](MonitorPanel& one) {
+    return picture_difference(one.grab().toImage(), says.grab().toImage()).mean_grey;
+  };
+  EXPECT_LT(off(*monitor), 0.1 * off(silent)) << "the infant's signs, as at a bedside";
+  keep_picture(second(), "instructor-before-start.png");
+}
+
+TEST_F(WindowInstructor, OpenedAfterAnAssessmentItTellsOfItOnlyToAnInstructor) {
+  open_with_course();
+  prepare(setup("helped", curricula::Mode::assessment));
+  TrialPage& page = window_->trial_page();
+  bool finished = false;
+  QObject::connect(window_.get(), &MainWindow::trial_finished, [&] { finished = true; });
+  int frames = 0;
+  QObject::connect(&page, &TrialPage::frame, [&] { ++frames; });
+  page.start();
+  ASSERT_TRUE(wait_for([&] { return frames > 3; }, 20000));
+  page.end("ended by trainee");
+  ASSERT_TRUE(wait_for([&] { return finished; }));
+  open_second();
+  ASSERT_TRUE(wait_for([&] { return second_is_open(); }, 10000)) << "nobody has registered an instructor: anybody may";
+  auto* list = second().findChild<QListWidget*>("events");
+  EXPECT_FALSE(list->isVisible());
+  EXPECT_FALSE(second().findChild<ForceBars*>()->isVisible());
+  register_people();
+  Records records(records_location());
+  People people(records);
+  for (const auto& person : people.list())
+    if (person.name == "Boss") second().desk().sign_in(people.sign_in(person.id, "4321"), person);
+  EXPECT_TRUE(list->isVisible());
+}
+
+TEST_F(WindowInstructor, WhatWasToldOfATrialGoesWithItsTrainee) {
+  register_people();
+  open_with_course();
+  sign_in_directly("Boss", "4321");
+  open_second();
+  ASSERT_TRUE(wait_for([&] { return second_is_open(); }, 10000));
+  sign_in_directly("Emu", "1234");
+  prepare(setup("helped"));
+  TrialPage& page = window_->trial_page();
+  page.start();
+  ASSERT_TRUE(wait_for([&] { return second().drawn() > 2; }, 20000));
+  button("Freeze")->click();
+  button("Continue")->click();
+  ASSERT_TRUE(told("You froze the trial"));
+  bool finished = false;
+  QObject::connect(window_.get(), &MainWindow::trial_finished, [&] { finished = true; });
+  page.end("ended by trainee");
+  ASSERT_TRUE(wait_for([&] { return finished; }));
+  EXPECT_TRUE(told("You froze the trial")) << "to be talked over";
+  sign_in_directly("Kiwi", "1234");
+  EXPECT_EQ(events(), QStringList()) << "it was Emu's";
+  second().close();
+  open_second();
+  ASSERT_TRUE(wait_for([&] { return QApplication::activeModalWidget() != nullptr || second_is_open(); }, 10000));
+  EXPECT_EQ(events(), QStringList()) << "opened again as well";
+}
+
+TEST_F(WindowInstructor, TellsOfTheTraineesPausesByWhatTheyAreFor) {
+  open_with_course();
+  open_second();
+  ASSERT_TRUE(wait_for([&] { return second_is_open(); }, 10000));
+  prepare(setup("helped"));
+  TrialPage& page = window_->trial_page();
+  page.start();
+  ASSERT_TRUE(wait_for([&] { return second().drawn() >= 2; }, 20000));
+  page.session()->freeze(Holder::reader, true);
+  EXPECT_TRUE(wait_for([&] { return state().contains("the list of keys is read"); }, 10000)) << state().toStdString();
+  EXPECT_TRUE(wait_for([&] { return told("Paused: the trainee reads the list of keys"); }, 10000));
+  EXPECT_FALSE(told("held by you")) << "who watches does not hold it";
+  page.close_trial();
 }
 
 TEST_F(WindowInstructor, InAnAssessmentOnlyASignedInInstructorSeesFiguresAndDrivesTheInfant) {

@@ -14,7 +14,10 @@ using engine::Action;
 
 class Hands : public Screen {
  protected:
-  Hands() { panel_.serve(&actions_, true); }
+  Hands() {
+    panel_.serve(&actions_, true);
+    panel_.set_running(true);
+  }
   bool key(int code, bool pressed, bool repeated = false) {
     QKeyEvent event(pressed ? QEvent::KeyPress : QEvent::KeyRelease, code, Qt::NoModifier, QString(), repeated);
     return panel_.key(&event, pressed);
@@ -68,6 +71,26 @@ TEST_F(Hands, ChangeTubeForCatheterAndHandForHand) {
   panel_.serve(&actions_, false);  // a device for each hand
   EXPECT_FALSE(key(Qt::Key_X, true));
   EXPECT_EQ(actions_.changes(), 2u);
+}
+
+TEST_F(Hands, CanDoNothingBeforeTheStartAndSayWhen) {
+  panel_.set_running(false);
+  for (const char* name : {"Breath", "Suction", "Press", "Stylet", "Catheter", "Other hand"}) {
+    ASSERT_NE(button(name), nullptr) << name;
+    EXPECT_FALSE(button(name)->isEnabled()) << name;
+    EXPECT_TRUE(button(name)->toolTip().startsWith("Once the trial runs")) << button(name)->toolTip().toStdString();
+  }
+  for (const int code : {Qt::Key_B, Qt::Key_V, Qt::Key_L, Qt::Key_T, Qt::Key_C, Qt::Key_X}) {
+    EXPECT_TRUE(key(code, true)) << "it is still theirs";
+    EXPECT_EQ(actions_.bits(), 0u);
+    key(code, false);
+  }
+  EXPECT_EQ(actions_.changes(), 0u);
+  panel_.set_running(true);
+  EXPECT_TRUE(button("Breath")->isEnabled());
+  EXPECT_FALSE(button("Breath")->toolTip().startsWith("Once")) << button("Breath")->toolTip().toStdString();
+  key(Qt::Key_B, true);
+  EXPECT_EQ(actions_.bits(), Action::kActionBreath);
 }
 
 TEST_F(Hands, ButtonsHoldAsLongAsTheyArePressedAndSayWhatCanBeDone) {

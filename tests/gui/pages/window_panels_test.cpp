@@ -157,6 +157,35 @@ TEST_F(WindowPanels, WhereNobodyIsHeardTheTeamComesWithItsFirstWord) {
   EXPECT_TRUE(page.panels().dock(TrialPanels::team)->isVisible());
 }
 
+TEST_F(WindowPanels, WhatWasSaidOpensTheTeamInItsTrialAndIsNoChoiceForOthers) {
+  const auto team_is_seen = [](MainWindow& window) {
+    QApplication::processEvents();
+    return window.trial_page().panels().dock(TrialPanels::team)->isVisible();
+  };
+  {
+    MainWindow window;
+    open(window, "helped");
+    TrialPage& page = window.trial_page();
+    page.say("Well seen.");
+    EXPECT_TRUE(team_is_seen(window));
+    page.hide();
+    page.show();
+    EXPECT_TRUE(team_is_seen(window)) << "the page was left and is back";
+    page.panels().restore_first();
+    EXPECT_TRUE(team_is_seen(window)) << "as at first it has been said too";
+    page.panels().dock(TrialPanels::team)->close();
+    page.hide();
+    page.show();
+    EXPECT_FALSE(team_is_seen(window)) << "whoever closed it does not get it again";
+    page.panels().restore_first();
+    EXPECT_TRUE(team_is_seen(window));
+    page.close_trial();
+  }
+  MainWindow next;
+  open(next, "helped");
+  EXPECT_FALSE(team_is_seen(next)) << "nobody has said anything to the next one";
+}
+
 TEST_F(WindowPanels, WhatWasTakenOutOfTheWindowGoesWithTheTrialAndComesBackWithTheNext) {
   {
     MainWindow window;

@@ -1,9 +1,13 @@
 // A view as a widget: what Qt paints is what VTK drew, wherever the view stands and however large it is.
-#include "gui/views/gl_view.h"
+#include <vtkCallbackCommand.h>
+#include <vtkPropCollection.h>
+#include <vtkRendererCollection.h>
 
 #include <QHBoxLayout>
 #include <QMouseEvent>
+#include <vector>
 
+#include "gui/views/gl_view.h"
 #include "gui/views/operator_view.h"
 #include "gui/views/patient_look.h"
 #include "tests/gui/picture_difference.h"
@@ -113,15 +117,73 @@ TEST_F(WindowGlView, WhatIsHiddenBeforeItWasReadyComesWhenItIsSeenAgain) {
   OperatorView view, truth;
   show_mouth(view);
   show_mouth(truth);
+  view.set_part_ms(0);
   view.show();
-  QApplication::processEvents();
   view.draw();
+  ASSERT_TRUE(view.making_ready()) << "one prop of many was made ready";
   view.hide();
-  wait_for([] { return false; }, 100);
+  for (int i = 0; i < 50; ++i) QApplication::processEvents();
+  ASSERT_TRUE(view.making_ready()) << "nobody sees it, so nothing goes on";
   view.show();
   EXPECT_TRUE(wait_for([&] { return !view.making_ready(); }));
   QApplication::processEvents();
   expect_alike(painted(view), truth.picture(), "seen again");
+}
+
+/// How many props can be seen in each picture that VTK makes of this view from now on.
+void watch_frames(GlView& view, std::vector<int>& seen) {
+  const auto command = vtkSmartPointer<vtkCallbackCommand>::New();
+  command->SetClientData(&seen);
+  command->SetCallback([](vtkObject* window, unsigned long, void* frames, void*) {
+    auto* props = static_cast<vtkRenderWindow*>(window)->GetRenderers()->GetFirstRenderer()->GetViewProps();
+    vtkCollectionSimpleIterator at;
+    props->InitTraversal(at);
+    int visible = 0;
+    while (vtkProp* prop = props->GetNextProp(at)) visible += prop->GetVisibility();
+    static_cast<std::vector<int>*>(frames)->push_back(visible);
+  });
+  view.renderWindow()->AddObserver(vtkCommand::StartEvent, command);
+}
+
+// A panel that is opened in mid-trial is painted by Qt before the page's next frame draws it: not with all its shaders.
+TEST_F(WindowGlView, WhatQtPaintsBeforeItIsDrawnIsMadeReadyInPartsToo) {
+  GlView::governor().hold(0);
+  OperatorView view, truth;
+  show_mouth(view);
+  show_mouth(truth);
+  view.set_part_ms(0);
+  std::vector<int> frames;
+  watch_frames(view, frames);
+  bool on_screen = false;
+  QObject::connect(&view, &GlView::painted, [&] { on_screen = true; });
+  const int props = view.renderWindow()->GetRenderers()->GetFirstRenderer()->GetViewProps()->GetNumberOfItems();
+  ASSERT_GT(props, 3);
+  view.show();
+  view.repaint();
+  view.repaint();  // asks for one drawing, not for two
+  EXPECT_TRUE(frames.empty()) << "painting draws nothing that is new";
+  EXPECT_TRUE(wait_for([&] { return on_screen; })) << "without anybody telling it to draw";
+  ASSERT_GT(frames.size(), static_cast<std::size_t>(props));
+  for (int i = 0; i < props; ++i) EXPECT_EQ(frames[i], 1) << "part " << i;
+  EXPECT_EQ(static_cast<int>(frames.size()), props + 1) << "each of them once, then the whole";
+  expect_alike(painted(view), truth.picture(), "painted first");
+}
+
+TEST_F(WindowGlView, OfThePatientBeforeNothingIsShown) {
+  GlView::governor().hold(0);
+  OperatorView view, truth;
+  show_mouth(view);
+  show_mouth(truth);
+  view.show();
+  draw(view);
+  ASSERT_GT(colours_in(painted(view)), kFewColours);
+  bool on_screen = false;
+  QObject::connect(&view, &GlView::painted, [&] { on_screen = true; });
+  show_mouth(view);  // the next one's
+  EXPECT_EQ(colours_in(painted(view)), 1) << "until it is drawn the view is empty";
+  ASSERT_FALSE(on_screen);
+  EXPECT_TRUE(wait_for([&] { return on_screen; })) << "and then it comes by itself";
+  expect_alike(painted(view), truth.picture(), "the next patient");
 }
 
 TEST_F(WindowGlView, TheMouseTurnsAFreeCameraAlikeAtEveryResolution) {
