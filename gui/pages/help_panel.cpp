@@ -5,6 +5,8 @@
 #include <QPushButton>
 #include <QToolButton>
 
+#include "gui/session/expert_loop.h"
+
 namespace vallecula::gui {
 
 HelpPanel::HelpPanel(QWidget* parent) : QWidget(parent) {
@@ -62,7 +64,9 @@ void HelpPanel::offer(const QString& no_vallecula, const QString& no_expert, boo
   set(vallecula_, no_vallecula,
       tr("Begins anew with the blade's tip in the vallecula (F). What was done until now is kept; the new trial does not "
          "count towards mastery."));
-  set(expert_, no_expert, tr("20 s of an expert's hands at this patient, over and over, while your trial waits (G)"));
+  set(expert_, no_expert,
+      tr("Up to %1 s of an expert's hands at this patient, over and over, while your trial waits (G)")
+          .arg(kLoopS, 0, 'f', 0));
   const QString waits = running ? QString() : tr("Once the trial runs");
   set(extend_, waits, tr("The infant's head is extended on the neck by 10 degrees, as by a shoulder roll, and back (H)"));
   for (const Eye& eye : eyes_) {

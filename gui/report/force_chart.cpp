@@ -10,6 +10,7 @@
 
 #include "gui/report/chart_panel.h"
 #include "gui/session/files.h"
+#include "gui/session/words_from_below.h"
 
 namespace vallecula::gui {
 
@@ -76,7 +77,7 @@ QImage draw_force_chart(const curricula::TrialLog& log, const curricula::Scenari
   const QRectF sight_frame(left, force_frame.bottom() + 1.6 * em, right - left, sight_height);
 
   begin_chart(painter, em, left, right,
-              QCoreApplication::translate("Charts", "Force over time: %1").arg(QString::fromStdString(scenario.title)));
+              QCoreApplication::translate("Charts", "Force over time: %1").arg(course_words(scenario.title)));
   draw_legend(painter, QRectF(left, 2.6 * em, right - left, 1.4 * em), em,
               {{QCoreApplication::translate("Charts", "tongue"), QPen(kTongue, em * 0.18)},
                {QCoreApplication::translate("Charts", "gum"), QPen(kGum, em * 0.18)},

@@ -8,6 +8,7 @@
 
 #include "gui/report/chart_panel.h"
 #include "gui/report/force_chart.h"
+#include "gui/session/words_from_below.h"
 
 namespace vallecula::gui {
 
@@ -70,7 +71,7 @@ QImage draw_monitor_chart(const curricula::TrialLog& log, const curricula::Scena
   const TimeAxis axis = chart_time_axis(width, height, log.ticks.empty() ? 0.0 : log.ticks.back().time_s);
   const double left = axis.left, right = axis.right, gap = 1.6 * em;
   begin_chart(painter, em, left, right,
-              QCoreApplication::translate("Charts", "The monitor: %1").arg(QString::fromStdString(scenario.title)));
+              QCoreApplication::translate("Charts", "The monitor: %1").arg(course_words(scenario.title)));
   draw_legend(painter, QRectF(left, 2.6 * em, right - left, 1.4 * em), em,
               {{QCoreApplication::translate("Charts", "saturation as displayed"), QPen(kSpo2, em * 0.18)},
                {QCoreApplication::translate("Charts", "as it really was"), QPen(kSao2, em * 0.1, Qt::DotLine)},

@@ -35,6 +35,7 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("FromBelow", "%1 N, at %2 s (%3)"),
     QT_TRANSLATE_NOOP("FromBelow", "%1: recognised late"),
     // gui/session
+    QT_TRANSLATE_NOOP("FromBelow", "The tube's hand: %1"),
     QT_TRANSLATE_NOOP("FromBelow", "pause: %1"),
     QT_TRANSLATE_NOOP("FromBelow",
                       "from %1 s on the tissue's shape may be a little different from what it was (%2 is the first to "
