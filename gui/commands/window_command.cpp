@@ -39,13 +39,13 @@ int run_window(const std::function<void(MainWindow&)>& opened) {
   };
   open();
   window->look_back();
-  // In another language all of the window is made anew, with the first steps, where it was chosen.
+  // In another language all of the window is made anew, with the first steps where it was chosen there.
   const std::function<void()> follow_words = [&] {
-    QObject::connect(window.get(), &MainWindow::words_changed, &application.qt(), [&] {
-      QTimer::singleShot(0, &application.qt(), [&] {
+    QObject::connect(window.get(), &MainWindow::words_changed, &application.qt(), [&](bool first_steps) {
+      QTimer::singleShot(0, &application.qt(), [&, first_steps] {
         open();
         follow_words();
-        window->show_first_steps(true);
+        if (first_steps) window->show_first_steps(true);
       });
     });
   };

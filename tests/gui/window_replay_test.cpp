@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <QCheckBox>
+#include <QDesktopServices>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
@@ -280,6 +281,14 @@ TEST_F(WindowReplay, ShowsForcesPathAndLetsTheEyeGoRound) {
   EXPECT_GT(saved.width(), view.picture().width());
   EXPECT_GT(colours_in(saved), 10);
   EXPECT_THROW(page.save_picture("/nonexistent/seen.png"), std::runtime_error);
+  const auto told = [&] {
+    const auto labels = page.findChildren<QLabel*>();
+    return std::any_of(labels.begin(), labels.end(),
+                       [&](const QLabel* label) { return label->toolTip().contains("Saved: " + png); });
+  };
+  EXPECT_TRUE(wait_for(told, 5000)) << "where it is";
+  page.seek(0.3);
+  EXPECT_TRUE(wait_for([&] { return !told(); }, 5000)) << "until one goes on";
 }
 
 TEST_F(WindowReplay, ColoursWhatWasPressedByHowHard) {
@@ -464,6 +473,16 @@ TEST_F(WindowReplay, IsReachedFromTheResultAndItsReasons) {
   ASSERT_GE(link, 0) << text.toStdString();
   const QString at_s = text.mid(link + 6, text.indexOf("'", link + 6) - link - 6);
   keep_picture(window, "result-links.png");
+  // No browser: Qt says so of a handler that there is not, as it does of a program.
+  QDesktopServices::setUrlHandler("file", &window, "no_such_slot");
+  result.findChild<QPushButton*>("report")->click();
+  QDesktopServices::unsetUrlHandler("file");
+  const std::string report = (own / "out" / "report.html").string();
+  const auto said = result.findChildren<QLabel*>();
+  EXPECT_TRUE(std::any_of(said.begin(), said.end(), [&](const QLabel* label) {
+    return label->isVisible() && label->text().contains(QString::fromStdString(report));
+  })) << "nobody waits for a report that does not come";
+  keep_picture(window, "result-no-browser.png");
   bool there = false;
   QObject::connect(&window, &MainWindow::replay_opened, [&] { there = true; });
   emit reasons.linkActivated(at_s);
@@ -482,6 +501,18 @@ TEST_F(WindowReplay, IsReachedFromTheResultAndItsReasons) {
   ASSERT_TRUE(wait_for([&] { return !failure.isEmpty(); }));
   EXPECT_EQ(window.page_name(), "result");
   EXPECT_TRUE(failure.contains("block.patient")) << failure.toStdString();
+}
+
+TEST_F(WindowReplay, BeginsAtTheVerySecondThatIsAskedFor) {
+  MainWindow window;
+  window.show();
+  bool there = false;
+  QObject::connect(&window, &MainWindow::replay_opened, [&] { there = true; });
+  window.replay(trial(), 1.0);
+  ASSERT_TRUE(wait_for([&] { return there; }));
+  ReplayPage& page = window.replay_page();
+  EXPECT_DOUBLE_EQ(page.time_s(), 1.0) << "as `vallecula replay --window --at 1` asks";
+  EXPECT_DOUBLE_EQ(page.findChild<Timeline*>("timeline")->marked_s(), 1.0);
 }
 
 TEST_F(WindowReplay, OfAnAssessmentIsLockedAndSaysWhy) {

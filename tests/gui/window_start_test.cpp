@@ -15,11 +15,12 @@
 #include "device/found_devices.h"
 #include "gui/authoring/authoring_page.h"
 #include "gui/authoring/kept_draft.h"
-#include "gui/pages/about_dialog.h"
 #include "gui/instructor/station.h"
+#include "gui/pages/about_dialog.h"
 #include "gui/pages/first_run.h"
 #include "gui/pages/help_dialog.h"
 #include "gui/pages/main_menu.h"
+#include "gui/pages/settings_dialog.h"
 #include "gui/pages/trial_page.h"
 #include "gui/pages/versions.h"
 #include "gui/records_pages/records_page.h"
@@ -126,6 +127,36 @@ TEST_F(WindowStart, TheFirstStepsOfferTheLanguageAndGoOnInIt) {
   emit box->activated(box->currentIndex());
   EXPECT_TRUE(anew) << "whoever made the window makes it anew";
   EXPECT_EQ(language(), "en");
+}
+
+TEST_F(WindowStart, AnotherLanguageOfTheSettingsIsFollowedAtOnceWhereNothingIsLost) {
+  const auto choose = [&](const QString& code) {
+    emit window_->menu().settings_wanted();
+    auto* settings = opened<SettingsDialog>();
+    ASSERT_NE(settings, nullptr);
+    auto* box = settings->findChild<QComboBox*>("language");
+    box->setCurrentIndex(box->findData(code));
+    settings->accept();
+  };
+  open();
+  choose("de");
+  EXPECT_EQ(language(), "en") << "nobody makes this window anew";
+  EXPECT_EQ(chosen_language(), "de") << "but from the next start on";
+  choose("en");
+  int anew = 0;
+  bool steps = false;
+  QObject::connect(window_.get(), &MainWindow::words_changed, [&](bool first_steps) {
+    ++anew;
+    steps = first_steps;
+  });
+  choose("de");
+  EXPECT_EQ(anew, 1) << "whoever made the window makes it anew";
+  EXPECT_FALSE(steps) << "without the first steps";
+  EXPECT_EQ(language(), "de");
+  window_->write_course();
+  choose("en");
+  EXPECT_EQ(anew, 1) << "a course is being written";
+  EXPECT_EQ(language(), "de");
 }
 
 TEST_F(WindowStart, ItsStepsCanBeSkippedAndComeAgainOnlyWhenAskedFor) {
