@@ -173,10 +173,13 @@ TEST_F(WindowPanels, WhatLeavesTheWindowLiesOverNoOtherPanel) {
         if (other != out && place(out).intersects(place(other))) return false;
       return window.screen()->geometry().contains(place(out));
     };
+    for (int i = 0; i < 5; ++i)
+      QApplication::processEvents(QEventLoop::AllEvents, 20);  // it is put there once it is out
     EXPECT_TRUE(wait_for(free, 5000)) << out;
   }
   const QRect chosen(60, 70, panels.dock(TrialPanels::cut)->width(), panels.dock(TrialPanels::cut)->height());
   panels.dock(TrialPanels::cut)->move(chosen.topLeft());
+  for (int i = 0; i < 5; ++i) QApplication::processEvents(QEventLoop::AllEvents, 20);
   panels.dock(TrialPanels::cut)->setFloating(false);
   QApplication::processEvents();
   panels.dock(TrialPanels::cut)->setFloating(true);
