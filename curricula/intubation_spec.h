@@ -26,6 +26,7 @@ constexpr int kOutcomes = 9;
 
 /// The word in curricula, score.json and the records, "good-depth".
 const char* name_of(Outcome outcome);
+std::string words_of(Outcome outcome);  ///< for a person: "good depth" of "good-depth"
 /// The outcome of that name; nothing for another word.
 std::optional<Outcome> outcome_named(const std::string& name);
 

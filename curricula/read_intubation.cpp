@@ -97,6 +97,12 @@ void refuse_contradictions(const YAML::Node& node, const IntubationSpec& spec, c
 
 const char* name_of(Outcome outcome) { return kOutcomeNames[static_cast<std::size_t>(outcome)].second; }
 
+std::string words_of(Outcome outcome) {
+  std::string words = name_of(outcome);
+  std::replace(words.begin(), words.end(), '-', ' ');
+  return words;
+}
+
 std::optional<Outcome> outcome_named(const std::string& name) {
   for (const auto& [outcome, word] : kOutcomeNames)
     if (name == word) return outcome;

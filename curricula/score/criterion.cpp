@@ -11,6 +11,11 @@ std::string limit_text(double value) { return QString::number(value, 'g', 6).toS
 
 /// Two decimals, or four where two would make an excess look like equality.
 std::string figure(const Criterion& c) {
+  if (c.unit == "%" || c.unit == "per minute") {  // nobody reads a monitor, or a view, to a part of one
+    int decimals = 0;
+    while (!c.met && decimals < 4 && fixed(c.value, decimals) == fixed(c.limit, decimals)) ++decimals;
+    return fixed(c.value, decimals);
+  }
   const std::string text = fixed(c.value, 2);
   return text == fixed(c.limit, 2) && c.value != c.limit ? fixed(c.value, 4) : text;
 }

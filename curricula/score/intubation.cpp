@@ -62,13 +62,14 @@ void measure_forces(const LogTick& tick, IntubationScore& score) {
 
 void measure_infant(const LogTick& tick, IntubationScore& score) {
   const LogIntubation& i = tick.intubation;
-  const auto lower = [&](std::optional<double>& lowest, double& at_s, double value) {
+  const auto lower = [&](std::optional<double>& first, std::optional<double>& lowest, double& at_s, double value) {
     if (!std::isfinite(value) || (lowest && value >= *lowest)) return;
+    if (!first) first = value;
     lowest = value;
     at_s = tick.time_s;
   };
-  lower(score.lowest_spo2_percent, score.lowest_spo2_at_s, 100.0 * i.spo2);
-  lower(score.lowest_heart_per_min, score.lowest_heart_at_s, i.heart_per_min);
+  lower(score.first_spo2_percent, score.lowest_spo2_percent, score.lowest_spo2_at_s, 100.0 * i.spo2);
+  lower(score.first_heart_per_min, score.lowest_heart_per_min, score.lowest_heart_at_s, i.heart_per_min);
 }
 
 Course follow(const TrialLog& log, const std::vector<Attempt>& attempts, IntubationScore& score) {

@@ -16,10 +16,22 @@ Criterion outcome(const IntubationPass& pass, const IntubationScore& score) {
   if (!met) {
     sentence += "; asked for: ";
     for (const Outcome accepted : pass.outcomes)
-      sentence += (accepted == pass.outcomes.front() ? "" : ", ") + std::string(name_of(accepted));
+      sentence += (accepted == pass.outcomes.front() ? "" : ", ") + words_of(accepted);
   }
   const Attempt* decisive = score.decisive();
   return fact("outcome", met, decisive && decisive->passed_cords_s ? *decisive->passed_cords_s : -1.0, sentence);
+}
+
+/// The lowest that the monitor showed: what never fell, in whole figures, below what the first attempt began with is
+/// not said to have fallen.
+Criterion lowest(const char* name, const char* unit, double value, double at_s, const std::optional<double>& first,
+                 double limit, const std::string& what) {
+  Criterion c = at_least(name, unit, value, limit, at_s, what + " fell to", at(at_s));
+  if (!first || std::round(value) < std::round(*first)) return c;
+  c.sentence = what + (c.met ? " stayed at " : " began at ") + figure(c) + " " + unit +
+               (c.met ? " or above, at least the " : " and fell no further, less than the ") + limit_text(limit) + " " +
+               unit + " asked for";
+  return c;
 }
 
 Criterion co2(const IntubationScore& score, int breaths_to_confirm) {
@@ -142,16 +154,17 @@ Criterion longest_attempt_time(const Scenario& scenario, const Score& score) {
                  when + ")");
 }
 
-void judge_intubation(const Scenario& scenario, const IntubationScore& score, std::vector<Criterion>& criteria) {
+void judge_intubation(const Scenario& scenario, bool timed, const IntubationScore& score,
+                      std::vector<Criterion>& criteria) {
   const IntubationPass& pass = scenario.intubation->pass;
   criteria.push_back(outcome(pass, score));
   if (pass.lowest_spo2_percent && score.lowest_spo2_percent)
-    criteria.push_back(at_least("lowest_spo2_percent", "%", *score.lowest_spo2_percent, *pass.lowest_spo2_percent,
-                                score.lowest_spo2_at_s, "Saturation fell to", at(score.lowest_spo2_at_s)));
+    criteria.push_back(lowest("lowest_spo2_percent", "%", *score.lowest_spo2_percent, score.lowest_spo2_at_s,
+                              score.first_spo2_percent, *pass.lowest_spo2_percent, "Saturation"));
   if (pass.lowest_heart_per_min && score.lowest_heart_per_min)
-    criteria.push_back(at_least("lowest_heart_per_min", "per minute", *score.lowest_heart_per_min,
-                                *pass.lowest_heart_per_min, score.lowest_heart_at_s, "The heart fell to",
-                                at(score.lowest_heart_at_s)));
+    criteria.push_back(lowest("lowest_heart_per_min", "per minute", *score.lowest_heart_per_min,
+                              score.lowest_heart_at_s, score.first_heart_per_min, *pass.lowest_heart_per_min,
+                              "The heart"));
   if (pass.tube_force_n) {
     const Peak& peak = score.tip_load_n;
     const std::string against = score.tip_against < kTubeLoads
@@ -162,14 +175,14 @@ void judge_intubation(const Scenario& scenario, const IntubationScore& score, st
                                at(peak.at_s)));
   }
   const Attempt* decisive = score.decisive();
-  if (pass.time_to_pass_s && decisive && decisive->time_to_pass_s) {
+  if (pass.time_to_pass_s && timed && decisive && decisive->time_to_pass_s) {
     const char* since = decisive->view_at_s && *decisive->view_at_s <= *decisive->passed_cords_s
                             ? "From the view to the cords passed it took"
                             : "From the blade in the mouth to the cords passed, without a view, it took";
     const char* blade = *decisive->passed_cords_s >= decisive->end_s ? ", with the blade out already" : "";
     criteria.push_back(at_most("time_to_pass_s", "s", *decisive->time_to_pass_s, *pass.time_to_pass_s,
                                *decisive->passed_cords_s, since, at(*decisive->passed_cords_s) + blade));
-  } else if (pass.time_to_pass_s && score.passed_untimed()) {
+  } else if (pass.time_to_pass_s && timed && score.passed_untimed()) {
     criteria.push_back(fact("time_to_pass_s", false, -1.0,
                             "The cords were passed before the blade was in the mouth, so not under sight"));
   }

@@ -45,6 +45,7 @@ struct IntubationScore {
   double deepest_m = 0.0;                 ///< past the cords, ever
   std::optional<double> lowest_spo2_percent, lowest_heart_per_min;  ///< from the first attempt on
   double lowest_spo2_at_s = -1.0, lowest_heart_at_s = -1.0;
+  std::optional<double> first_spo2_percent, first_heart_per_min;  ///< as the first attempt began
   int breaths_given = 0;           ///< in the whole trial, by mask and tube
   bool co2_confirmed = false;      ///< the detector turned yellow while the tube lay where it lies at the end
   std::optional<int> co2_breaths;  ///< breaths through it until then

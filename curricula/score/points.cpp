@@ -27,6 +27,7 @@ std::string source_of(const Scenario& scenario, const std::string& mark) {
 }
 
 std::vector<MarkPoints> points_of(const Score& score, const Scenario& scenario) {
+  if (score.at_vallecula) return {};  // half of a trial earns no whole score
   std::vector<MarkPoints> all;
   const bool judged = score.complete && score.attempt_begun;  // whoever did nothing has kept every limit
   double weights = 0.0;

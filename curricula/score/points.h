@@ -20,7 +20,9 @@ struct MarkPoints {
 };
 
 /// The scenario's pass marks that were judged; the points of all of them together are 100, shared by the rubric's
-/// weights (1 where it names none). A trial that was cut off, or whose attempt never began, earns none. Empty where every weight is 0. Points inform; what fails a trial is `passed`.
+/// weights (1 where it names none). A trial that was cut off, or whose attempt never began, earns none. Empty where
+/// every weight is 0, and where the trial was begun at the vallecula: a part has no score of the whole. Points inform;
+/// what fails a trial is `passed`.
 std::vector<MarkPoints> points_of(const Score& score, const Scenario& scenario);
 
 /// A pass mark's source for a person: never without saying that nobody has validated it.

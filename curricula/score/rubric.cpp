@@ -80,7 +80,7 @@ void judge(const TrialLog& log, const Scenario& scenario, const Moments& moments
   }
 
   judge_choice(scenario, score.criteria);
-  if (score.intubation) judge_intubation(scenario, *score.intubation, score.criteria);
+  if (score.intubation) judge_intubation(scenario, !score.at_vallecula, *score.intubation, score.criteria);
 
   score.passed = true;
   for (const Criterion& c : score.criteria) score.passed = score.passed && c.met;

@@ -48,8 +48,10 @@ void print_score(std::ostream& out, const curricula::Score& score, const curricu
     else
       out << "  " << std::left << std::setw(33) << name << std::right << std::setw(10) << otherwise << "\n";
   };
-  time_or("time to glottis in sight", score.time_to_trachea_visible_s >= 0.0, score.time_to_trachea_visible_s, "never");
-  time_or("attempt time", score.attempt_begun, score.attempt_time_s, "no attempt");
+  const bool whole = !score.at_vallecula;
+  time_or("time to glottis in sight", whole && score.time_to_trachea_visible_s >= 0.0, score.time_to_trachea_visible_s,
+          whole ? "never" : "not counted");
+  time_or("attempt time", whole && score.attempt_begun, score.attempt_time_s, whole ? "no attempt" : "not counted");
   line("time over the training target", score.time_over_target_s, 2, "s");
   line("time over the device limit", score.time_over_force_limit_s, 2, "s");
   if (score.intubation) print_intubation(out, score, scenario);

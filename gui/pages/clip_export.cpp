@@ -75,6 +75,7 @@ void ClipExport::start(const QString& file) {
   } catch (const std::exception& error) {
     return stop(QString::fromUtf8(error.what()));
   }
+  file_ = file;
   done_ = 0;
   all_ = static_cast<int>(std::floor(span_s / step_s_ + 1e-6)) + 1;
   bar_->setRange(0, all_);

@@ -29,6 +29,7 @@ class ClipExport : public QDialog {
   /// Makes FILE.mp4; accepted when it is whole. Cancel, or a failure (shown), leaves nothing.
   void start(const QString& file);
   bool working() const { return writer_ != nullptr; }
+  const QString& file() const { return file_; }  ///< that was made, or is being made
 
  public slots:
   void reject() override;
@@ -40,6 +41,7 @@ class ClipExport : public QDialog {
 
   Picture picture_;
   double step_s_;
+  QString file_;
   QDoubleSpinBox *from_, *to_;
   QLabel* told_;
   QProgressBar* bar_;

@@ -6,6 +6,7 @@
 #include <QToolButton>
 
 #include "gui/pages/wrap_row.h"
+#include "gui/session/expert_loop.h"
 
 namespace vallecula::gui {
 
@@ -45,13 +46,13 @@ HelpPanel::HelpPanel(QWidget* parent) : QWidget(parent) {
     connect(made, &QToolButton::clicked, this, [this, right, up] { move_eye(right, up); });
     return Eye{right, up, action, opposite, made, tr("%1: 2 cm, and back when pressed again (%2)").arg(name, key)};
   };
-  eyes_ = {arrow(-1, 0, Action::kActionEyeLeft, Action::kActionEyeRight, Qt::LeftArrow, tr("My head to the left"),
-                 tr("Ctrl+Left")),
-           arrow(0, 1, Action::kActionEyeUp, Action::kActionEyeDown, Qt::UpArrow, tr("My head up"), tr("Ctrl+Up")),
-           arrow(0, -1, Action::kActionEyeDown, Action::kActionEyeUp, Qt::DownArrow, tr("My head down"),
-                 tr("Ctrl+Down")),
-           arrow(1, 0, Action::kActionEyeRight, Action::kActionEyeLeft, Qt::RightArrow, tr("My head to the right"),
-                 tr("Ctrl+Right"))};
+  eyes_ = {
+      arrow(-1, 0, Action::kActionEyeLeft, Action::kActionEyeRight, Qt::LeftArrow, tr("My head to the left"),
+            tr("Ctrl+Left")),
+      arrow(0, 1, Action::kActionEyeUp, Action::kActionEyeDown, Qt::UpArrow, tr("My head up"), tr("Ctrl+Up")),
+      arrow(0, -1, Action::kActionEyeDown, Action::kActionEyeUp, Qt::DownArrow, tr("My head down"), tr("Ctrl+Down")),
+      arrow(1, 0, Action::kActionEyeRight, Action::kActionEyeLeft, Qt::RightArrow, tr("My head to the right"),
+            tr("Ctrl+Right"))};
   offer({}, {}, false);
 }
 
@@ -66,11 +67,15 @@ void HelpPanel::offer(const QString& no_vallecula, const QString& no_expert, boo
     button->setToolTip(refused.isEmpty() ? tip : refused);
   };
   set(vallecula_, no_vallecula,
-      tr("Begins anew with the blade's tip in the vallecula (F). What was done until now is kept; the new trial does not "
+      tr("Begins anew with the blade's tip in the vallecula (F). What was done until now is kept; the new trial does "
+         "not "
          "count towards mastery."));
-  set(expert_, no_expert, tr("20 s of an expert's hands at this patient, over and over, while your trial waits (G)"));
+  set(expert_, no_expert,
+      tr("Up to %1 s of an expert's hands at this patient, over and over, while your trial waits (G)")
+          .arg(kLoopS, 0, 'f', 0));
   const QString waits = running ? QString() : tr("Once the trial runs");
-  set(extend_, waits, tr("The infant's head is extended on the neck by 10 degrees, as by a shoulder roll, and back (H)"));
+  set(extend_, waits,
+      tr("The infant's head is extended on the neck by 10 degrees, as by a shoulder roll, and back (H)"));
   for (const Eye& eye : eyes_) {
     eye.button->setEnabled(running);
     eye.button->setToolTip(running ? eye.tip : waits);

@@ -23,6 +23,7 @@ QDialog* open_list(QWidget* page) {
 QString key_name(int key) {
   // Alone these are no sequence, and Qt would write their code as a letter.
   if (key == Qt::Key_Shift) return QKeySequence(Qt::SHIFT).toString(QKeySequence::NativeText).remove('+');
+  if (key == Qt::Key_Return) key = Qt::Key_Enter;  // one name for both, the one that stands on most of them
   return QKeySequence(key).toString(QKeySequence::NativeText);
 }
 

@@ -1,12 +1,10 @@
 #include "gui/pages/main_window.h"
 
 #include <QCloseEvent>
-#include <QDesktopServices>
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QStackedWidget>
-#include <QUrl>
 #include <QVBoxLayout>
 #include <algorithm>
 
@@ -20,6 +18,7 @@
 #include "gui/pages/devices_page.h"
 #include "gui/pages/home_page.h"
 #include "gui/pages/main_menu.h"
+#include "gui/pages/open_outside.h"
 #include "gui/pages/ready_patient.h"
 #include "gui/pages/replay_page.h"
 #include "gui/pages/result_page.h"
@@ -140,7 +139,8 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent), ready_(std::make_
   });
   connect(rating_, &SelfRatingPage::rated, this, &MainWindow::take_self_rating);
   connect(result_, &ResultPage::left, this, &MainWindow::back_to_start);
-  connect(result_, &ResultPage::replay_wanted, this, [this](double at_s) { replay(outcome_.log, at_s); });
+  connect(result_, &ResultPage::replay_wanted, this,
+          [this](double at_s) { replay(outcome_.log, at_s, {}, kBeforeReason_s); });
   connect(replay_, &ReplayPage::left, this, &MainWindow::leave_replay);
   connect(replay_, &ReplayPage::failed, this, [this](const QString& message) {
     leave_replay();
@@ -322,8 +322,8 @@ void MainWindow::show_trial(const QString& log, bool with_replay) {
   const std::filesystem::path folder = std::filesystem::path(log.toStdString()).parent_path();
   std::error_code error;
   const auto report = folder / "report.html";
-  QDesktopServices::openUrl(
-      QUrl::fromLocalFile(QString::fromStdString((std::filesystem::exists(report, error) ? report : folder).string())));
+  const QString trouble = open_outside(std::filesystem::exists(report, error) ? report : folder);
+  if (!trouble.isEmpty()) records_->tell(trouble);
 }
 
 QString MainWindow::page_name() const {

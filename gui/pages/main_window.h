@@ -51,8 +51,9 @@ class MainWindow : public QMainWindow {
   /// Opens the import of a CT; `source` (may be empty) is looked at at once.
   void import_series(const QString& source = {});
   /// Opens a trial's log (its folder or file) to be looked at, at a second; negative: from its beginning. `patient`:
-  /// where its package is now, if it was moved.
-  void replay(const std::filesystem::path& trial, double at_s = -1.0, const std::filesystem::path& patient = {});
+  /// where its package is now, if it was moved. `before_s`: it begins so long before that second, to see it coming.
+  void replay(const std::filesystem::path& trial, double at_s = -1.0, const std::filesystem::path& patient = {},
+              double before_s = 0.0);
   ReplayPage& replay_page() { return *replay_; }
   /// Opens the page where courses are written; `file` (may be empty) is opened in it.
   void write_course(const std::filesystem::path& file = {});
@@ -84,7 +85,9 @@ class MainWindow : public QMainWindow {
   QString page_name() const;
 
  signals:
-  void words_changed();  ///< another language is installed: what is open keeps its words until it is made anew
+  /// Another language is installed: what is open keeps its words until it is made anew. `first_steps`: from there it
+  /// was chosen, and there it goes on.
+  void words_changed(bool first_steps);
   void looked_back();
   void prepared();
   void trial_finished(const vallecula::gui::TrialOutcome& outcome);
@@ -102,6 +105,9 @@ class MainWindow : public QMainWindow {
   void connect_menu();
   void connect_help();
   void show_help();
+  /// Puts on the language that was chosen in the settings, at once where nothing would be lost with this window.
+  void follow_language();
+  bool may_be_made_anew() const;
   void follow(const QString& link);
   void show_found();
   void restore_place();

@@ -124,11 +124,27 @@ void MainWindow::show_first_steps(bool very_first) {
     if (!very_first) return tell(tr("Chosen: the window speaks it from the next start on."));
     install_language(*qApp, code);
     dialog->QDialog::done(QDialog::Rejected);  // not finished: they begin anew
-    if (isSignalConnected(QMetaMethod::fromSignal(&MainWindow::words_changed))) return void(emit words_changed());
+    if (isSignalConnected(QMetaMethod::fromSignal(&MainWindow::words_changed))) return void(emit words_changed(true));
     show_first_steps(true);
   });
   devices_->refresh();
   dialog->open();
+}
+
+bool MainWindow::may_be_made_anew() const {
+  const QWidget* page = pages_->currentWidget();
+  const bool at_rest = page == home_ || page == start_ || page == records_ || page == devices_;
+  return at_rest && !working_ && !records_->desk().who() && !authoring_->document().modified() &&
+         isSignalConnected(QMetaMethod::fromSignal(&MainWindow::words_changed));
+}
+
+void MainWindow::follow_language() {
+  const QString wanted = language_at_start();  // the one chosen, or the system's
+  if (wanted == language()) return;
+  if (!may_be_made_anew()) return tell(tr("Chosen: the window speaks it from the next start on."));
+  keep_place();
+  install_language(*qApp, wanted);
+  emit words_changed(false);
 }
 
 void MainWindow::look_back() {

@@ -121,6 +121,7 @@ void MainWindow::connect_menu() {
   connect(menu_, &MainMenu::settings_wanted, this, [this] {
     auto* dialog = new SettingsDialog(this);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &SettingsDialog::language_chosen, this, &MainWindow::follow_language);
     dialog->open();
   });
   connect(menu_, &MainMenu::ground_wanted, this, [](const QString& ground) {

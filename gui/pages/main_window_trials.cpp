@@ -201,10 +201,11 @@ bool MainWindow::work_ended(const std::function<void()>& leave) {
   return false;
 }
 
-void MainWindow::replay(const std::filesystem::path& trial, double at_s, const std::filesystem::path& patient) {
+void MainWindow::replay(const std::filesystem::path& trial, double at_s, const std::filesystem::path& patient,
+                        double before_s) {
   QWidget* from = pages_->currentWidget();
   if (from != prepare_page_) replay_from_ = from == result_ || from == records_ ? from : nullptr;
-  if (working_) return instead_of_work([=] { replay(trial, at_s, patient); });
+  if (working_) return instead_of_work([=] { replay(trial, at_s, patient, before_s); });
   working_ = true;
   failure_.clear();
   prepare_time_.start();
@@ -233,12 +234,12 @@ void MainWindow::replay(const std::filesystem::path& trial, double at_s, const s
               instructor);
         });
       },
-      [this, at_s, failed](std::shared_ptr<ReplayTrial> opened) {
+      [this, at_s, before_s, failed](std::shared_ptr<ReplayTrial> opened) {
         if (!work_ended([this] { leave_replay(); })) return;
         pages_->setCurrentWidget(replay_);
         replay_->set_who(records_->desk().who());
         try {
-          replay_->open(std::move(opened), std::max(0.0, at_s), at_s >= 0.0);
+          replay_->open(std::move(opened), at_s, before_s);
         } catch (const std::exception& error) {
           return failed(QString::fromUtf8(error.what()));
         }

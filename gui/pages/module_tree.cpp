@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "gui/pages/module_words.h"
+#include "gui/session/words_from_below.h"
 #include "gui/views/theme.h"
 
 namespace vallecula::gui {
@@ -55,8 +56,7 @@ void ModuleTree::show_course(const curricula::Curriculum* course, const std::vec
       const curricula::Module& module = course_->modules[m];
       QTreeWidgetItem* row = invisibleRootItem();
       if (!alone) {
-        row =
-            row_in(row, QString("%1  %2").arg(m + 1).arg(QString::fromStdString(module.title)), module_key(module.id));
+        row = row_in(row, QString("%1  %2").arg(m + 1).arg(course_words(module.title)), module_key(module.id));
         QFont font = row->font(kTitle);
         font.setBold(true);
         row->setFont(kTitle, font);
@@ -79,7 +79,7 @@ void ModuleTree::show_course(const curricula::Curriculum* course, const std::vec
 
 void ModuleTree::add_scenario(QTreeWidgetItem* to, const std::string& id, bool passed) {
   const curricula::Scenario& scenario = *course_->find(id);
-  QTreeWidgetItem* row = row_in(to, QString::fromStdString(scenario.title), QString::fromStdString(id));
+  QTreeWidgetItem* row = row_in(to, course_words(scenario.title), QString::fromStdString(id));
   row->setText(kState, passed ? tr("passed") : QString());
   row->setForeground(kState, theme::within().lighter(130));
   if (!why_closed(scenario).isEmpty()) row->setForeground(kTitle, theme::faint());
@@ -136,7 +136,7 @@ QString ModuleTree::state(std::size_t module) const {
 QStringList ModuleTree::states() const {
   QStringList states;
   for (std::size_t m = 0; m < progress_.size(); ++m)
-    states << QString::fromStdString(course_->modules[m].title) + ": " + state(m);
+    states << course_words(course_->modules[m].title) + ": " + state(m);
   return states;
 }
 

@@ -66,7 +66,7 @@ QString why_closed(const curricula::Curriculum& curriculum, const std::vector<cu
   const auto ask_for = [&](const std::vector<std::string>& after) {
     for (const std::string& id : after)
       for (std::size_t m = 0; m < curriculum.modules.size(); ++m) {
-        const QString title = QString::fromStdString(curriculum.modules[m].title);
+        const QString title = course_words(curriculum.modules[m].title);
         if (curriculum.modules[m].id == id && !progress[m].mastered && !missing.contains(title)) missing << title;
       }
   };

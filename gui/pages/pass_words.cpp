@@ -24,8 +24,7 @@ QString passes_with(const curricula::Scenario& scenario) {
   if (!scenario.intubation) return text;
   const curricula::IntubationPass& pass = scenario.intubation->pass;
   QStringList tube, outcomes;
-  for (const curricula::Outcome outcome : pass.outcomes)
-    outcomes << in_words(QString(name_of(outcome)).replace('-', ' ').toStdString());
+  for (const curricula::Outcome outcome : pass.outcomes) outcomes << in_words(words_of(outcome));
   tube << QCoreApplication::translate("PassWords", "outcome: %1")
               .arg(outcomes.join(QCoreApplication::translate("PassWords", " or ")));
   if (pass.attempts) tube << QCoreApplication::translate("PassWords", "at most %1 attempts").arg(*pass.attempts);

@@ -20,14 +20,16 @@ void RemadeWindow::open() {
   window_.swap(next);  // the one before goes once this is seen: the program ends with its last window
 }
 
-void RemadeWindow::remake() {
+void RemadeWindow::remake(bool first_steps) {
   // What it finds of a program that ended too early it finds once.
   if (window_->looking_back()) {
-    connect(window_.get(), &MainWindow::looked_back, this, &RemadeWindow::remake, Qt::QueuedConnection);
+    connect(
+        window_.get(), &MainWindow::looked_back, this, [this, first_steps] { remake(first_steps); },
+        Qt::QueuedConnection);
     return;
   }
   open();
-  window_->show_first_steps(true);
+  if (first_steps) window_->show_first_steps(true);
   emit remade();
 }
 

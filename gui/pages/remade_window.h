@@ -1,4 +1,5 @@
-// The program's main window. In another language all of it is made anew, with the first steps, where that is chosen.
+// The program's main window. In another language all of it is made anew, with the first steps where it was chosen
+// there.
 #pragma once
 
 #include <QObject>
@@ -25,7 +26,7 @@ class RemadeWindow : public QObject {
 
  private:
   void open();
-  void remake();
+  void remake(bool first_steps);
 
   std::vector<curricula::Curriculum> curricula_;
   std::unique_ptr<MainWindow> window_;

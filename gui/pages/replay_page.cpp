@@ -61,12 +61,12 @@ double paused_between(const curricula::Score& score, double from_s, double to_s)
 
 }  // namespace
 
-void ReplayPage::open(std::shared_ptr<ReplayTrial> trial, double at_s, bool mark) {
+void ReplayPage::open(std::shared_ptr<ReplayTrial> trial, double at_s, double before_s) {
   close_replay();
   trial_ = std::move(trial);
   const engine::SceneDescription& scene = trial_->scene;
   const auto* intubation = scene.intubation ? &*scene.intubation : nullptr;
-  title_->setText(tr("Replay: %1").arg(QString::fromStdString(trial_->scenario.title)));
+  title_->setText(tr("Replay: %1").arg(course_words(trial_->scenario.title)));
   QStringList warned;
   for (const std::string& notice : trial_->notices) warned << capitalised(in_words(notice));
   warned.removeDuplicates();
@@ -101,7 +101,8 @@ void ReplayPage::open(std::shared_ptr<ReplayTrial> trial, double at_s, bool mark
   dirty_ = true;
   since_frame_.start();
   since_cut_.start();
-  mark ? look_at(at_s) : seek(at_s);
+  if (at_s >= 0.0) set_marked(at_s);
+  seek(at_s - before_s);
   timer_.start();
   setFocus();
 }
@@ -154,6 +155,7 @@ void ReplayPage::play(bool on) {
   if (on && !trial_) return;
   if (on && at_s_ >= trial_->end_s() - 1e-6) seek(0.0);  // from its end, anew
   playing_ = on;
+  if (on) saved_.clear();
   since_frame_.restart();
   play_->setText(on ? tr("Pause") : tr("Play"));
   if (!on && trial_) {
@@ -172,6 +174,7 @@ void ReplayPage::set_rate(double rate) {
 void ReplayPage::seek(double at_s) {
   if (!trial_) return;
   at_s_ = std::clamp(at_s, 0.0, trial_->end_s());
+  saved_.clear();
   since_frame_.restart();
   show_now(true);
 }
@@ -247,6 +250,7 @@ void ReplayPage::show_film_progress() {
   progress_->setVisible(!done);
   stop_->setVisible(!done);
   QStringList said;
+  if (!saved_.isEmpty()) said << saved_;
   const int percent = static_cast<int>(100 * film.computed() / all);
   if (waiting_ && !done)
     said << tr("Simulating the trial again up to %1 ... %2 % (Stop ends it)").arg(clock_text(at_s_)).arg(percent);
@@ -256,7 +260,9 @@ void ReplayPage::show_film_progress() {
   const QString text = said.join(". ");
   if (told_->toolTip() != text) {
     told_->setToolTip(text);
-    told_->setText(said.isEmpty() ? QString() : said.first());
+    // A path keeps its beginning and its name.
+    told_->setText(saved_.isEmpty() ? said.value(0)
+                                    : told_->fontMetrics().elidedText(saved_, Qt::ElideMiddle, told_->width()));
   }
 }
 

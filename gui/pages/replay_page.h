@@ -38,8 +38,8 @@ class ReplayPage : public QWidget {
   explicit ReplayPage(QWidget* parent = nullptr);
   ~ReplayPage() override;
 
-  /// Shows the trial at a second; `mark`: that second is what somebody came for, so it is shown from shortly before.
-  void open(std::shared_ptr<ReplayTrial> trial, double at_s, bool mark);
+  /// Shows the trial from `before_s` before a second, which is marked; of a negative one from its beginning.
+  void open(std::shared_ptr<ReplayTrial> trial, double at_s, double before_s);
   void close_replay();
   bool is_open() const { return trial_ != nullptr; }
   /// Who writes notes.
@@ -101,6 +101,7 @@ class ReplayPage : public QWidget {
   void show_legend();
   void ask_for_picture();
   void ask_for_clip();
+  void tell_saved(const QString& file);
 
   std::shared_ptr<ReplayTrial> trial_;
   OperatorView* operator_view_;
@@ -123,6 +124,7 @@ class ReplayPage : public QWidget {
   QTimer timer_;
   QElapsedTimer since_frame_, since_cut_;
   double at_s_ = 0.0;
+  QString saved_;  ///< what was saved last and where, until the trial is moved in; empty: nothing
   long long shown_ = -1;
   bool playing_ = false, waiting_ = false, dirty_ = false;
 };

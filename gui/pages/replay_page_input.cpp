@@ -2,6 +2,7 @@
 #include <QBuffer>
 #include <QCheckBox>
 #include <QComboBox>
+#include <QDir>
 #include <QFileDialog>
 #include <QKeyEvent>
 #include <QLabel>
@@ -127,6 +128,11 @@ void ReplayPage::save_picture(const QString& png) {
   if (!picture().save(&buffer, "PNG"))
     throw std::runtime_error(tr("%1: the picture could not be encoded as PNG").arg(png).toStdString());
   write_file_whole(png.toStdString(), bytes.toStdString());
+  tell_saved(png);
+}
+
+void ReplayPage::tell_saved(const QString& file) {
+  saved_ = tr("Saved: %1").arg(QDir::toNativeSeparators(QFileInfo(file).absoluteFilePath()));
 }
 
 QImage ReplayPage::picture_of(double at_s) {
@@ -145,8 +151,9 @@ void ReplayPage::ask_for_clip() {
   const double back_to_s = at_s_;
   ClipExport dialog([this](double at_s) { return picture_of(at_s); }, std::min(at_s_, computed_s()), computed_s(),
                     std::max(trial_->film->frame_s(), 1.0 / kFilmRateHz), this);
-  dialog.exec();
+  const bool saved = dialog.exec() == QDialog::Accepted;
   seek(back_to_s);
+  if (saved) tell_saved(dialog.file());
 }
 
 void ReplayPage::ask_for_picture() {

@@ -1,6 +1,7 @@
 #include "gui/pages/result_figures.h"
 
 #include "gui/report/report.h"
+#include "gui/session/keeps_up.h"
 
 namespace vallecula::gui {
 namespace {
@@ -22,15 +23,18 @@ std::vector<Row> tube_figures(const curricula::Score& score) {
       row(score, "Attempts", std::to_string(tube.attempts.size()), "attempts", "at most"),
       lowest("Lowest SpO2", tube.lowest_spo2_percent, " %", "lowest_spo2_percent"),
       lowest("Lowest heart rate", tube.lowest_heart_per_min, " /min", "lowest_heart_per_min"),
-      {"Time to view", seconds(decisive != nullptr ? decisive->time_to_view_s : std::nullopt), "", ""},
-      row(score, "Time to pass", seconds(decisive != nullptr ? decisive->time_to_pass_s : std::nullopt),
-          "time_to_pass_s", "at most"),
-      row(score, "CO2 detector",
-          tube.co2_confirmed ? "yellow, breath " + std::to_string(*tube.co2_breaths) : "never yellow", "co2_confirmed",
-          "by breath"),
-      row(score, "Peak force at the tube's tip", number(tube.tip_load_n.value, 1) + " N", "tube_force_n", "at most"),
-      {"Peak force on the tube's hand", number(tube.hand_force_n.value, 1) + " N", "", ""},
   };
+  if (!score.at_vallecula) {
+    rows.push_back({"Time to view", seconds(decisive != nullptr ? decisive->time_to_view_s : std::nullopt), "", ""});
+    rows.push_back(row(score, "Time to pass", seconds(decisive != nullptr ? decisive->time_to_pass_s : std::nullopt),
+                       "time_to_pass_s", "at most"));
+  }
+  rows.push_back(row(score, "CO2 detector",
+                     tube.co2_confirmed ? "yellow, breath " + std::to_string(*tube.co2_breaths) : "never yellow",
+                     "co2_confirmed", "by breath"));
+  rows.push_back(
+      row(score, "Peak force at the tube's tip", number(tube.tip_load_n.value, 1) + " N", "tube_force_n", "at most"));
+  rows.push_back({"Peak force on the tube's hand", number(tube.hand_force_n.value, 1) + " N", "", ""});
   if (tube.oesophagus_breaths > 0)
     rows.push_back({"In the oesophagus", std::to_string(tube.oesophagus_breaths) + " breaths",
                     tube.recognised_late ? "recognised late" : "", ""});
@@ -51,7 +55,7 @@ std::vector<Row> result_figures(const TrialOutcome& outcome, const curricula::Sc
     rows.push_back({"Peak force, larynx", number(score.peak_force_n[curricula::kLarynx], 1) + " N", "", ""});
   rows.push_back(row(score, "Glottis visible, best", number(score.glottis_visible_max_percent, 0) + " %",
                      "glottis_visible_max_percent", "at least"));
-  if (!score.intubation)
+  if (!score.intubation && !score.at_vallecula)
     rows.push_back({"Time to sight",
                     score.time_to_trachea_visible_s < 0.0 ? "never" : number(score.time_to_trachea_visible_s, 1) + " s",
                     "from " + number(scenario.sight_percent, 0) + " %", ""});
@@ -62,9 +66,12 @@ std::vector<Row> result_figures(const TrialOutcome& outcome, const curricula::Sc
   rows.push_back(row(score, "Over the device limit", number(score.time_over_force_limit_s, 1) + " s",
                      "time_over_force_limit_s", "at most"));
   if (!score.pauses.empty()) rows.push_back({"Paused", number(score.paused_s, 1) + " s", pauses_in_words(score), ""});
-  rows.push_back({"Loop", score.loop_rate_hz > 0.0 ? number(score.loop_rate_hz, 0) + " Hz" : "no real time",
-                  std::to_string(score.deadline_misses) + " late, " + std::to_string(score.overruns) + " steps dropped",
-                  ""});
+  const bool fast = keeps_up(score.ticks, score.deadline_misses, score.overruns);
+  rows.push_back({"Computer",
+                  score.loop_rate_hz <= 0.0 ? "not in real time"
+                  : fast                    ? "kept up"
+                                            : "too slow",
+                  fast ? "" : "forces came late", ""});
   return rows;
 }
 

@@ -1,19 +1,20 @@
 #include "gui/pages/result_page.h"
 
 #include <QCoreApplication>
-#include <QDesktopServices>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QPushButton>
 #include <QRegularExpression>
+#include <QScrollArea>
 #include <QUrl>
 #include <QVBoxLayout>
 #include <stdexcept>
 
 #include "curricula/trial_log.h"
 #include "gui/pages/chart_view.h"
+#include "gui/pages/open_outside.h"
 #include "gui/pages/replay_page.h"
 #include "gui/pages/result_figures.h"
 #include "gui/report/advice.h"
@@ -115,8 +116,8 @@ ResultPage::ResultPage(QWidget* parent) : QWidget(parent) {
   connect(again_, &QPushButton::clicked, this, &ResultPage::again);
   connect(same_, &QPushButton::clicked, this, &ResultPage::same_again);
   connect(leave, &QPushButton::clicked, this, &ResultPage::left);
-  connect(report, &QPushButton::clicked, this,
-          [this] { QDesktopServices::openUrl(QUrl::fromLocalFile(QString::fromStdString(report_.string()))); });
+  report->setObjectName("report");
+  connect(report, &QPushButton::clicked, this, [this] { tell(open_outside(report_)); });
   auto* all = new QVBoxLayout(this);
   all->setContentsMargins(18, 14, 18, 12);
   all->setSpacing(10);
@@ -131,7 +132,7 @@ ResultPage::ResultPage(QWidget* parent) : QWidget(parent) {
 void ResultPage::show_outcome(const TrialOutcome& outcome, const curricula::Scenario& scenario,
                               const std::filesystem::path& folder, const std::vector<std::string>& misfits) {
   const auto& score = outcome.score;
-  title_->setText(QString::fromStdString(scenario.title));
+  title_->setText(course_words(scenario.title));
   const bool aside = !score.set_aside.empty();  // it counts neither way; the reasons begin with why
   verdict_->setText(aside ? in_words(verdict(score)) : score.passed ? tr("PASSED") : tr("NOT PASSED"));
   theme::dress(*verdict_, QString("background: @%1@; color: white; font-size: @%2pt@; font-weight: bold; padding: 6px "
@@ -229,9 +230,12 @@ void ResultPage::show_figures(const TrialOutcome& outcome, const curricula::Scen
     ++row;
   }
   QString about =
-      QString(tr("Of %1 ticks. Late: forces written more than 1 ms after they were due. Dropped: ticks whose "
-                 "simulation step was not finished in time."))
-          .arg(score.ticks);
+      tr("Of %1 forces %2 were written more than 1 ms after they were due, and for %3 the tissue's step was not "
+         "finished in time.")
+          .arg(score.ticks)
+          .arg(score.deadline_misses)
+          .arg(score.overruns);
+  if (score.loop_rate_hz > 0.0) about += ' ' + tr("The force loop ran at %1 Hz.").arg(score.loop_rate_hz, 0, 'f', 0);
   if (!score.real_time_setup.empty())
     about += '\n' + tr("Real-time set-up: %1.").arg(QString::fromStdString(score.real_time_setup));
   for (int column = 0; column < 3; ++column) figures_->itemAtPosition(row - 1, column)->widget()->setToolTip(about);

@@ -96,7 +96,7 @@ SelfRatingPage::SelfRatingPage(QWidget* parent) : QWidget(parent) {
 }
 
 void SelfRatingPage::ask(const curricula::Scenario& scenario) {
-  title_->setText(QString::fromStdString(scenario.title));
+  title_->setText(course_words(scenario.title));
   with_tube_ = scenario.intubation.has_value();
   of_tube_->setVisible(with_tube_);
   for (QButtonGroup* group : {global_, place_, sure_}) {

@@ -136,12 +136,13 @@ void SettingsDialog::add_sound(QFormLayout* form) {
 void SettingsDialog::add_language(QFormLayout* form) {
   language_ = new QComboBox(this);
   language_->setObjectName("language");
-  language_->setToolTip(tr("Of the window's words; from the next start on"));
+  language_->setToolTip(
+      tr("Of the window's words: followed at once, or from the next start on where something is under way"));
   language_->addItem(tr("As the system"), QString());
   for (const Language& one : available_languages()) language_->addItem(one.name, one.code);
   language_->setCurrentIndex(std::max(0, language_->findData(chosen_language())));
   form->addRow(heading(tr("Words"), this));
-  form->addRow(tr("&Language (from the next start)"), language_);
+  form->addRow(tr("&Language"), language_);
 }
 
 LookSettings SettingsDialog::chosen() const {
@@ -165,16 +166,19 @@ void SettingsDialog::preview() {
 }
 
 void SettingsDialog::done(int result) {
+  bool another = false;
   if (result == Accepted) {
     keep_look(chosen());
     const auto kept = user_settings();
     kept->setValue("sound/monitor", monitor_->isChecked());
     kept->setValue("sound/volume", 0.01 * volume_->value());
-    if (language_->currentData().toString() != chosen_language()) keep_language(language_->currentData().toString());
+    another = language_->currentData().toString() != chosen_language();
+    if (another) keep_language(language_->currentData().toString());
   }
   apply_look(result == Accepted ? chosen() : before_);
   QDialog::done(result);
   if (result == Accepted) emit kept();
+  if (another) emit language_chosen();
 }
 
 }  // namespace vallecula::gui

@@ -20,7 +20,8 @@ class SettingsDialog : public QDialog {
   explicit SettingsDialog(QWidget* parent = nullptr);
 
  signals:
-  void kept();  ///< the settings are in the user's file
+  void kept();             ///< the settings are in the user's file
+  void language_chosen();  ///< and after that: another language than before is among them
 
  protected:
   void done(int result) override;

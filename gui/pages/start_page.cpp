@@ -35,7 +35,7 @@ void StartPage::set_curricula(std::vector<curricula::Curriculum> curricula) {
     const QSignalBlocker quiet(curriculum_);
     curricula_ = std::move(curricula);
     curriculum_->clear();
-    for (const auto& one : curricula_) curriculum_->addItem(QString::fromStdString(one.title));
+    for (const auto& one : curricula_) curriculum_->addItem(course_words(one.title));
     curriculum_->setCurrentIndex(std::min(index, curriculum_->count() - 1));
   }
   curriculum_->setEnabled(curricula_.size() > 1);
@@ -84,24 +84,24 @@ void StartPage::show_chosen() {
   } else if (const curricula::Module* module = tree_->module()) {
     const curricula::ModuleProgress& progress = tree_->progress_of(*module);
     const QString closed = tree_->why_closed(*curriculum()->find(module->scenarios.front()));
-    heading_->setText(QString::fromStdString(module->title));
+    heading_->setText(course_words(module->title));
     briefing_->setText(html_of(module->goal) + "<p><b>" + capitalised(state_of(progress)) +
                        "</b>: " + progress_line(*module, progress).toHtmlEscaped() + ". " + closed.toHtmlEscaped() +
                        "</p><p>" + mastery_rule(*module).toHtmlEscaped() + ' ' +
                        tr("Trials with another kind of device do not count here.") + "</p>");
   } else {
-    heading_->setText(QString::fromStdString(curriculum()->title));
+    heading_->setText(course_words(curriculum()->title));
     briefing_->setText(course_text(*curriculum()));
   }
   emit changed();
 }
 
 void StartPage::show_scenario(const curricula::Scenario& scenario) {
-  heading_->setText(QString::fromStdString(scenario.title));
+  heading_->setText(course_words(scenario.title));
   QString text = html_of(scenario.briefing) + "<p>" + passes_with(scenario).toHtmlEscaped() + "</p>";
   if (const curricula::Module* module = curriculum()->module_of(scenario.id)) {
     if (!watching())
-      text += "<p>" + QString::fromStdString(module->title).toHtmlEscaped() + ": " +
+      text += "<p>" + course_words(module->title).toHtmlEscaped() + ": " +
               progress_line(*module, tree_->progress_of(*module)).toHtmlEscaped() + ".</p>";
     auto* modes = qobject_cast<QStandardItemModel*>(mode_->model());
     const auto may = [module](curricula::Mode mode) {
@@ -176,7 +176,7 @@ NextTrial StartPage::next_trial() const {
     next.hindrance = tr("Choose a scenario of a course first.");
     return next;
   }
-  next.scenario = tr("%1 (%2)").arg(QString::fromStdString(scenario->title), QString::fromStdString(curriculum()->title));
+  next.scenario = tr("%1 (%2)").arg(course_words(scenario->title), course_words(curriculum()->title));
   const curricula::Module* module = curriculum()->module_of(scenario->id);
   const bool practised = module == nullptr || watching() ||
                          std::count(module->modes.begin(), module->modes.end(), curricula::Mode::practice) > 0;

@@ -19,6 +19,7 @@
 #include "gui/session/expert_loop.h"
 #include "gui/session/patient_fit.h"
 #include "gui/session/user_settings.h"
+#include "gui/session/words_from_below.h"
 #include "gui/views/operator_view.h"
 
 namespace vallecula::gui {
@@ -36,7 +37,7 @@ void TrialPage::open(std::shared_ptr<TrialSession> session, std::shared_ptr<Pati
   session_ = std::move(session);
   look_ = std::move(look);
   const auto& scenario = session_->scenario();
-  title_->setText(QString::fromStdString(scenario.title));
+  title_->setText(course_words(scenario.title));
   title_->setToolTip(html_of(scenario.briefing));
   const auto& intubation = session_->scene().intubation;
   operator_view_->show_patient(look_, session_->scene().tool.surface, intubation ? &*intubation : nullptr);

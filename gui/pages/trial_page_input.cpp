@@ -30,7 +30,7 @@ const std::vector<TrialPage::PageKey>& TrialPage::page_keys() {
       {Qt::Key_Escape, &TrialPage::escape_pressed, QT_TR_NOOP("ends the trial; before it, goes back")},
       {Qt::Key_R, &TrialPage::reset_pressed, QT_TR_NOOP("begins anew; what was done is kept")},
       {Qt::Key_F, &TrialPage::vallecula_pressed, QT_TR_NOOP("begins anew with the blade's tip in the vallecula")},
-      {Qt::Key_G, &TrialPage::expert_pressed, QT_TR_NOOP("20 s of an expert while the trial waits, and back")},
+      {Qt::Key_G, &TrialPage::expert_pressed, QT_TR_NOOP("an expert at this patient while the trial waits, and back")},
       {Qt::CTRL + Qt::Key_Left, &TrialPage::eye_left, QT_TR_NOOP("your own head 2 cm to the left, and back")},
       {Qt::CTRL + Qt::Key_Right, &TrialPage::eye_right, QT_TR_NOOP("your own head 2 cm to the right, and back")},
       {Qt::CTRL + Qt::Key_Up, &TrialPage::eye_up, QT_TR_NOOP("your own head 2 cm up, and back")},

@@ -2,8 +2,11 @@
 
 #include <QCoreApplication>
 #include <QDockWidget>
+#include <QGuiApplication>
 #include <QKeyEvent>
 #include <QMenu>
+#include <QScreen>
+#include <QScrollArea>
 #include <QSet>
 #include <QSettings>
 #include <QTabBar>
@@ -13,6 +16,7 @@
 #include <utility>
 
 #include "gui/pages/distraction_panel.h"
+#include "gui/pages/free_place.h"
 #include "gui/session/package_parts.h"
 #include "gui/session/user_settings.h"
 #include "gui/views/force_bars.h"
@@ -114,7 +118,13 @@ void TrialPanels::add(Panel panel, const QString& title, QWidget* content) {
     if (on) docks_[panel]->raise();
     fit_later();
   });
-  connect(dock, &QDockWidget::topLevelChanged, this, [this] { as_at_first_ = as_at_first_ && arranging_; });
+  connect(dock, &QDockWidget::topLevelChanged, this, [this, panel](bool out) {
+    as_at_first_ = as_at_first_ && arranging_;
+    // Dragged out it is where the hand has it.
+    const bool dragged = QGuiApplication::mouseButtons() != Qt::NoButton && !double_clicked_;
+    placed_[panel] = out && (dragged || !isVisible());
+    if (out && !placed_[panel]) QTimer::singleShot(0, this, [this, panel] { find_place(panel); });
+  });
   connect(dock, &QDockWidget::dockLocationChanged, this, [this] { as_at_first_ = as_at_first_ && arranging_; });
 }
 
@@ -310,6 +320,20 @@ void TrialPanels::show_what_is_wanted() {
   fit_later();
 }
 
+/// By its button it would lie over the panels beside it, and Qt forgets where it was before.
+void TrialPanels::find_place(Panel panel) {
+  QDockWidget* dock = docks_[panel];
+  if (!dock->isFloating()) return;
+  placed_[panel] = true;
+  if (places_[panel] && QGuiApplication::screenAt(*places_[panel]) != nullptr) return dock->move(*places_[panel]);
+  std::vector<QRect> others;
+  for (const QDockWidget* other : docks_)
+    if (other != dock && !other->visibleRegion().isEmpty())
+      others.emplace_back(other->mapToGlobal(QPoint(0, 0)), other->size());
+  dock->move(free_place(dock->frameGeometry().size(), window()->screen()->availableGeometry(),
+                        window()->frameGeometry(), others));
+}
+
 /// Out of the window a panel would stand there without the page, and be there again before a trial is.
 void TrialPanels::hide_floating() {
   for (QDockWidget* dock : docks_)
@@ -426,6 +450,11 @@ bool TrialPanels::eventFilter(QObject* watched, QEvent* event) {
       wanted_[p] = false;
       if (p == team) line_open_ = false;
     }
+  for (int p = 0; p < kPanels; ++p)
+    if (docks_[p] == dock && event->type() == QEvent::Move && placed_[p] && dock->isFloating())
+      places_[p] = dock->pos();
+  if (event->type() == QEvent::MouseButtonPress) double_clicked_ = false;
+  if (event->type() == QEvent::MouseButtonDblClick) double_clicked_ = true;  // takes it out without a drag
   // A panel out of the window keeps no keys for itself: they are the hands'.
   if (dock->isFloating() && (event->type() == QEvent::KeyPress || event->type() == QEvent::KeyRelease))
     return QCoreApplication::sendEvent(parentWidget(), event);

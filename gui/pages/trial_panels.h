@@ -4,8 +4,10 @@
 
 #include <QElapsedTimer>
 #include <QMainWindow>
+#include <QPoint>
 #include <array>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "gui/pages/key_list.h"
@@ -76,7 +78,8 @@ class TrialPanels : public QMainWindow {
   bool team_shares_place() const;
   void raise_team();
   void hide_floating();
-  void put_back();  ///< the view the team was raised before
+  void find_place(Panel panel);  ///< of one that has left the window
+  void put_back();               ///< the view the team was raised before
   void fit_later();
   void keep() const;
   /// Why this panel cannot be switched now, for a person; empty: it can.
@@ -99,6 +102,9 @@ class TrialPanels : public QMainWindow {
   bool line_open_ = false;  ///< what an instructor said opened the team's panel, and nobody has closed it since
   bool open_ = false;       ///< a trial is
   bool cut_next_ = false;
+  std::array<bool, kPanels> placed_{};                   ///< out of the window, and where it is to be
+  std::array<std::optional<QPoint>, kPanels> places_{};  ///< where it was last, out of the window
+  bool double_clicked_ = false;
 };
 
 }  // namespace vallecula::gui

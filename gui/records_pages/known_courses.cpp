@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "gui/session/words_from_below.h"
+
 namespace vallecula::gui {
 
 const curricula::Curriculum* KnownCourses::find(const std::string& curriculum_id) const {
@@ -17,12 +19,12 @@ const curricula::Scenario* KnownCourses::find(const std::string& curriculum_id, 
 
 QString KnownCourses::title(const std::string& curriculum_id) const {
   const curricula::Curriculum* curriculum = find(curriculum_id);
-  return QString::fromStdString(curriculum == nullptr ? curriculum_id : curriculum->title);
+  return curriculum == nullptr ? QString::fromStdString(curriculum_id) : course_words(curriculum->title);
 }
 
 QString KnownCourses::title(const std::string& curriculum_id, const std::string& scenario_id) const {
   const curricula::Scenario* scenario = find(curriculum_id, scenario_id);
-  return QString::fromStdString(scenario == nullptr ? scenario_id : scenario->title);
+  return scenario == nullptr ? QString::fromStdString(scenario_id) : course_words(scenario->title);
 }
 
 }  // namespace vallecula::gui

@@ -5,8 +5,8 @@
 namespace vallecula::gui {
 namespace {
 
-/// Of an intubation, the infant first; empty: the laryngoscopy is what to look at.
-std::string tube_advice(const curricula::IntubationScore& tube, const curricula::IntubationPass& pass) {
+/// Of an intubation, the infant first; empty: the laryngoscopy is what to look at. `timed`: its times are judged.
+std::string tube_advice(const curricula::IntubationScore& tube, const curricula::IntubationPass& pass, bool timed) {
   using curricula::Outcome;
   if (tube.recognised_late)
     return QCoreApplication::translate("Advice",
@@ -84,7 +84,7 @@ std::string tube_advice(const curricula::IntubationScore& tube, const curricula:
                                        "the infant.")
         .toStdString();
   const curricula::Attempt* decisive = tube.decisive();
-  if (pass.time_to_pass_s && decisive != nullptr && decisive->time_to_pass_s &&
+  if (timed && pass.time_to_pass_s && decisive != nullptr && decisive->time_to_pass_s &&
       *decisive->time_to_pass_s > *pass.time_to_pass_s)
     return QCoreApplication::translate("Advice",
                                        "Have the tube at the corner of the mouth when the glottis comes into sight: "
@@ -104,8 +104,10 @@ std::string what_to_change(const curricula::Score& score, const curricula::Scena
                "Advice",
                "The blade never entered the mouth: bring its tip in at the right corner, then follow the tongue down.")
         .toStdString();
-  if (score.intubation && scenario.intubation)
-    if (const std::string tube = tube_advice(*score.intubation, scenario.intubation->pass); !tube.empty()) return tube;
+  if (score.intubation && scenario.intubation) {
+    const std::string tube = tube_advice(*score.intubation, scenario.intubation->pass, !score.at_vallecula);
+    if (!tube.empty()) return tube;
+  }
   if (score.peak_gum_force_n > pass.peak_gum_force_n)
     return QCoreApplication::translate("Advice",
                                        "Lift the whole blade along its handle, to the ceiling and the feet, clear of "
@@ -143,7 +145,7 @@ std::string what_to_change(const curricula::Score& score, const curricula::Scena
                                        "its target adds force, not "
                                        "view.")
         .toStdString();
-  if (score.attempt_time_s > pass.attempt_time_s)
+  if (score.attempt_time_s > pass.attempt_time_s && !score.at_vallecula)
     return QCoreApplication::translate(
                "Advice",
                "End the attempt at %1 seconds, whatever is to be seen: take the blade out, ventilate, and begin again.")
@@ -155,7 +157,8 @@ std::string what_to_change(const curricula::Score& score, const curricula::Scena
   // Passed: the figure that used most of its room.
   const double tongue = pass.peak_tongue_force_n > 0.0 ? score.peak_tongue_force_n / pass.peak_tongue_force_n : 0.0;
   const double gum = pass.peak_gum_force_n > 0.0 ? score.peak_gum_force_n / pass.peak_gum_force_n : 0.0;
-  const double time = pass.attempt_time_s > 0.0 ? score.attempt_time_s / pass.attempt_time_s : 0.0;
+  const double time =
+      pass.attempt_time_s > 0.0 && !score.at_vallecula ? score.attempt_time_s / pass.attempt_time_s : 0.0;
   if (gum >= tongue && gum >= time && score.peak_gum_force_n > 0.5 * targets.gum_force_n)
     return QCoreApplication::translate("Advice",
                                        "Well done. Next time keep the blade clear of the gums from beginning to end.")

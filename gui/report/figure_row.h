@@ -15,7 +15,8 @@ struct Row {
 Row row(const curricula::Score& score, const std::string& name, const std::string& value, const std::string& criterion,
         const std::string& demand);
 
-/// The attempt's time (of several the longest) with the scenario's limit beside it, whether it was judged by it or not.
+/// The attempt's time (of several the longest) with the scenario's limit beside it. Of a trial begun at the vallecula,
+/// which has no time of a whole attempt, one line that no time is counted.
 Row attempt_row(const curricula::Score& score, const curricula::Scenario& scenario, const std::string& name);
 
 /// Of a figure that only an attempt has, where there was none.

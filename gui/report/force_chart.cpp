@@ -10,6 +10,7 @@
 
 #include "gui/report/chart_panel.h"
 #include "gui/session/files.h"
+#include "gui/session/words_from_below.h"
 
 namespace vallecula::gui {
 
@@ -69,12 +70,12 @@ std::vector<ChartLabel> paint_force_chart(QPainter& painter, const ChartForm& fo
   const TimeAxis axis = chart_time_axis(form, log.ticks.empty() ? 0.0 : log.ticks.back().time_s);
   const double left = axis.left, right = axis.right, end_s = axis.end_s;
   ChartLabels labels(chart_type(em), em);
-  const double top = begin_chart(
-      painter, labels, form, left, right,
-      QCoreApplication::translate("Charts", "Force over time: %1").arg(QString::fromStdString(scenario.title)),
-      {{QCoreApplication::translate("Charts", "tongue"), QPen(kTongue, em * 0.18)},
-       {QCoreApplication::translate("Charts", "gum"), QPen(kGum, em * 0.18)},
-       {displayed_words(log.header), QPen(kDisplayed, em * 0.1, Qt::DotLine)}});
+  const double top =
+      begin_chart(painter, labels, form, left, right,
+                  QCoreApplication::translate("Charts", "Force over time: %1").arg(course_words(scenario.title)),
+                  {{QCoreApplication::translate("Charts", "tongue"), QPen(kTongue, em * 0.18)},
+                   {QCoreApplication::translate("Charts", "gum"), QPen(kGum, em * 0.18)},
+                   {displayed_words(log.header), QPen(kDisplayed, em * 0.1, Qt::DotLine)}});
   const double sight_height = std::max(form.height * 0.16, 2.6 * em);
   const QRectF force_frame(left, top, right - left, form.height - top - sight_height - 5.8 * em);
   const QRectF sight_frame(left, force_frame.bottom() + 1.6 * em, right - left, sight_height);

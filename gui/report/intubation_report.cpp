@@ -47,11 +47,11 @@ std::string loads(const curricula::IntubationScore& i) {
 }
 
 Row outcome(const curricula::Score& score, const curricula::Scenario& scenario) {
-  Row line = row(score, "Outcome", name_of(score.intubation->outcome), "outcome", "");
+  Row line = row(score, "Outcome", words_of(score.intubation->outcome), "outcome", "");
   line.limit.clear();
   if (!scenario.intubation) return line;
   for (const curricula::Outcome accepted : scenario.intubation->pass.outcomes)
-    line.limit += (line.limit.empty() ? "" : " or ") + std::string(name_of(accepted));
+    line.limit += (line.limit.empty() ? "" : " or ") + words_of(accepted);
   return line;
 }
 
@@ -59,14 +59,16 @@ Row outcome(const curricula::Score& score, const curricula::Scenario& scenario) 
 
 std::string intubation_sentence(const curricula::Score& score, const curricula::Scenario& scenario) {
   const curricula::IntubationScore& i = *score.intubation;
-  std::string text = in_words(verdict(score)).toStdString() + " (" + scenario.title +
+  std::string text = in_words(verdict(score)).toStdString() + " (" + course_words(scenario.title).toStdString() +
                      "): " + in_words(outcome_in_words(i)).toStdString() + ". ";
   if (i.attempts.empty()) return text + in_words("The blade never entered the mouth.").toStdString();
-  text += in_words(count(i.attempts.size(), "attempt") + (i.attempts.size() == 1 ? " of " : ", the longest of ") +
-                   number(score.attempt_time_s, 1) + " s")
+  text += in_words(score.at_vallecula
+                       ? "Begun at the vallecula"
+                       : count(i.attempts.size(), "attempt") + (i.attempts.size() == 1 ? " of " : ", the longest of ") +
+                             number(score.attempt_time_s, 1) + " s")
               .toStdString();
   if (i.lowest_spo2_percent && i.lowest_heart_per_min)
-    text += ", " + in_words("saturation down to " + number(*i.lowest_spo2_percent, 0) + " %, heart to " +
+    text += ", " + in_words("lowest saturation " + number(*i.lowest_spo2_percent, 0) + " %, lowest heart rate " +
                             number(*i.lowest_heart_per_min, 0) + " per minute")
                        .toStdString();
   return text + ", " +
@@ -89,21 +91,28 @@ std::vector<Row> intubation_rows(const curricula::Score& score, const curricula:
       outcome(score, scenario),
       {"Tip's depth", depth(i), "", ""},
       row(score, "Attempts", std::to_string(i.attempts.size()), "attempts", "at most"),
-      {"Time to view, blade in to glottis in sight",
-       seconds_or(decisive ? decisive->time_to_view_s : std::nullopt, "never"), "", ""},
-      row(score, "Time to pass, view to cords passed",
-          seconds_or(decisive ? decisive->time_to_pass_s : std::nullopt,
-                     i.passed_untimed() ? "passed before the blade was in" : "never"),
-          "time_to_pass_s", "at most"),
-      lowest("Lowest saturation, displayed", i.lowest_spo2_percent, " %", i.lowest_spo2_at_s, "lowest_spo2_percent"),
-      lowest("Lowest heart rate", i.lowest_heart_per_min, " per minute", i.lowest_heart_at_s, "lowest_heart_per_min"),
-      row(score, "CO2 detector", detector(i), "co2_confirmed", "yellow by breath"),
-      row(score, "Peak force along the tube, at its tip", force(i.tip_load_n.value, i.tip_load_n.at_s) + against,
-          "tube_force_n", "at most"),
-      {"Peak force on the tube's hand", force(i.hand_force_n.value, i.hand_force_n.at_s), "", ""},
-      {"Tube's peak push on each part, summed all round", loads(i), "", ""},
-      {"Breaths given, mask and tube", std::to_string(i.breaths_given), "", ""},
   };
+  if (!score.at_vallecula) {
+    rows.push_back({"Time to view, blade in to glottis in sight",
+                    seconds_or(decisive ? decisive->time_to_view_s : std::nullopt, "never"), "", ""});
+    rows.push_back(row(score, "Time to pass, view to cords passed",
+                       seconds_or(decisive ? decisive->time_to_pass_s : std::nullopt,
+                                  i.passed_untimed() ? "passed before the blade was in" : "never"),
+                       "time_to_pass_s", "at most"));
+  }
+  rows.insert(rows.end(),
+              {
+                  lowest("Lowest saturation, displayed", i.lowest_spo2_percent, " %", i.lowest_spo2_at_s,
+                         "lowest_spo2_percent"),
+                  lowest("Lowest heart rate", i.lowest_heart_per_min, " per minute", i.lowest_heart_at_s,
+                         "lowest_heart_per_min"),
+                  row(score, "CO2 detector", detector(i), "co2_confirmed", "yellow by breath"),
+                  row(score, "Peak force along the tube, at its tip",
+                      force(i.tip_load_n.value, i.tip_load_n.at_s) + against, "tube_force_n", "at most"),
+                  {"Peak force on the tube's hand", force(i.hand_force_n.value, i.hand_force_n.at_s), "", ""},
+                  {"Tube's peak push on each part, summed all round", loads(i), "", ""},
+                  {"Breaths given, mask and tube", std::to_string(i.breaths_given), "", ""},
+              });
   if (i.oesophagus_entries > 0)
     rows.push_back({"Tip in the oesophagus",
                     count(static_cast<std::size_t>(i.oesophagus_entries), "time") + ", " +
@@ -126,15 +135,17 @@ std::string attempts_html(const curricula::Score& score) {
                              "Saturation, before and lowest", "Lowest heart"})
     html += "<th>" + in_page(column) + "</th>";
   html += "</tr>\n";
+  const auto timed = [&](const std::optional<double>& time_s) {
+    return score.at_vallecula ? std::string("not counted") : seconds_or(time_s, "never");
+  };
   for (std::size_t n = 0; n < attempts.size(); ++n) {
     const curricula::Attempt& a = attempts[n];
-    html += "<tr><td>" + std::to_string(n + 1) + "</td><td>" + number(a.start_s, 1) + ", " + number(a.end_s, 1) +
-            "</td><td class=\"figure\">" + number(a.time_s, 1) + " s</td><td>" + std::to_string(a.breaths_before) +
-            "</td><td>" + in_page(seconds_or(a.time_to_view_s, "never")) + "</td><td>" +
-            in_page(seconds_or(a.time_to_pass_s, "never")) + "</td><td>" + number(a.highest_spo2_before_percent, 0) +
-            " %, " + number(a.lowest_spo2_percent, 0) + " %" +
-            (a.desaturated ? ": " + in_page("severe desaturation") : "") + "</td><td>" +
-            in_page(number(a.lowest_heart_per_min, 0) + " per minute") +
+    html += "<tr><td>" + std::to_string(n + 1) + "</td><td>" + in_page(number(a.start_s, 1)) + ", " +
+            in_page(number(a.end_s, 1)) + "</td><td class=\"figure\">" + in_page(timed(a.time_s)) + "</td><td>" +
+            std::to_string(a.breaths_before) + "</td><td>" + in_page(timed(a.time_to_view_s)) + "</td><td>" +
+            in_page(timed(a.time_to_pass_s)) + "</td><td>" + number(a.highest_spo2_before_percent, 0) + " %, " +
+            number(a.lowest_spo2_percent, 0) + " %" + (a.desaturated ? ": " + in_page("severe desaturation") : "") +
+            "</td><td>" + in_page(number(a.lowest_heart_per_min, 0) + " per minute") +
             (a.bradycardia ? ": " + in_page("bradycardia") : "") + "</td></tr>\n";
   }
   return html + "</table>\n<p class=\"foot\">" +

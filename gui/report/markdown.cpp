@@ -4,6 +4,8 @@
 #include <QRegularExpression>
 #include <QTextDocument>
 
+#include "gui/session/words_from_below.h"
+
 namespace vallecula::gui {
 
 namespace {
@@ -13,7 +15,7 @@ bool read_markdown(const curricula::Text& text, QTextDocument& document) {
   const std::string language = QLocale().name().replace('_', '-').toStdString();
   const std::string markdown = text.in(language);
   document.setMarkdown(
-      QString::fromStdString(markdown),
+      course_words(markdown),
       QTextDocument::MarkdownFeatures(QTextDocument::MarkdownDialectCommonMark | QTextDocument::MarkdownNoHTML));
   return !markdown.empty();
 }

@@ -8,6 +8,7 @@
 
 #include "gui/report/chart_panel.h"
 #include "gui/report/force_chart.h"
+#include "gui/session/words_from_below.h"
 
 namespace vallecula::gui {
 
@@ -69,7 +70,7 @@ std::vector<ChartLabel> paint_monitor_chart(QPainter& painter, const ChartForm& 
   ChartLabels labels(chart_type(em), em);
   const double begin =
       begin_chart(painter, labels, form, left, right,
-                  QCoreApplication::translate("Charts", "The monitor: %1").arg(QString::fromStdString(scenario.title)),
+                  QCoreApplication::translate("Charts", "The monitor: %1").arg(course_words(scenario.title)),
                   {{QCoreApplication::translate("Charts", "saturation as displayed"), QPen(kSpo2, em * 0.18)},
                    {QCoreApplication::translate("Charts", "as it really was"), QPen(kSao2, em * 0.1, Qt::DotLine)},
                    {QCoreApplication::translate("Charts", "heart"), QPen(kHeart, em * 0.18)},

@@ -85,7 +85,7 @@ std::string minute(const std::string& utc) {
 }
 
 std::string outcome(const curricula::RecordRow& row) {
-  return row.score.intubation ? in_page(name_of(row.score.intubation->outcome)) : "";
+  return row.score.intubation ? in_page(words_of(row.score.intubation->outcome)) : "";
 }
 
 /// Curriculum, scenario, device kind.
@@ -97,9 +97,10 @@ void write_trial_pdf(const std::filesystem::path& file, const curricula::TrialLo
   const curricula::Scenario scenario = curricula::parse_scenario(log.header.scenario_yaml, file.string());
   const curricula::Score score = curricula::score_trial(log, scenario);
   PdfPages pages;
-  pages.title = QCoreApplication::translate("Report", "Trial: %1").arg(QString::fromStdString(scenario.title));
+  pages.title = QCoreApplication::translate("Report", "Trial: %1").arg(course_words(scenario.title));
   pages.person = QString::fromStdString(name);
-  std::string html = "<h1>" + escaped(scenario.title) + "</h1><p style=\"color:#555\">" +
+  std::string html = "<h1>" + course_words(scenario.title).toHtmlEscaped().toStdString() +
+                     "</h1><p style=\"color:#555\">" +
                      QCoreApplication::translate("Report", "Scenario %1, %2, seed %3, device %4, patient %5")
                          .arg(QString::fromStdString(scenario.id), in_words(name_of(scenario.attempt.mode)),
                               QString::number(scenario.attempt.seed), QString::fromStdString(log.header.device_kind),

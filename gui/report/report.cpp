@@ -29,26 +29,30 @@ std::vector<Row> figures(const curricula::Score& score, const curricula::TrialLo
   const auto other = [&](const std::string& name, int structure) {
     return Row{name, force(score.peak_force_n[structure], score.time_of_peak_s[structure]), "", ""};
   };
-  return {
-      row(score, "Glottis seen, at best", number(score.glottis_visible_max_percent, 0) + " %",
-          "glottis_visible_max_percent", "at least"),
-      {"Time to glottis in sight (" + number(scenario.sight_percent, 0) + " %)",
-       seen ? number(score.time_to_trachea_visible_s, 1) + " s" : "never", "", ""},
-      attempt_row(score, scenario,
-                  score.mouth_entries > 1 && score.intubation ? "Longest attempt, blade in to blade out"
-                                                              : "Attempt time, blade in to blade out"),
-      row(score, "Peak force on the tongue", force(score.peak_tongue_force_n, score.time_of_peak_tongue_force_s),
-          "peak_tongue_force_n", "at most"),
-      row(score, "Peak force on the gums", force(score.peak_gum_force_n, score.time_of_peak_gum_force_s),
-          "peak_gum_force_n", "at most"),
-      other("Peak force on the epiglottis", curricula::kEpiglottis),
-      other("Peak force on the palate", curricula::kPalate),
-      other("Peak force on the larynx", curricula::kLarynx),
-      row(score, "Time over the training target (tongue, " + number(scenario.targets.tongue_force_n, 1) + " N)",
-          number(score.time_over_target_s, 2) + " s", "time_over_target_s", "at most"),
-      row(score, "Time over the device limit (" + number(log.header.device_limit_n, 1) + " N)",
-          number(score.time_over_force_limit_s, 2) + " s", "time_over_force_limit_s", "at most"),
-  };
+  std::vector<Row> rows = {row(score, "Glottis seen, at best", number(score.glottis_visible_max_percent, 0) + " %",
+                               "glottis_visible_max_percent", "at least")};
+  if (!score.at_vallecula)
+    rows.push_back({"Time to glottis in sight (" + number(scenario.sight_percent, 0) + " %)",
+                    seen ? number(score.time_to_trachea_visible_s, 1) + " s" : "never", "", ""});
+  rows.insert(
+      rows.end(),
+      {
+          attempt_row(score, scenario,
+                      score.mouth_entries > 1 && score.intubation ? "Longest attempt, blade in to blade out"
+                                                                  : "Attempt time, blade in to blade out"),
+          row(score, "Peak force on the tongue", force(score.peak_tongue_force_n, score.time_of_peak_tongue_force_s),
+              "peak_tongue_force_n", "at most"),
+          row(score, "Peak force on the gums", force(score.peak_gum_force_n, score.time_of_peak_gum_force_s),
+              "peak_gum_force_n", "at most"),
+          other("Peak force on the epiglottis", curricula::kEpiglottis),
+          other("Peak force on the palate", curricula::kPalate),
+          other("Peak force on the larynx", curricula::kLarynx),
+          row(score, "Time over the training target (tongue, " + number(scenario.targets.tongue_force_n, 1) + " N)",
+              number(score.time_over_target_s, 2) + " s", "time_over_target_s", "at most"),
+          row(score, "Time over the device limit (" + number(log.header.device_limit_n, 1) + " N)",
+              number(score.time_over_force_limit_s, 2) + " s", "time_over_force_limit_s", "at most"),
+      });
+  return rows;
 }
 
 }  // namespace
@@ -125,26 +129,31 @@ std::string summary_sentence(const curricula::Score& score, const curricula::Sce
   if (score.intubation) return intubation_sentence(score, scenario);
   const bool seen = score.time_to_trachea_visible_s >= 0.0;
   const std::string sight =
-      seen ? "the glottis came into sight after " + number(score.time_to_trachea_visible_s, 1) + " s (" +
-                 number(score.glottis_visible_max_percent, 0) + " % at best)"
-           : "the glottis never came into sight (" + number(score.glottis_visible_max_percent, 0) + " % at best)";
+      seen && score.at_vallecula
+          ? "the glottis came into sight (" + number(score.glottis_visible_max_percent, 0) + " % at best)"
+      : seen ? "the glottis came into sight after " + number(score.time_to_trachea_visible_s, 1) + " s (" +
+                   number(score.glottis_visible_max_percent, 0) + " % at best)"
+             : "the glottis never came into sight (" + number(score.glottis_visible_max_percent, 0) + " % at best)";
   const std::string forces = "with at most " + number(score.peak_tongue_force_n, 1) + " N on the tongue and " +
                              number(score.peak_gum_force_n, 1) + " N on the gums";
-  const std::string attempt = score.attempt_begun   ? "in an attempt of " + number(score.attempt_time_s, 1) + " s."
+  const std::string attempt = score.at_vallecula    ? "begun at the vallecula."
+                              : score.attempt_begun ? "in an attempt of " + number(score.attempt_time_s, 1) + " s."
                               : score.mouth_unknown ? "the attempt could not be timed."
                                                     : "the blade never entered the mouth.";
   return QString("%1 (%2): %3, %4%5 %6")
-      .arg(in_words(verdict(score)), QString::fromStdString(scenario.title), in_words(sight),
-           in_words(forces), score.attempt_begun ? "," : ";", in_words(attempt))
+      .arg(in_words(verdict(score)), course_words(scenario.title), in_words(sight), in_words(forces),
+           score.attempt_begun ? "," : ";", in_words(attempt))
       .toStdString();
 }
 
 void write_report(const fs::path& folder, const curricula::TrialLog& log, const curricula::Scenario& scenario,
                   const curricula::Score& score) {
   std::string html = "<!DOCTYPE html>\n<html lang=\"" + language().toStdString() +
-                     "\"><head><meta charset=\"utf-8\"><title>Vallecula: " + escaped(scenario.title) +
+                     "\"><head><meta charset=\"utf-8\"><title>Vallecula: " +
+                     course_words(scenario.title).toHtmlEscaped().toStdString() +
                      "</title>\n<meta name=\"viewport\" content=\"width=device-width\">\n<style>" + kStyle +
-                     "</style></head><body>\n<h1>" + escaped(scenario.title) + "</h1>\n<p class=\"sub\">" +
+                     "</style></head><body>\n<h1>" + course_words(scenario.title).toHtmlEscaped().toStdString() +
+                     "</h1>\n<p class=\"sub\">" +
                      QCoreApplication::translate("Report", "Patient %1, scenario %2")
                          .arg(QString::fromStdString(log.header.package_name), QString::fromStdString(scenario.id))
                          .toHtmlEscaped()

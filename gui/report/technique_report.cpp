@@ -20,6 +20,7 @@ void add_view(const curricula::Score& score, std::vector<Row>& rows) {
       {"Cormack-Lehane grade at best", grade ? std::to_string(*grade) : "3 or 4: nothing of the glottis seen", "", ""});
   rows.push_back({"Glottis seen on average, while in sight",
                   view.mean_percent ? number(*view.mean_percent, 0) + " %" : "never", "", ""});
+  if (score.at_vallecula) return;
   rows.push_back(
       {"Time to a stable view (" + number(curricula::kStableViewS, 0) + " s in one piece)",
        view.time_to_stable_s ? number(*view.time_to_stable_s, 1) + " s" + at_time(view.stable_at_s) : "never", "", ""});
@@ -75,7 +76,7 @@ void add_help(const char* name, const curricula::Use& use, std::vector<Row>& row
                     "", ""});
 }
 
-std::string when(double at_s) { return at_s < 0.0 ? "" : number(at_s, 1) + " s"; }
+std::string when(double at_s) { return at_s < 0.0 ? "" : in_page(number(at_s, 1) + " s"); }
 
 }  // namespace
 

@@ -1,6 +1,7 @@
 #include "gui/session/recent_files.h"
 
 #include <QCoreApplication>
+#include <QDir>
 #include <QFileInfo>
 #include <QLocale>
 #include <QRegularExpression>
@@ -14,6 +15,14 @@ namespace {
 
 constexpr const char* kKey = "recent/files";
 constexpr const char* kFolderKey = "recent/folder";
+
+/// When it was made: a trial's folder changes with whatever is exported into it, its log does not.
+QDateTime date_of(DroppedKind kind, const std::filesystem::path& path) {
+  const std::filesystem::path log = path / "trial.vtrial";
+  std::error_code none;
+  const bool folder = kind == DroppedKind::trial && std::filesystem::exists(log, none);
+  return QFileInfo(QString::fromStdString((folder ? log : path).string())).lastModified();
+}
 
 QString said(const char* text) { return QCoreApplication::translate("RecentFiles", text); }
 
@@ -31,7 +40,8 @@ void remember_recent(const std::filesystem::path& path) {
 QString folder_to_open() {
   const QString last = user_settings()->value(kFolderKey).toString();
   if (!last.isEmpty() && QFileInfo(last).isDir()) return last;
-  return QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+  const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+  return QFileInfo(documents).isDir() ? documents : QDir::homePath();  // not everybody has that folder
 }
 
 void keep_opened(const QString& path) { user_settings()->setValue(kFolderKey, QFileInfo(path).absolutePath()); }
@@ -47,7 +57,7 @@ std::vector<RecentFile> still_there(const std::vector<std::filesystem::path>& pa
   for (const auto& path : paths) {
     const Dropped found = what_was_dropped({path});
     if (found.kind == DroppedKind::nothing) continue;
-    there.push_back({found.kind, path, QFileInfo(QString::fromStdString(path.string())).lastModified()});
+    there.push_back({found.kind, path, date_of(found.kind, path)});
   }
   return there;
 }

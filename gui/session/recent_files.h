@@ -15,12 +15,13 @@ constexpr int kMostRecent = 8;
 struct RecentFile {
   DroppedKind kind = DroppedKind::nothing;
   std::filesystem::path path;
-  QDateTime changed;  ///< when it was written last
+  QDateTime changed;  ///< when it was written last; of a trial its log
 };
 
 /// Puts it first. Throws std::runtime_error when the user's folder is not known.
 void remember_recent(const std::filesystem::path& path);
-/// Where a dialog that opens a file begins: the folder of what was opened by one last, else the person's documents.
+/// Where a dialog that opens a file begins: the folder of what was opened by one last, else the person's documents,
+/// else their home: one that is there.
 QString folder_to_open();
 /// What was chosen in one: a file, or a folder that is opened as a whole.
 void keep_opened(const QString& path);

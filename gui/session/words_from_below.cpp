@@ -115,6 +115,17 @@ QString in_words(const std::string& text) {
   return as_it_is.isEmpty() ? as_it_is : known(as_it_is).value_or(as_it_is);
 }
 
+QString course_words(const std::string& text) {
+  static const std::unordered_set<std::string> shipped = [] {
+    const std::vector<std::string> all = from_below::shipped_courses();
+    return std::unordered_set<std::string>(all.begin(), all.end());
+  }();
+  std::string words = text;
+  while (!words.empty() && words.back() == '\n') words.pop_back();  // a block of YAML ends with one
+  return shipped.count(words) > 0 ? QCoreApplication::translate("Courses", words.c_str())
+                                  : QString::fromStdString(text);
+}
+
 QString decimal(double value, int digits) {
   QLocale here;
   here.setNumberOptions(QLocale::OmitGroupSeparator);

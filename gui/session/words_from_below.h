@@ -11,6 +11,10 @@ namespace vallecula::gui {
 /// sentences_from_below() and not put together of them (it holds a name, or nobody has listed it).
 QString in_words(const std::string& text);
 
+/// A course's text in the window's language: of one that is, word for word, one of the shipped courses'. What an
+/// educator wrote stays as it is.
+QString course_words(const std::string& text);
+
 /// A figure for the window, with so many digits after its language's decimal point. Files keep points.
 QString decimal(double value, int digits);
 /// The same with so many significant digits, as short as it can be.

@@ -371,6 +371,553 @@
     </message>
 </context>
 <context>
+    <name>Courses</name>
+    <message>
+        <source>First intubation</source>
+        <translation>Erste Intubation</translation>
+    </message>
+    <message>
+        <source>Term infant, 3.2 kg, tube 3.5</source>
+        <translation>Reifgeborenes, 3,2 kg, Tubus 3,5</translation>
+    </message>
+    <message>
+        <source>Preterm infant, 1.2 kg, premedicated, tube 2.5</source>
+        <translation>Frühgeborenes, 1,2 kg, prämediziert, Tubus 2,5</translation>
+    </message>
+    <message>
+        <source>Delivery room, 3.2 kg, one minute old</source>
+        <translation>Kreißsaal, 3,2 kg, eine Minute alt</translation>
+    </message>
+    <message>
+        <source>Term infant, 3.2 kg, secretions before the cords</source>
+        <translation>Reifgeborenes, 3,2 kg, Sekret vor den Stimmlippen</translation>
+    </message>
+    <message>
+        <source>Term infant, 3.2 kg, cords that shut when touched</source>
+        <translation>Reifgeborenes, 3,2 kg, Stimmlippen, die sich bei Berührung schließen</translation>
+    </message>
+    <message>
+        <source>First steps in laryngoscopy</source>
+        <translation>Erste Schritte in der Laryngoskopie</translation>
+    </message>
+    <message>
+        <source>Term infant, 3.2 kg</source>
+        <translation>Reifgeborenes, 3,2 kg</translation>
+    </message>
+    <message>
+        <source>Preterm infant, 1.2 kg</source>
+        <translation>Frühgeborenes, 1,2 kg</translation>
+    </message>
+    <message>
+        <source>Term infant with a stiff tongue, 3.6 kg</source>
+        <translation>Reifgeborenes mit steifer Zunge, 3,6 kg</translation>
+    </message>
+    <message>
+        <source>Neonatal intubation</source>
+        <translation>Intubation von Neugeborenen</translation>
+    </message>
+    <message>
+        <source>Handling the blade</source>
+        <translation>Umgang mit dem Spatel</translation>
+    </message>
+    <message>
+        <source>Finding the view</source>
+        <translation>Die Sicht finden</translation>
+    </message>
+    <message>
+        <source>Passing the tube</source>
+        <translation>Den Tubus einführen</translation>
+    </message>
+    <message>
+        <source>Preterm and difficult airway</source>
+        <translation>Frühgeborene und schwieriger Atemweg</translation>
+    </message>
+    <message>
+        <source>Under distraction and time</source>
+        <translation>Unter Ablenkung und Zeitdruck</translation>
+    </message>
+    <message>
+        <source>The way in</source>
+        <translation>Der Weg hinein</translation>
+    </message>
+    <message>
+        <source>Lift, do not lever</source>
+        <translation>Anheben, nicht hebeln</translation>
+    </message>
+    <message>
+        <source>A light hand</source>
+        <translation>Eine leichte Hand</translation>
+    </message>
+    <message>
+        <source>Term infant</source>
+        <translation>Reifgeborenes</translation>
+    </message>
+    <message>
+        <source>No two are the same</source>
+        <translation>Keines ist wie das andere</translation>
+    </message>
+    <message>
+        <source>Tube 3.5 on a stylet</source>
+        <translation>Tubus 3,5 mit Führungsstab</translation>
+    </message>
+    <message>
+        <source>Tube 3.5 without a stylet</source>
+        <translation>Tubus 3,5 ohne Führungsstab</translation>
+    </message>
+    <message>
+        <source>Secretions before the cords</source>
+        <translation>Sekret vor den Stimmlippen</translation>
+    </message>
+    <message>
+        <source>Preterm infant, 1.2 kg, premedicated</source>
+        <translation>Frühgeborenes, 1,2 kg, prämediziert</translation>
+    </message>
+    <message>
+        <source>Extremely preterm, 0.95 kg</source>
+        <translation>Extrem frühgeboren, 0,95 kg</translation>
+    </message>
+    <message>
+        <source>Small mouth, large stiff tongue</source>
+        <translation>Kleiner Mund, große steife Zunge</translation>
+    </message>
+    <message>
+        <source>High larynx, long epiglottis</source>
+        <translation>Hoher Kehlkopf, lange Epiglottis</translation>
+    </message>
+    <message>
+        <source>Cords that shut when touched</source>
+        <translation>Stimmlippen, die sich bei Berührung schließen</translation>
+    </message>
+    <message>
+        <source>Questions meanwhile</source>
+        <translation>Fragen nebenher</translation>
+    </message>
+    <message>
+        <source>Alarms and a talking team</source>
+        <translation>Alarme und ein redendes Team</translation>
+    </message>
+    <message>
+        <source>Delivery room, one minute old</source>
+        <translation>Kreißsaal, eine Minute alt</translation>
+    </message>
+    <message>
+        <source>Bring the blade to the vallecula without resting on the gum, and lift along the handle instead of levering.</source>
+        <translation>Den Spatel in die Vallecula führen, ohne sich auf die Zahnleiste zu stützen, und entlang des Griffs anheben statt hebeln.</translation>
+    </message>
+    <message>
+        <source>Bring the glottis into view in term and preterm infants with no more force than it takes.</source>
+        <translation>Bei Reif- und Frühgeborenen die Glottis einstellen, mit nicht mehr Kraft als nötig.</translation>
+    </message>
+    <message>
+        <source>Pass the tube under sight within 30 seconds, to a depth that fits this infant, and prove where it lies.</source>
+        <translation>Den Tubus innerhalb von 30 Sekunden unter Sicht einführen, so tief, wie es zu diesem Kind passt, und nachweisen, wo er liegt.</translation>
+    </message>
+    <message>
+        <source>Recognise early that an attempt will not succeed, end it, ventilate, and come back.</source>
+        <translation>Früh erkennen, dass ein Versuch nicht gelingt, ihn beenden, beatmen und wiederkommen.</translation>
+    </message>
+    <message>
+        <source>Do so while others talk, ask and sound alarms.</source>
+        <translation>All das, während andere reden und fragen und Alarme ertönen.</translation>
+    </message>
+    <message>
+        <source>The blade goes in at the right corner, takes the tongue along, and rests on nothing.</source>
+        <translation>Der Spatel geht am rechten Mundwinkel hinein, nimmt die Zunge mit und stützt sich auf nichts.</translation>
+    </message>
+    <message>
+        <source>The glottis comes into view in infants of every size, each a little different.</source>
+        <translation>Die Glottis kommt bei Kindern jeder Größe in Sicht, jedes ein wenig anders.</translation>
+    </message>
+    <message>
+        <source>The tube passes the cords under sight, to the right depth, and CO2 proves it.</source>
+        <translation>Der Tubus passiert die Stimmlippen unter Sicht, liegt richtig tief, und CO2 beweist es.</translation>
+    </message>
+    <message>
+        <source>Small, stiff, narrow or closed: the plan changes before the force does.</source>
+        <translation>Klein, steif, eng oder verschlossen: Der Plan ändert sich vor der Kraft.</translation>
+    </message>
+    <message>
+        <source>The hands go on while the head is asked for something else.</source>
+        <translation>Die Hände arbeiten weiter, während der Kopf anderes gefragt wird.</translation>
+    </message>
+    <message>
+        <source>A term newborn of 3.2 kg, head in the sniffing position. Hold the handle in the left hand. Enter at the right corner of the mouth, sweep the tongue to the left and bring the tip of the blade into the vallecula. Lift along the handle, to the ceiling and the feet, until at least half (50 %) of the glottis is in sight. Then take the blade out. You have 30 seconds.</source>
+        <translation>Ein reifes Neugeborenes von 3,2 kg, Kopf in Schnüffelstellung. Halten Sie den Griff in der linken Hand. Gehen Sie am rechten Mundwinkel hinein, schieben Sie die Zunge nach links und führen Sie die Spatelspitze in die Vallecula. Heben Sie entlang des Griffs an, zur Decke und zu den Füßen, bis mindestens die Hälfte (50 %) der Glottis in Sicht ist. Dann nehmen Sie den Spatel heraus. Sie haben 30 Sekunden.</translation>
+    </message>
+    <message>
+        <source>The lift opens the view, not a turn of the wrist: turning the blade about the upper gum presses on it and shows less. If the glottis stayed hidden, ask where the tip was: short of the vallecula it lifts the tongue only, beyond it the epiglottis hangs in the way.</source>
+        <translation>Die Sicht öffnet das Anheben, nicht ein Drehen des Handgelenks: Wer den Spatel über die obere Zahnleiste dreht, drückt darauf und sieht weniger. Blieb die Glottis verborgen, fragen Sie, wo die Spitze war: Vor der Vallecula hebt sie nur die Zunge, dahinter hängt die Epiglottis im Weg.</translation>
+    </message>
+    <message>
+        <source>A preterm infant of about 29 weeks and 1.2 kg. Everything is smaller: the same movement of your hand is a larger part of the way, and the tongue asks for less force. Blade 0. Bring at least half (50 %) of the glottis into sight within 30 seconds.</source>
+        <translation>Ein Frühgeborenes von etwa 29 Wochen und 1,2 kg. Alles ist kleiner: Dieselbe Bewegung Ihrer Hand ist ein größerer Teil des Weges, und die Zunge verlangt weniger Kraft. Spatel 0. Bringen Sie mindestens die Hälfte (50 %) der Glottis innerhalb von 30 Sekunden in Sicht.</translation>
+    </message>
+    <message>
+        <source>In premedicated preterm infants the saturation was below 90 % at 22 seconds after the last breath (median), long before the 30 seconds are over: a calm, short attempt is worth more than a full view. A blade that went past the vallecula has to come back slowly until the epiglottis drops into sight.</source>
+        <translation>Bei prämedizierten Frühgeborenen lag die Sättigung 22 Sekunden nach dem letzten Atemzug unter 90 % (Median), lange bevor die 30 Sekunden um sind: Ein ruhiger, kurzer Versuch ist mehr wert als die volle Sicht. Ein Spatel, der an der Vallecula vorbei ist, muss langsam zurück, bis die Epiglottis ins Bild fällt.</translation>
+    </message>
+    <message>
+        <source>A term newborn of 3.6 kg whose tongue resists more than usual. The way is the same; the force will not be. Place the tip well before you lift: a good position is worth more than a strong arm. At least half (50 %) of the glottis, within 30 seconds, and no more force than with a soft tongue.</source>
+        <translation>Ein reifes Neugeborenes von 3,6 kg, dessen Zunge mehr Widerstand leistet als sonst. Der Weg ist derselbe, die Kraft nicht. Setzen Sie die Spitze gut, bevor Sie anheben: Eine gute Lage ist mehr wert als ein starker Arm. Mindestens die Hälfte (50 %) der Glottis, innerhalb von 30 Sekunden, und nicht mehr Kraft als bei einer weichen Zunge.</translation>
+    </message>
+    <message>
+        <source>A stiff tongue tempts the hand to press on and to lever. If the force went over its target before anything was to be seen, the tip was not deep enough in the vallecula, or the lift did not follow the handle.</source>
+        <translation>Eine steife Zunge verleitet die Hand, weiterzudrücken und zu hebeln. Ging die Kraft über ihr Ziel, bevor etwas zu sehen war, dann lag die Spitze nicht tief genug in der Vallecula, oder das Anheben folgte nicht dem Griff.</translation>
+    </message>
+    <message>
+        <source>A term newborn of 3.2 kg that breathes by itself and is to be ventilated. Give breaths by mask first. Then bring the blade in at the right corner, lift, and see at least 50 % of the glottis. Take the tube in your right hand, enter beside the blade, and watch its tip pass the cords when they open with a breath, until the black mark stands between them. Take the blade out within 30 seconds. Give breaths through the tube and look at the detector.</source>
+        <translation>Ein reifes Neugeborenes von 3,2 kg, das selbst atmet und beatmet werden soll. Beatmen Sie zuerst mit der Maske. Führen Sie dann den Spatel am rechten Mundwinkel ein, heben Sie an und stellen Sie mindestens 50 % der Glottis ein. Nehmen Sie den Tubus in die rechte Hand, gehen Sie neben dem Spatel hinein und sehen Sie zu, wie seine Spitze die Stimmlippen passiert, wenn sie sich mit einem Atemzug öffnen, bis die schwarze Marke zwischen ihnen steht. Nehmen Sie den Spatel innerhalb von 30 Sekunden heraus. Beatmen Sie durch den Tubus und sehen Sie auf den Detektor.</translation>
+    </message>
+    <message>
+        <source>Saturation on the monitor is ten seconds old: the number you see belongs to the past. A rising heart rate is the first sign of success, a detector that turns yellow the second. If the tube met something hard, it was turned or drawn back, not pushed. Is the tip in the middle third between cords and carina? The mark at the lip is a help, no proof.</source>
+        <translation>Die Sättigung auf dem Monitor ist zehn Sekunden alt: Die Zahl, die Sie sehen, gehört der Vergangenheit. Eine steigende Herzfrequenz ist das erste Zeichen des Erfolgs, ein gelber Detektor das zweite. Traf der Tubus auf etwas Hartes, wurde er dann gedreht oder zurückgezogen statt geschoben? Liegt die Spitze im mittleren Drittel zwischen Stimmlippen und Carina? Die Marke an der Lippe ist eine Hilfe, kein Beweis.</translation>
+    </message>
+    <message>
+        <source>A preterm infant of 29 weeks and 1.2 kg, asleep and relaxed: it does not breathe and the cords stand still. The last breath was yours, and the saturation falls sooner than in a larger child. See at least 50 % of the glottis, pass the tube, blade out within 30 seconds. Not there in time? Blade out, ventilate, try again.</source>
+        <translation>Ein Frühgeborenes von 29 Wochen und 1,2 kg, schlafend und relaxiert: Es atmet nicht, und die Stimmlippen stehen still. Der letzte Atemzug kam von Ihnen, und die Sättigung fällt früher als bei einem größeren Kind. Stellen Sie mindestens 50 % der Glottis ein, führen Sie den Tubus ein, Spatel innerhalb von 30 Sekunden heraus. Nicht rechtzeitig da? Spatel heraus, beatmen, noch einmal.</translation>
+    </message>
+    <message>
+        <source>Half of such infants were below ninety percent twenty-two seconds after the last breath. An attempt that is given up in time is no failure; one that goes on while the numbers fall is. From cords to carina there are only four centimetres here: a centimetre decides between good, too deep and one lung.</source>
+        <translation>Die Hälfte solcher Kinder lag zweiundzwanzig Sekunden nach dem letzten Atemzug unter neunzig Prozent. Ein Versuch, der rechtzeitig aufgegeben wird, ist kein Scheitern; einer, der weitergeht, während die Zahlen fallen, ist eines. Von den Stimmlippen bis zur Carina sind es hier nur vier Zentimeter: Ein Zentimeter entscheidet zwischen gut, zu tief und nur einer Lunge.</translation>
+    </message>
+    <message>
+        <source>A newborn of 3.2 kg, one minute old, that does not breathe. The saturation is low, as it is in every child at that age, and the heart is slow: it needs air more than it needs a tube. Give breaths by mask until the heart is above 100, then intubate: at least 50 % of the glottis, blade out within 30 seconds.</source>
+        <translation>Ein Neugeborenes von 3,2 kg, eine Minute alt, das nicht atmet. Die Sättigung ist niedrig, wie bei jedem Kind in diesem Alter, und das Herz ist langsam: Es braucht Luft dringender als einen Tubus. Beatmen Sie mit der Maske, bis das Herz über 100 ist, dann intubieren Sie: mindestens 50 % der Glottis, Spatel innerhalb von 30 Sekunden heraus.</translation>
+    </message>
+    <message>
+        <source>A low number at one minute is normal; a heart that does not rise is not. With too little blood through the lungs the detector stays purple though the tube lies well: look at the chest and the heart before it is pulled.</source>
+        <translation>Eine niedrige Zahl nach einer Minute ist normal; ein Herz, das nicht schneller wird, ist es nicht. Fließt zu wenig Blut durch die Lunge, bleibt der Detektor violett, obwohl der Tubus richtig liegt: Sehen Sie auf Brustkorb und Herz, bevor er gezogen wird.</translation>
+    </message>
+    <message>
+        <source>A term newborn of 3.2 kg whose throat is full of fluid: the cords lie below it. Take the suction catheter before the tube, clear the view, then change outside the mouth. At least 50 % of the glottis, blade out within 30 seconds; you may take the blade out and ventilate in between.</source>
+        <translation>Ein reifes Neugeborenes von 3,2 kg, dessen Rachen voll Flüssigkeit ist: Die Stimmlippen liegen darunter. Nehmen Sie vor dem Tubus den Absaugkatheter, machen Sie die Sicht frei und wechseln Sie dann außerhalb des Mundes. Mindestens 50 % der Glottis, Spatel innerhalb von 30 Sekunden heraus; Sie dürfen dazwischen den Spatel herausnehmen und beatmen.</translation>
+    </message>
+    <message>
+        <source>What is not seen cannot be intubated: a tube pushed into fluid finds the oesophagus more often than the trachea. Was the suction ready before the blade went in? Suction costs time and breath; it is done under sight, and shortly.</source>
+        <translation>Was nicht zu sehen ist, lässt sich nicht intubieren: Ein Tubus, der in Flüssigkeit geschoben wird, findet öfter den Ösophagus als die Trachea. Lag der Sauger bereit, bevor der Spatel hineinging? Absaugen kostet Zeit und Atem; es geschieht unter Sicht und kurz.</translation>
+    </message>
+    <message>
+        <source>A term newborn of 3.2 kg, awake and without a relaxant. If the tube touches the cords they may shut and stay so. Then do not push: blade out, wait, give breaths by mask as soon as air goes in, and come back. At least 50 % of the glottis, each attempt within 30 seconds.</source>
+        <translation>Ein reifes Neugeborenes von 3,2 kg, wach und ohne Relaxans. Berührt der Tubus die Stimmlippen, können sie sich schließen und so bleiben. Dann nicht schieben: Spatel heraus, warten, mit der Maske beatmen, sobald Luft hineingeht, und wiederkommen. Mindestens 50 % der Glottis, jeder Versuch innerhalb von 30 Sekunden.</translation>
+    </message>
+    <message>
+        <source>Closed cords are stronger than a tube should be. Whoever waits for them to part with a breath touches them less; whoever pushes hurts them and gains nothing. No air goes through while they are shut, by mask neither: the saturation tells of it late, the heart earlier.</source>
+        <translation>Geschlossene Stimmlippen sind stärker, als ein Tubus sein sollte. Wer wartet, bis sie sich mit einem Atemzug öffnen, berührt sie weniger; wer schiebt, verletzt sie und gewinnt nichts. Solange sie geschlossen sind, geht keine Luft hindurch, auch mit der Maske nicht: Die Sättigung sagt es spät, das Herz früher.</translation>
+    </message>
+    <message>
+        <source>A term newborn of 3.2 kg, head in the sniffing position.
+
+- Handle in the **left** hand, blade in at the right corner of the mouth.
+- Sweep the tongue to the left.
+- Bring the tip into the vallecula and lift until 30 % of the glottis is in sight.
+- Take the blade out within 40 seconds.</source>
+        <translation>Ein reifes Neugeborenes von 3,2 kg, Kopf in Schnüffelstellung.
+
+- Griff in der **linken** Hand, Spatel am rechten Mundwinkel hinein.
+- Schieben Sie die Zunge nach links.
+- Führen Sie die Spitze in die Vallecula und heben Sie an, bis 30 % der Glottis in Sicht sind.
+- Nehmen Sie den Spatel innerhalb von 40 Sekunden heraus.</translation>
+    </message>
+    <message>
+        <source>This is about where the blade touches. The upper gum is no support: what you felt there is levering. If the
+tongue came back over the blade, it was not swept far enough to the left.</source>
+        <translation>Hier geht es darum, wo der Spatel berührt. Die obere Zahnleiste ist keine Stütze: Was Sie dort gespürt haben, ist Hebeln. Kam die
+Zunge über den Spatel zurück, war sie nicht weit genug nach links geschoben.</translation>
+    </message>
+    <message>
+        <source>The same infant. Once the tip is in the vallecula, move the **whole** blade along its handle, to the ceiling and
+the feet, without turning the wrist. At least 50 % of the glottis, blade out within 40 seconds, and the gum left
+alone.</source>
+        <translation>Dasselbe Kind. Liegt die Spitze in der Vallecula, bewegen Sie den **ganzen** Spatel entlang seines Griffs, zur Decke und
+zu den Füßen, ohne das Handgelenk zu drehen. Mindestens 50 % der Glottis, Spatel innerhalb von 40 Sekunden heraus, und die Zahnleiste
+bleibt unberührt.</translation>
+    </message>
+    <message>
+        <source>Turning about the upper gum lifts the tip by little and hides the view behind the blade. Look at the two bars:
+the tongue&apos;s may rise, the gum&apos;s may not. An expert lifts, waits a moment, and looks.</source>
+        <translation>Wer über die obere Zahnleiste dreht, hebt die Spitze nur wenig und verdeckt die Sicht mit dem Spatel. Sehen Sie auf die beiden Balken:
+Der der Zunge darf steigen, der der Zahnleiste nicht. Ein Experte hebt an, wartet einen Moment und sieht hin.</translation>
+    </message>
+    <message>
+        <source>A term newborn of 3.4 kg. The view is the same; the force may be less. At least 50 % of the glottis within 30
+seconds, and never more than the bar&apos;s mark for long.</source>
+        <translation>Ein reifes Neugeborenes von 3,4 kg. Die Sicht ist dieselbe, die Kraft darf geringer sein. Mindestens 50 % der Glottis innerhalb
+von 30 Sekunden, und nie lange über der Marke des Balkens.</translation>
+    </message>
+    <message>
+        <source>Force grows with every millimetre beyond the place where the view opens. Whoever places the tip well needs less
+of it. A peak while lifting is no fault; holding it is.</source>
+        <translation>Die Kraft wächst mit jedem Millimeter über die Stelle hinaus, an der sich die Sicht öffnet. Wer die Spitze gut setzt, braucht
+weniger davon. Eine Spitze der Kraft beim Anheben ist kein Fehler, sie zu halten schon.</translation>
+    </message>
+    <message>
+        <source>A term newborn of 3.2 kg, another stiffness of the tongue each time. Bring at least 50 % of the glottis into
+sight and take the blade out within 30 seconds.</source>
+        <translation>Ein reifes Neugeborenes von 3,2 kg, die Zunge jedes Mal anders steif. Bringen Sie mindestens 50 % der Glottis in
+Sicht und nehmen Sie den Spatel innerhalb von 30 Sekunden heraus.</translation>
+    </message>
+    <message>
+        <source>If the glottis stayed hidden, ask where the tip was: short of the vallecula it lifts the tongue only, beyond it
+the epiglottis hangs in the way. Coming back slowly lets it drop into sight.</source>
+        <translation>Blieb die Glottis verborgen, fragen Sie, wo die Spitze war: Vor der Vallecula hebt sie nur die Zunge, dahinter
+hängt die Epiglottis im Weg. Langsam zurück, und sie fällt ins Bild.</translation>
+    </message>
+    <message>
+        <source>A term newborn of 3.2 kg, another one each time: tongue, mouth and epiglottis differ within what is usual. At
+least 50 % of the glottis within 30 seconds.</source>
+        <translation>Ein reifes Neugeborenes von 3,2 kg, jedes Mal ein anderes: Zunge, Mund und Epiglottis unterscheiden sich im üblichen Rahmen.
+Mindestens 50 % der Glottis innerhalb von 30 Sekunden.</translation>
+    </message>
+    <message>
+        <source>What differed this time? A longer epiglottis asks for a deeper tip, a fuller tongue for a longer sweep, a
+narrower mouth for a flatter way in. The order of the steps is always the same.</source>
+        <translation>Was war diesmal anders? Eine längere Epiglottis verlangt eine tiefere Spitze, eine vollere Zunge einen weiteren Schwung zur Seite,
+ein engerer Mund einen flacheren Weg hinein. Die Reihenfolge der Schritte ist immer dieselbe.</translation>
+    </message>
+    <message>
+        <source>A preterm infant of 29 weeks and 1.2 kg. Everything is smaller: the same movement of your hand is a larger part
+of the way, and the tongue asks for less force. At least 50 % of the glottis within 30 seconds.</source>
+        <translation>Ein Frühgeborenes von 29 Wochen und 1,2 kg. Alles ist kleiner: Dieselbe Bewegung Ihrer Hand ist ein größerer Teil
+des Weges, und die Zunge verlangt weniger Kraft. Mindestens 50 % der Glottis innerhalb von 30 Sekunden.</translation>
+    </message>
+    <message>
+        <source>A blade that went past the vallecula has to come back slowly until the epiglottis drops into sight. A calm,
+short attempt is worth more than a full view: premedicated preterm infants were below 90 % at 22 seconds after
+the last breath (median).</source>
+        <translation>Ein Spatel, der an der Vallecula vorbei ist, muss langsam zurück, bis die Epiglottis ins Bild fällt. Ein ruhiger,
+kurzer Versuch ist mehr wert als die volle Sicht: Prämedizierte Frühgeborene lagen 22 Sekunden nach dem letzten
+Atemzug unter 90 % (Median).</translation>
+    </message>
+    <message>
+        <source>A term newborn of 3.2 kg that breathes by itself and is to be ventilated. Give breaths by mask first. See at least
+50 % of the glottis, take the tube in the right hand, enter **beside** the blade, and watch its tip pass the cords
+until the black mark stands between them. Blade out within 30 seconds; then breaths through the tube, and look at
+the detector.</source>
+        <translation>Ein reifes Neugeborenes von 3,2 kg, das selbst atmet und beatmet werden soll. Beatmen Sie zuerst mit der Maske. Stellen Sie
+mindestens 50 % der Glottis ein, nehmen Sie den Tubus in die rechte Hand, gehen Sie **neben** dem Spatel hinein und sehen Sie zu, wie seine
+Spitze die Stimmlippen passiert, bis die schwarze Marke zwischen ihnen steht. Spatel innerhalb von 30 Sekunden heraus; dann durch den Tubus
+beatmen und auf den Detektor sehen.</translation>
+    </message>
+    <message>
+        <source>Saturation on the monitor is about ten seconds old. A rising heart rate is the first sign of success, a detector
+that turns yellow the second. If the tube met something hard: was it turned or drawn back?</source>
+        <translation>Die Sättigung auf dem Monitor ist etwa zehn Sekunden alt. Eine steigende Herzfrequenz ist das erste Zeichen des Erfolgs,
+ein gelber Detektor das zweite. Traf der Tubus auf etwas Hartes: Wurde er gedreht oder zurückgezogen?</translation>
+    </message>
+    <message>
+        <source>The same with a soft tube: it bends where the stylet held it. Let its own curve lead it to the front. At least
+50 % of the glottis, blade out within 30 seconds. Afterwards check the depth.</source>
+        <translation>Dasselbe mit einem weichen Tubus: Er biegt sich, wo ihn der Führungsstab hielt. Lassen Sie ihn von seiner eigenen Krümmung nach vorn
+leiten. Mindestens 50 % der Glottis, Spatel innerhalb von 30 Sekunden heraus. Prüfen Sie danach die Tiefe.</translation>
+    </message>
+    <message>
+        <source>The mark at the lip is a help, no proof: the rules hit the middle of the trachea in about half of all infants.
+Is the tip in the middle third between cords and carina? The head&apos;s position moves it: flexion down, extension
+up.</source>
+        <translation>Die Marke an der Lippe ist eine Hilfe, kein Beweis: Die Regeln treffen die Mitte der Trachea bei etwa der Hälfte aller Kinder.
+Liegt die Spitze im mittleren Drittel zwischen Stimmlippen und Carina? Die Haltung des Kopfes bewegt sie: Beugung nach unten, Streckung
+nach oben.</translation>
+    </message>
+    <message>
+        <source>A term newborn of 3.2 kg whose throat is full of fluid: the cords lie below it. Suction first, under sight and
+shortly, then change outside the mouth. At least 50 % of the glottis, blade out within 30 seconds; you may take
+it out and ventilate in between.</source>
+        <translation>Ein reifes Neugeborenes von 3,2 kg, dessen Rachen voll Flüssigkeit ist: Die Stimmlippen liegen darunter. Zuerst absaugen, unter Sicht und
+kurz, dann außerhalb des Mundes wechseln. Mindestens 50 % der Glottis, Spatel innerhalb von 30 Sekunden heraus; Sie dürfen ihn
+dazwischen herausnehmen und beatmen.</translation>
+    </message>
+    <message>
+        <source>What is not seen cannot be intubated: a tube pushed into fluid finds the oesophagus more often than the trachea.
+Was the suction ready before the blade went in?</source>
+        <translation>Was nicht zu sehen ist, lässt sich nicht intubieren: Ein Tubus, der in Flüssigkeit geschoben wird, findet öfter den Ösophagus als die
+Trachea. Lag der Sauger bereit, bevor der Spatel hineinging?</translation>
+    </message>
+    <message>
+        <source>A preterm infant of 29 weeks and 1.2 kg, asleep and relaxed: it does not breathe and the cords stand still. The
+last breath was yours, and the saturation falls sooner than in a larger child. At least 50 % of the glottis,
+tube passed, blade out within 30 seconds. Not there in time? Blade out, ventilate, try again.</source>
+        <translation>Ein Frühgeborenes von 29 Wochen und 1,2 kg, schlafend und relaxiert: Es atmet nicht, und die Stimmlippen stehen still. Der
+letzte Atemzug kam von Ihnen, und die Sättigung fällt früher als bei einem größeren Kind. Mindestens 50 % der Glottis,
+Tubus eingeführt, Spatel innerhalb von 30 Sekunden heraus. Nicht rechtzeitig da? Spatel heraus, beatmen, noch einmal.</translation>
+    </message>
+    <message>
+        <source>Half of such infants were below ninety percent 22 seconds after the last breath. An attempt that is given up in
+time is no failure; one that goes on while the numbers fall is. From cords to carina there are only four
+centimetres: a centimetre decides between good, too deep and one lung.</source>
+        <translation>Die Hälfte solcher Kinder lag 22 Sekunden nach dem letzten Atemzug unter neunzig Prozent. Ein Versuch, der rechtzeitig aufgegeben
+wird, ist kein Scheitern; einer, der weitergeht, während die Zahlen fallen, ist eines. Von den Stimmlippen bis zur Carina sind es nur vier
+Zentimeter: Ein Zentimeter entscheidet zwischen gut, zu tief und nur einer Lunge.</translation>
+    </message>
+    <message>
+        <source>27 weeks, 0.95 kg, premedicated; blade 00 and tube 2.5. Your movements are as large as its mouth: brace your
+hand. At least 50 % of the glottis, tube passed, blade out within 30 seconds.</source>
+        <translation>27 Wochen, 0,95 kg, prämediziert; Spatel 00 und Tubus 2,5. Ihre Bewegungen sind so groß wie sein Mund: Stützen Sie Ihre
+Hand ab. Mindestens 50 % der Glottis, Tubus eingeführt, Spatel innerhalb von 30 Sekunden heraus.</translation>
+    </message>
+    <message>
+        <source>Here the depth is a matter of millimetres, and so is the force. Was the tube seen until its mark had passed? Was
+the head back in its neutral place before the depth was judged?</source>
+        <translation>Hier geht es bei der Tiefe um Millimeter, und bei der Kraft auch. War der Tubus zu sehen, bis seine Marke hindurch war? War
+der Kopf wieder in Neutralstellung, bevor die Tiefe beurteilt wurde?</translation>
+    </message>
+    <message>
+        <source>A term newborn of 3.4 kg with a small mouth and a large tongue that resists. The way is the same; the force will
+not be. Place the tip well before you lift. At least 50 % of the glottis, tube passed, blade out within 30
+seconds.</source>
+        <translation>Ein reifes Neugeborenes von 3,4 kg mit kleinem Mund und großer Zunge, die Widerstand leistet. Der Weg ist derselbe, die Kraft
+nicht. Setzen Sie die Spitze gut, bevor Sie anheben. Mindestens 50 % der Glottis, Tubus eingeführt, Spatel innerhalb von 30
+Sekunden heraus.</translation>
+    </message>
+    <message>
+        <source>A stiff tongue tempts the hand to press on and to lever. If the force passed its target before anything was to
+be seen, the tip was not deep enough in the vallecula, or the lift did not follow the handle. Calling for help
+is a step of the plan, not its failure.</source>
+        <translation>Eine steife Zunge verleitet die Hand, weiterzudrücken und zu hebeln. Ging die Kraft über ihr Ziel, bevor etwas zu sehen
+war, dann lag die Spitze nicht tief genug in der Vallecula, oder das Anheben folgte nicht dem Griff. Hilfe zu rufen
+ist ein Schritt des Plans, nicht sein Scheitern.</translation>
+    </message>
+    <message>
+        <source>A term newborn of 3.2 kg whose larynx lies high and whose epiglottis is long. Ask for pressure on the larynx,
+extend the head, or move your own eye by two centimetres. At least 50 % of the glottis, tube passed, blade out
+within 30 seconds.</source>
+        <translation>Ein reifes Neugeborenes von 3,2 kg, dessen Kehlkopf hoch liegt und dessen Epiglottis lang ist. Bitten Sie um Druck auf den Kehlkopf,
+strecken Sie den Kopf, oder bewegen Sie Ihr eigenes Auge um zwei Zentimeter. Mindestens 50 % der Glottis, Tubus eingeführt, Spatel
+innerhalb von 30 Sekunden heraus.</translation>
+    </message>
+    <message>
+        <source>Which help opened the view? Pressure from outside brings the cords down into the line of sight; too much of it
+closes them. Helps are asked for aloud, one at a time, and taken back when they do nothing.</source>
+        <translation>Welche Hilfe hat die Sicht geöffnet? Druck von außen bringt die Stimmlippen in die Blicklinie; zu viel davon schließt
+sie. Um Hilfen bittet man laut, eine nach der anderen, und nimmt sie zurück, wenn sie nichts bewirken.</translation>
+    </message>
+    <message>
+        <source>A term newborn of 3.2 kg, awake and without a relaxant. If the tube touches the cords they may shut and stay so.
+Then do not push: blade out, wait, give breaths by mask as soon as air goes in, and come back. At least 50 % of
+the glottis, each attempt within 30 seconds.</source>
+        <translation>Ein reifes Neugeborenes von 3,2 kg, wach und ohne Relaxans. Berührt der Tubus die Stimmlippen, können sie sich schließen und so bleiben.
+Dann nicht schieben: Spatel heraus, warten, mit der Maske beatmen, sobald Luft hineingeht, und wiederkommen. Mindestens 50 % der
+Glottis, jeder Versuch innerhalb von 30 Sekunden.</translation>
+    </message>
+    <message>
+        <source>Closed cords are stronger than a tube should be. Whoever waits for them to part with a breath touches them less;
+whoever pushes hurts them and gains nothing. The saturation tells of it late, the heart earlier.</source>
+        <translation>Geschlossene Stimmlippen sind stärker, als ein Tubus sein sollte. Wer wartet, bis sie sich mit einem Atemzug öffnen, berührt sie weniger;
+wer schiebt, verletzt sie und gewinnt nichts. Die Sättigung sagt es spät, das Herz früher.</translation>
+    </message>
+    <message>
+        <source>A term newborn of 3.2 kg. While you intubate you will be asked; answer without letting the infant wait. At least
+50 % of the glottis, tube passed, blade out within 30 seconds.</source>
+        <translation>Ein reifes Neugeborenes von 3,2 kg. Während Sie intubieren, werden Sie gefragt; antworten Sie, ohne das Kind warten zu lassen. Mindestens
+50 % der Glottis, Tubus eingeführt, Spatel innerhalb von 30 Sekunden heraus.</translation>
+    </message>
+    <message>
+        <source>Which answer came late, and what did the hands do meanwhile? It is right to say &quot;after the tube&quot; to a question
+that can wait; it is wrong not to hear it.</source>
+        <translation>Welche Antwort kam spät, und was taten die Hände derweil? Auf eine Frage, die warten kann, „nach dem Tubus“ zu sagen, ist richtig;
+sie zu überhören ist falsch.</translation>
+    </message>
+    <message>
+        <source>A preterm infant of 29 weeks and 1.2 kg, premedicated. Alarms are to be silenced, talk is to be ignored. At
+least 50 % of the glottis, tube passed, blade out within 30 seconds.</source>
+        <translation>Ein Frühgeborenes von 29 Wochen und 1,2 kg, prämediziert. Alarme sind stumm zu schalten, Gerede ist zu überhören. Mindestens
+50 % der Glottis, Tubus eingeführt, Spatel innerhalb von 30 Sekunden heraus.</translation>
+    </message>
+    <message>
+        <source>Not every alarm is this infant&apos;s. Who was asked to watch the monitor? One who reads the numbers aloud is worth
+more than three who talk.</source>
+        <translation>Nicht jeder Alarm gehört zu diesem Kind. Wer war gebeten, auf den Monitor zu achten? Jemand, der die Zahlen laut vorliest, ist mehr
+wert als drei, die reden.</translation>
+    </message>
+    <message>
+        <source>A newborn of 3.2 kg that does not breathe; the saturation is low, as in every child at that age, and the
+heart is slow. It needs air more than it needs a tube: breaths by mask until the heart is above 100, then
+intubate. At least 50 % of the glottis, and this time within 25 seconds.</source>
+        <translation>Ein Neugeborenes von 3,2 kg, das nicht atmet; die Sättigung ist niedrig, wie bei jedem Kind in diesem Alter, und das
+Herz ist langsam. Es braucht Luft dringender als einen Tubus: mit der Maske beatmen, bis das Herz über 100 ist, dann
+intubieren. Mindestens 50 % der Glottis, und diesmal innerhalb von 25 Sekunden.</translation>
+    </message>
+    <message>
+        <source>A low number at one minute is normal; a heart that does not rise is not. With too little blood through the lungs
+the detector stays purple though the tube lies well: look at the chest and the heart before it is pulled. Thirty
+seconds are a ceiling, not a goal.</source>
+        <translation>Eine niedrige Zahl nach einer Minute ist normal; ein Herz, das nicht schneller wird, ist es nicht. Fließt zu wenig Blut durch die Lunge,
+bleibt der Detektor violett, obwohl der Tubus richtig liegt: Sehen Sie auf Brustkorb und Herz, bevor er gezogen wird. Dreißig
+Sekunden sind eine Obergrenze, kein Ziel.</translation>
+    </message>
+    <message>
+        <source>The nurse asks how long it has been. It is 14:40; the first breath was given at 14:32.</source>
+        <translation>Die Pflegekraft fragt, wie lange es schon dauert. Es ist 14:40 Uhr; der erste Beatmungshub war um 14:32 Uhr.</translation>
+    </message>
+    <message>
+        <source>6 minutes</source>
+        <translation>6 Minuten</translation>
+    </message>
+    <message>
+        <source>8 minutes</source>
+        <translation>8 Minuten</translation>
+    </message>
+    <message>
+        <source>12 minutes</source>
+        <translation>12 Minuten</translation>
+    </message>
+    <message>
+        <source>Which tube shall I have ready as the next smaller one?</source>
+        <translation>Welchen Tubus soll ich als nächstkleineren bereithalten?</translation>
+    </message>
+    <message>
+        <source>The count of breaths stands at 17, and nine more were given. What do I write down?</source>
+        <translation>Gezählt sind 17 Beatmungshübe, und neun weitere wurden gegeben. Was schreibe ich auf?</translation>
+    </message>
+    <message>
+        <source>&quot;Bed four is free now, who takes the transport?&quot;</source>
+        <translation>„Bett vier ist jetzt frei, wer übernimmt den Transport?“</translation>
+    </message>
+    <message>
+        <source>Infusion pump: end of syringe</source>
+        <translation>Infusionspumpe: Spritze leer</translation>
+    </message>
+    <message>
+        <source>&quot;Shall I call the anaesthetist? No? Are you sure?&quot;</source>
+        <translation>„Soll ich die Anästhesie rufen? Nein? Sind Sie sicher?“</translation>
+    </message>
+    <message>
+        <source>Incubator: door open</source>
+        <translation>Inkubator: Klappe offen</translation>
+    </message>
+    <message>
+        <source>&quot;The parents are outside and ask what is going on.&quot;</source>
+        <translation>„Die Eltern sind draußen und fragen, was los ist.“</translation>
+    </message>
+    <message>
+        <source>&quot;One minute.&quot;</source>
+        <translation>„Eine Minute.“</translation>
+    </message>
+    <message>
+        <source>Radiant warmer: skin probe off</source>
+        <translation>Wärmestrahler: Hautsonde ab</translation>
+    </message>
+    <message>
+        <source>The mother&apos;s obstetrician asks for the weight you estimate.</source>
+        <translation>Die Geburtshelferin fragt, welches Gewicht Sie schätzen.</translation>
+    </message>
+    <message>
+        <source>1.2 kg</source>
+        <translation>1,2 kg</translation>
+    </message>
+    <message>
+        <source>2.2 kg</source>
+        <translation>2,2 kg</translation>
+    </message>
+    <message>
+        <source>3.2 kg</source>
+        <translation>3,2 kg</translation>
+    </message>
+    <message>
+        <source>&quot;Two minutes. Does anybody have the heart rate?&quot;</source>
+        <translation>„Zwei Minuten. Hat jemand die Herzfrequenz?“</translation>
+    </message>
+</context>
+<context>
     <name>CurveCharts</name>
     <message>
         <source>interrupted</source>
@@ -1532,10 +2079,6 @@
         <translation>Angehalten</translation>
     </message>
     <message>
-        <source>Loop</source>
-        <translation>Schleife</translation>
-    </message>
-    <message>
         <source>not there</source>
         <translation>nicht dort</translation>
     </message>
@@ -1550,10 +2093,6 @@
     <message>
         <source>recognised late</source>
         <translation>spät erkannt</translation>
-    </message>
-    <message>
-        <source>no real time</source>
-        <translation>keine Echtzeit</translation>
     </message>
     <message>
         <source>by breath</source>
@@ -1606,10 +2145,6 @@
     <message>
         <source>from %1 %</source>
         <translation>ab %1 %</translation>
-    </message>
-    <message>
-        <source>%1 late, %2 steps dropped</source>
-        <translation>%1 zu spät, %2 Schritte verworfen</translation>
     </message>
     <message>
         <source>%1 breaths</source>
@@ -1710,10 +2245,6 @@
     <message>
         <source>%1 attempts, the longest of %2 s</source>
         <translation>%1 Intubationsversuche, der längste von %2 s</translation>
-    </message>
-    <message>
-        <source>saturation down to %1 %, heart to %2 per minute</source>
-        <translation>Sättigung bis %1 %, Herzfrequenz bis %2 pro Minute</translation>
     </message>
     <message>
         <source>An attempt is one way of the blade into the mouth and out. Its lowest values count until the next one begins, for the display is late. Severe desaturation: %1 points or more. Bradycardia: below %2 per minute (both NEAR4NEOS).</source>
@@ -3504,10 +4035,6 @@
         <translation>das Bild einer Kamera an der Spatelspitze</translation>
     </message>
     <message>
-        <source>20 s of an expert at this patient, while the trial waits</source>
-        <translation>20 s eines Experten an diesem Patienten, während der Durchgang wartet</translation>
-    </message>
-    <message>
         <source>manikin: shaping the anatomy</source>
         <translation>Phantom: die Anatomie wird geformt</translation>
     </message>
@@ -3622,10 +4149,6 @@
     <message>
         <source>the blade did not enter the mouth; at most %1 s</source>
         <translation>der Spatel kam nicht in den Mund; höchstens %1 s</translation>
-    </message>
-    <message>
-        <source>not judged from the vallecula on; else at most %1 s</source>
-        <translation>von der Vallecula an nicht gewertet; sonst höchstens %1 s</translation>
     </message>
     <message>
         <source>not timed</source>
@@ -4195,6 +4718,94 @@
         <source>Peak force, larynx</source>
         <translation>Höchste Kraft, Larynx</translation>
     </message>
+    <message>
+        <source>The tube&apos;s hand: %1</source>
+        <translation>Die Hand am Tubus: %1</translation>
+    </message>
+    <message>
+        <source>recorded by another build (%1, %2); only the same build promises the same bits</source>
+        <translation>mit einem anderen Programmstand aufgezeichnet (%1, %2); bis aufs Bit gleich ist die Wiedergabe nur mit demselben Stand</translation>
+    </message>
+    <message>
+        <source>recorded with kernels for %1, computed here with %2</source>
+        <translation>mit Rechenkernen für %1 aufgezeichnet, hier mit %2 gerechnet</translation>
+    </message>
+    <message>
+        <source>an expert at this patient, while the trial waits</source>
+        <translation>ein Experte an diesem Patienten, während der Durchgang wartet</translation>
+    </message>
+    <message>
+        <source>Saturation stayed at %1 % or above, at least the %2 % asked for</source>
+        <translation>Die Sättigung blieb bei %1 % oder darüber, mindestens die verlangten %2 %</translation>
+    </message>
+    <message>
+        <source>Saturation began at %1 % and fell no further, less than the %2 % asked for</source>
+        <translation>Die Sättigung begann bei %1 % und fiel nicht weiter, weniger als die verlangten %2 %</translation>
+    </message>
+    <message>
+        <source>The heart stayed at %1 per minute or above, at least the %2 per minute asked for</source>
+        <translation>Das Herz blieb bei %1 pro Minute oder darüber, mindestens die verlangten %2 pro Minute</translation>
+    </message>
+    <message>
+        <source>The heart began at %1 per minute and fell no further, less than the %2 per minute asked for</source>
+        <translation>Das Herz begann bei %1 pro Minute und fiel nicht weiter, weniger als die verlangten %2 pro Minute</translation>
+    </message>
+    <message>
+        <source>expert shown</source>
+        <translation>Expertenablauf gezeigt</translation>
+    </message>
+    <message>
+        <source>list of keys</source>
+        <translation>Tastenliste</translation>
+    </message>
+    <message>
+        <source>Computer</source>
+        <translation>Rechner</translation>
+    </message>
+    <message>
+        <source>kept up</source>
+        <translation>schnell genug</translation>
+    </message>
+    <message>
+        <source>too slow</source>
+        <translation>zu langsam</translation>
+    </message>
+    <message>
+        <source>not in real time</source>
+        <translation>nicht in Echtzeit</translation>
+    </message>
+    <message>
+        <source>forces came late</source>
+        <translation>Kräfte kamen verspätet</translation>
+    </message>
+    <message>
+        <source>the glottis came into sight (%1 % at best)</source>
+        <translation>die Glottis kam in Sicht (bestenfalls %1 %)</translation>
+    </message>
+    <message>
+        <source>begun at the vallecula.</source>
+        <translation>an der Vallecula begonnen.</translation>
+    </message>
+    <message>
+        <source>Begun at the vallecula</source>
+        <translation>An der Vallecula begonnen</translation>
+    </message>
+    <message>
+        <source>Times</source>
+        <translation>Zeiten</translation>
+    </message>
+    <message>
+        <source>begun at the vallecula, half of the way</source>
+        <translation>an der Vallecula begonnen, den halben Weg</translation>
+    </message>
+    <message>
+        <source>At</source>
+        <translation>Bei</translation>
+    </message>
+    <message>
+        <source>lowest saturation %1 %, lowest heart rate %2 per minute</source>
+        <translation>niedrigste Sättigung %1 %, niedrigste Herzfrequenz %2 pro Minute</translation>
+    </message>
 </context>
 <context>
     <name>GivenLabels</name>
@@ -4498,6 +5109,17 @@
     <message>
         <source>The blade you can see through, which moves by itself, is an expert&apos;s.</source>
         <translation>Der durchscheinende Spatel, der sich von selbst bewegt, ist der eines Experten.</translation>
+    </message>
+</context>
+<context>
+    <name>OpenOutside</name>
+    <message>
+        <source>%1 is not there any more.</source>
+        <translation>%1 ist nicht mehr da.</translation>
+    </message>
+    <message>
+        <source>No program was found here that opens it; with a browser it can be read: %1</source>
+        <translation>Hier wurde kein Programm gefunden, das ihn öffnet; mit einem Browser ist er zu lesen: %1</translation>
     </message>
 </context>
 <context>
@@ -6639,6 +7261,10 @@ Nichts kann kaputtgehen, und jeder Versuch ist ein neuer. Bevor es beginnt, sagt
         <source>Tube (C)</source>
         <translation>Tubus (C)</translation>
     </message>
+    <message>
+        <source>Once the trial runs. %1</source>
+        <translation>Sobald der Durchgang läuft. %1</translation>
+    </message>
 </context>
 <context>
     <name>vallecula::gui::HelpDialog</name>
@@ -6714,16 +7340,16 @@ Nichts kann kaputtgehen, und jeder Versuch ist ein neuer. Bevor es beginnt, sagt
         <translation>Beginnt neu mit der Spatelspitze in der Vallecula (F). Was bis jetzt getan wurde, bleibt; der neue Durchgang zählt nicht für das Beherrschen.</translation>
     </message>
     <message>
-        <source>20 s of an expert&apos;s hands at this patient, over and over, while your trial waits (G)</source>
-        <translation>20 s der Hände eines Experten an diesem Patienten, immer wieder, während Ihr Durchgang wartet (G)</translation>
-    </message>
-    <message>
         <source>Once the trial runs</source>
         <translation>Sobald der Durchgang läuft</translation>
     </message>
     <message>
         <source>The infant&apos;s head is extended on the neck by 10 degrees, as by a shoulder roll, and back (H)</source>
         <translation>Der Kopf des Kindes wird um 10 Grad gestreckt, wie durch eine Schulterrolle, und zurück (H)</translation>
+    </message>
+    <message>
+        <source>Up to %1 s of an expert&apos;s hands at this patient, over and over, while your trial waits (G)</source>
+        <translation>Bis zu %1 s der Hände eines Experten an diesem Patienten, immer wieder, während Ihr Durchgang wartet (G)</translation>
     </message>
 </context>
 <context>
@@ -7243,6 +7869,10 @@ Gerät: %3</translation>
         <source>The trial is frozen: continue it first (F5); Close lets it go as well.</source>
         <translation>Der Durchgang ist angehalten: erst fortsetzen (F5); auch Schließen gibt ihn frei.</translation>
     </message>
+    <message>
+        <source>Stands at %1: the list of keys is read</source>
+        <translation>Steht bei %1: die Tastenliste wird gelesen</translation>
+    </message>
 </context>
 <context>
     <name>vallecula::gui::LabelView</name>
@@ -7377,6 +8007,14 @@ Gerät: %3</translation>
     <message>
         <source>Begun anew</source>
         <translation>Neu begonnen</translation>
+    </message>
+    <message>
+        <source>the trainee looks at the expert</source>
+        <translation>Am Spatel wird der Expertenablauf angesehen</translation>
+    </message>
+    <message>
+        <source>the trainee reads the list of keys</source>
+        <translation>Am Spatel wird die Tastenliste gelesen</translation>
     </message>
 </context>
 <context>
@@ -8480,6 +9118,10 @@ Gerät: %3</translation>
         <source>after the attempt</source>
         <translation>nach dem Intubationsversuch</translation>
     </message>
+    <message>
+        <source>Saved: %1</source>
+        <translation>Gespeichert: %1</translation>
+    </message>
 </context>
 <context>
     <name>vallecula::gui::ResultPage</name>
@@ -8540,10 +9182,6 @@ Gerät: %3</translation>
         <translation>Sättigung und Herzfrequenz lassen sich nicht zeichnen: %1</translation>
     </message>
     <message>
-        <source>Of %1 ticks. Late: forces written more than 1 ms after they were due. Dropped: ticks whose simulation step was not finished in time.</source>
-        <translation>Von %1 Takten. Zu spät: Kräfte, die mehr als 1 ms nach ihrer Zeit geschrieben wurden. Verworfen: Takte, deren Simulationsschritt nicht rechtzeitig fertig war.</translation>
-    </message>
-    <message>
         <source>Real-time set-up: %1.</source>
         <translation>Echtzeit-Einrichtung: %1.</translation>
     </message>
@@ -8554,6 +9192,14 @@ Gerät: %3</translation>
     <message>
         <source>The force plot could not be drawn: %1</source>
         <translation>Das Kraftdiagramm konnte nicht gezeichnet werden: %1</translation>
+    </message>
+    <message>
+        <source>Of %1 forces %2 were written more than 1 ms after they were due, and for %3 the tissue&apos;s step was not finished in time.</source>
+        <translation>Von %1 Kräften wurden %2 mehr als 1 ms nach ihrer Zeit ausgegeben, und für %3 war der Rechenschritt des Gewebes nicht rechtzeitig fertig.</translation>
+    </message>
+    <message>
+        <source>The force loop ran at %1 Hz.</source>
+        <translation>Die Kraftregelung lief mit %1 Hz.</translation>
     </message>
 </context>
 <context>
@@ -8737,20 +9383,12 @@ Gerät: %3</translation>
         <translation>Ton</translation>
     </message>
     <message>
-        <source>Of the window&apos;s words; from the next start on</source>
-        <translation>Der Worte des Fensters; ab dem nächsten Start</translation>
-    </message>
-    <message>
         <source>As the system</source>
         <translation>Wie das System</translation>
     </message>
     <message>
         <source>Words</source>
         <translation>Worte</translation>
-    </message>
-    <message>
-        <source>&amp;Language (from the next start)</source>
-        <translation>S&amp;prache (ab dem nächsten Start)</translation>
     </message>
     <message>
         <source>Colour of the windpipe in the views of the airway</source>
@@ -8771,6 +9409,14 @@ Gerät: %3</translation>
     <message>
         <source>Vol&amp;ume</source>
         <translation>&amp;Lautstärke</translation>
+    </message>
+    <message>
+        <source>Of the window&apos;s words: followed at once, or from the next start on where something is under way</source>
+        <translation>Der Worte des Fensters: sofort, oder ab dem nächsten Start, wo etwas im Gange ist</translation>
+    </message>
+    <message>
+        <source>&amp;Language</source>
+        <translation>S&amp;prache</translation>
     </message>
 </context>
 <context>
@@ -9453,10 +10099,6 @@ Gerät: %3</translation>
         <translation>beginnt neu mit der Spatelspitze in der Vallecula</translation>
     </message>
     <message>
-        <source>20 s of an expert while the trial waits, and back</source>
-        <translation>20 s eines Experten, während der Durchgang wartet, und zurück</translation>
-    </message>
-    <message>
         <source>your own head 2 cm to the left, and back</source>
         <translation>Ihr eigener Kopf 2 cm nach links und zurück</translation>
     </message>
@@ -9574,6 +10216,18 @@ Gerät: %3</translation>
         <source>The clock runs on: an assessment is not held up.</source>
         <translation>Die Uhr läuft weiter: Eine Prüfung wird nicht angehalten.</translation>
     </message>
+    <message>
+        <source>Until then it is not ended here: ask your instructor.</source>
+        <translation>Bis dahin lässt er sich hier nicht beenden: Bitte die Lehrperson fragen.</translation>
+    </message>
+    <message>
+        <source>An instructor holds the trial: it is ended once they let it go on</source>
+        <translation>Die Lehrperson hält den Durchgang an: Er lässt sich beenden, sobald sie ihn freigibt</translation>
+    </message>
+    <message>
+        <source>an expert at this patient while the trial waits, and back</source>
+        <translation>ein Experte an diesem Patienten, während der Durchgang wartet, und zurück</translation>
+    </message>
 </context>
 <context>
     <name>vallecula::gui::TrialPanels</name>
@@ -9649,14 +10303,6 @@ Gerät: %3</translation>
         <translation>Gerät</translation>
     </message>
     <message>
-        <source>Loop</source>
-        <translation>Schleife</translation>
-    </message>
-    <message>
-        <source>Late: share of the forces written more than 1 ms after they were due. Dropped: share of the ticks whose simulation step was not finished in time. The result page says what real-time priority was granted.</source>
-        <translation>Zu spät: Anteil der Kräfte, die mehr als 1 ms nach ihrer Zeit geschrieben wurden. Verworfen: Anteil der Takte, deren Simulationsschritt nicht rechtzeitig fertig war. Die Ergebnisseite sagt, welche Echtzeitpriorität gewährt wurde.</translation>
-    </message>
-    <message>
         <source>Picture</source>
         <translation>Bild</translation>
     </message>
@@ -9675,10 +10321,6 @@ Gerät: %3</translation>
     <message>
         <source>not in the mouth</source>
         <translation>nicht im Mund</translation>
-    </message>
-    <message>
-        <source>not running</source>
-        <translation>läuft nicht</translation>
     </message>
     <message>
         <source>%1 Hz</source>
@@ -9753,18 +10395,6 @@ Gerät: %3</translation>
         <translation>Katheter, nicht im Mund</translation>
     </message>
     <message>
-        <source>Simulation</source>
-        <translation>Simulation</translation>
-    </message>
-    <message>
-        <source>%1, %2 late of %3</source>
-        <translation>%1, %2/%3 spät</translation>
-    </message>
-    <message>
-        <source>%1 of %2 steps dropped</source>
-        <translation>%1/%2 verworfen</translation>
-    </message>
-    <message>
         <source>%1, less detail</source>
         <translation>%1, weniger Details</translation>
     </message>
@@ -9783,6 +10413,26 @@ Gerät: %3</translation>
     <message>
         <source>%1, %2 N on the hand</source>
         <translation>%1, %2 N auf die Hand</translation>
+    </message>
+    <message>
+        <source>Computer</source>
+        <translation>Rechner</translation>
+    </message>
+    <message>
+        <source>waits</source>
+        <translation>wartet</translation>
+    </message>
+    <message>
+        <source>keeps up with the hand</source>
+        <translation>hält mit der Hand Schritt</translation>
+    </message>
+    <message>
+        <source>too slow: forces come late</source>
+        <translation>zu langsam: Kräfte kommen verspätet</translation>
+    </message>
+    <message>
+        <source>The force loop runs at %1. Of %2 forces %3 were written more than 1 ms after they were due, and for %4 the tissue&apos;s step was not finished in time.</source>
+        <translation>Die Kraftregelung läuft mit %1. Von %2 Kräften wurden %3 mehr als 1 ms nach ihrer Zeit ausgegeben, und für %4 war der Rechenschritt des Gewebes nicht rechtzeitig fertig.</translation>
     </message>
 </context>
 <context>

@@ -35,6 +35,7 @@ Bounds extent_mm(const engine::TriangleMesh& tool) {
   return extent;
 }
 
+constexpr double kBulbRadius = 0.45;          // mm
 constexpr std::size_t kScanTriangles = 5000;  // the shipped blades have a thousand
 
 /// The tool's section across its length at `x_mm`, as far as it belongs to the blade: no higher than the handle's foot.
@@ -50,6 +51,20 @@ Bounds section_mm(const engine::TriangleMesh& tool, double x_mm) {
       section.high = section.high.cwiseMax(p);
     }
   return section;
+}
+
+/// Height of the tool's lower face at this place of its length and width, mm; `otherwise` where there is none.
+double underside_mm(const engine::TriangleMesh& tool, double x_mm, double y_mm, double otherwise) {
+  double lowest = 1e30;
+  for (const auto& t : tool.triangles) {
+    const engine::Vec3 a = 1000.0 * tool.points[t[0]], ab = 1000.0 * tool.points[t[1]] - a,
+                       ac = 1000.0 * tool.points[t[2]] - a;
+    const double area = ab.x() * ac.y() - ab.y() * ac.x(), dx = x_mm - a.x(), dy = y_mm - a.y();
+    if (std::abs(area) < 1e-12) continue;  // on edge
+    const double s = (dx * ac.y() - dy * ac.x()) / area, r = (ab.x() * dy - ab.y() * dx) / area;
+    if (s >= 0.0 && r >= 0.0 && s + r <= 1.0) lowest = std::min(lowest, a.z() + s * ab.z() + r * ac.z());
+  }
+  return lowest < 1e30 ? lowest : otherwise;
 }
 
 /// Where the blade ends and the handle stands: on top (+z) of the blade's last millimetres, in their middle.
@@ -232,8 +247,10 @@ ToolLook::ToolLook(const engine::TriangleMesh& tool) {
   camera_ = {along + 2.0, 0.5 * (section.low.y() + section.high.y()), section.low.z() - 2.0};
   extent_ = {blade_mm, 0.5 * (section.high.y() - section.low.y())};
   vtkNew<vtkSphereSource> ball;
-  ball->SetRadius(0.45);
-  ball->SetCenter(bulb_.data());
+  // Let into the blade's lower face. Its light is put a little lower, at the edge of the flange that hangs beside it (a
+  // simplification: tissue is lit as if the flange were not there).
+  ball->SetRadius(kBulbRadius);
+  ball->SetCenter(bulb_.x(), bulb_.y(), underside_mm(tool, bulb_.x(), bulb_.y(), section.low.z()) - 0.3 * kBulbRadius);
   ball->SetThetaResolution(16);
   ball->SetPhiResolution(12);
   ball->Update();

@@ -6,6 +6,7 @@
 #include <QVariant>
 #include <algorithm>
 
+#include "gui/session/keeps_up.h"
 #include "gui/session/words_from_below.h"
 #include "gui/views/theme.h"
 
@@ -113,20 +114,14 @@ TrialReadings::TrialReadings(QWidget* parent) : QWidget(parent) {
   caption(tr("Device"), 4, 0);
   state_ = new QLabel(this);
   grid->addWidget(state_, 4, 1);
-  caption(tr("Loop"), 5, 0);
-  loop_ = new QLabel(this);
-  loop_->setToolTip(
-      tr("Late: share of the forces written more than 1 ms after they were due. Dropped: share of the ticks whose "
-         "simulation step was not finished in time. The result page says what real-time priority was granted."));
-  grid->addWidget(loop_, 5, 1);
-  caption(tr("Simulation"), 6, 0);
-  steps_ = new QLabel(this);
-  steps_->setToolTip(loop_->toolTip());
-  grid->addWidget(steps_, 6, 1);
-  caption(tr("Picture"), 7, 0);
+  caption(tr("Computer"), 5, 0);
+  computer_ = new QLabel(this);
+  computer_->setObjectName("computer");
+  grid->addWidget(computer_, 5, 1);
+  caption(tr("Picture"), 6, 0);
   drawing_ = new QLabel(this);
-  grid->addWidget(drawing_, 7, 1);
-  for (QLabel* figure : {state_, loop_, steps_, drawing_, tube_}) {
+  grid->addWidget(drawing_, 6, 1);
+  for (QLabel* figure : {state_, computer_, drawing_, tube_}) {
     figure->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // a narrow panel is not widened by them
     figure->setWordWrap(true);                                            // two lines where one is too short
     figure->setAlignment(Qt::AlignTop | Qt::AlignLeft);
@@ -165,8 +160,9 @@ void TrialReadings::clear() {
   sight_->show_percent(0.0, 0.0, sight_percent_);
   state_->setText(tr("ready"));
   tube_->setText(tr("not in the mouth"));
-  loop_->setText(tr("not running"));
-  steps_->clear();
+  computer_->setText(tr("waits"));
+  computer_->setStyleSheet(QString());
+  computer_->setToolTip(QString());
   show_drawing(0.0, {});
 }
 
@@ -212,10 +208,18 @@ void TrialReadings::show_snapshot(const engine::Snapshot& snapshot, double pause
   state_->setText(words_for(snapshot.state, invalid).name);
   state_->setStyleSheet(
       snapshot.state == engine::HapticState::tracking ? QString() : QString("color: %1").arg(theme::device().name()));
+  const bool fast = keeps_up(snapshot.ticks, snapshot.deadline_misses, snapshot.overruns);
+  computer_->setText(fast ? tr("keeps up with the hand") : tr("too slow: forces come late"));
+  computer_->setStyleSheet(fast ? QString() : QString("color: %1").arg(theme::device().name()));
   const QString rate =
       snapshot.loop_rate_hz > 0.0 ? tr("%1 Hz").arg(snapshot.loop_rate_hz, 0, 'f', 0) : tr("measuring");
-  loop_->setText(tr("%1, %2 late of %3").arg(rate).arg(snapshot.deadline_misses).arg(snapshot.ticks));
-  steps_->setText(tr("%1 of %2 steps dropped").arg(snapshot.overruns).arg(snapshot.ticks));
+  computer_->setToolTip(
+      tr("The force loop runs at %1. Of %2 forces %3 were written more than 1 ms after they were due, "
+         "and for %4 the tissue's step was not finished in time.")
+          .arg(rate)
+          .arg(snapshot.ticks)
+          .arg(snapshot.deadline_misses)
+          .arg(snapshot.overruns));
 }
 
 void TrialReadings::show_drawing(double frames_per_second, const QString& reduced) {

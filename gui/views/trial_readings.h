@@ -51,7 +51,7 @@ class TrialReadings : public QWidget {
   std::optional<curricula::Mouth> mouth_;
   double attempt_start_s_ = -1.0, attempt_s_ = 0.0, last_in_s_ = 0.0;
   bool led_ = false;
-  QLabel *clock_caption_, *clock_, *limit_, *seen_, *state_, *loop_, *steps_, *drawing_, *tube_, *tube_caption_;
+  QLabel *clock_caption_, *clock_, *limit_, *seen_, *state_, *computer_, *drawing_, *tube_, *tube_caption_;
   class SightBar* sight_;
   double sight_percent_ = 25.0, best_percent_ = 0.0, attempt_limit_s_ = 30.0;
   bool force_shown_ = true;

@@ -1,11 +1,13 @@
 // What is dropped on the window or opened from its menu is told by what lies there.
+#include "gui/session/dropped_files.h"
+
 #include <gtest/gtest.h>
 
 #include <QStandardPaths>
-
+#include <chrono>
+#include <cstdlib>
 #include <fstream>
 
-#include "gui/session/dropped_files.h"
 #include "gui/session/recent_files.h"
 #include "gui/session/user_settings.h"
 #include "tests/gui/block_patient.h"
@@ -94,14 +96,34 @@ TEST_F(DroppedFiles, TheLastEightAreRememberedAndThoseThatAreGoneAreNotShown) {
   EXPECT_EQ(kept_recent().size(), 8u) << "a disc that is not in the drive may come back";
 }
 
-TEST_F(DroppedFiles, AnOpeningDialogBeginsWhereTheLastOneEndedElseInTheDocuments) {
-  EXPECT_EQ(folder_to_open(), QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation));
+TEST_F(DroppedFiles, ATrialIsOfTheDayItWasDoneWhateverIsWrittenBesideItsLog) {
+  const fs::path log = file("20260503-140210-first-look/trial.vtrial");
+  const auto long_ago = fs::file_time_type::clock::now() - std::chrono::hours(24 * 40);
+  fs::last_write_time(log, long_ago);
+  file("20260503-140210-first-look/first-look.pdf");  // an export: the folder is of today
+  const auto there = still_there({log.parent_path()});
+  ASSERT_EQ(there.size(), 1u);
+  EXPECT_EQ(there[0].kind, DroppedKind::trial);
+  EXPECT_NEAR(static_cast<double>(there[0].changed.daysTo(QDateTime::currentDateTime())), 40.0, 1.0);
+}
+
+TEST_F(DroppedFiles, AnOpeningDialogBeginsWhereTheLastOneEndedElseInTheDocumentsElseAtHome) {
+  const std::string before = std::getenv("HOME") == nullptr ? "" : std::getenv("HOME");
+  setenv("HOME", box_.folder().c_str(), 1);
+  const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+  ASSERT_TRUE(documents.startsWith(QString::fromStdString(box_.folder().string()))) << documents.toStdString();
+  if (documents != QString::fromStdString(box_.folder().string())) {
+    EXPECT_EQ(folder_to_open().toStdString(), box_.folder().string()) << "not everybody has one for documents";
+    fs::create_directories(documents.toStdString());
+  }
+  EXPECT_EQ(folder_to_open(), documents);
   const std::filesystem::path folder = box_ / "courses";
   std::filesystem::create_directories(folder);
   keep_opened(QString::fromStdString((folder / "one.yaml").string()));
   EXPECT_EQ(folder_to_open().toStdString(), folder.string());
   std::filesystem::remove_all(folder);
-  EXPECT_EQ(folder_to_open(), QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation)) << "it is gone";
+  EXPECT_EQ(folder_to_open(), documents) << "it is gone";
+  setenv("HOME", before.c_str(), 1);
 }
 
 }  // namespace

@@ -8,6 +8,8 @@
 #include <utility>
 
 #include "gui/pages/result_figures.h"
+#include "gui/report/advice.h"
+#include "gui/report/report.h"
 
 namespace vallecula::gui {
 namespace {
@@ -54,17 +56,44 @@ TEST(FigureRow, TheAttemptsLimitStandsBesideItWhetherItWasJudgedByItOrNot) {
   EXPECT_EQ(row.value, "12.3 s");
   EXPECT_EQ(row.limit, "at most 30.00 s");
   EXPECT_EQ(row.verdict, "met");
-  score.at_vallecula = true;
-  score.criteria.clear();
-  row = attempt_row(score, scenario, "Attempt");
-  EXPECT_EQ(row.value, "12.3 s");
-  EXPECT_EQ(row.limit, "not judged from the vallecula on; else at most 30.00 s");
-  EXPECT_EQ(row.verdict, "");
   curricula::Score unknown;
   unknown.mouth_unknown = true;
   row = attempt_row(unknown, scenario, "Attempt");
   EXPECT_EQ(row.value, "not timed") << "whether the blade entered it cannot be said";
   EXPECT_EQ(row.limit, "where the mouth begins is not known");
+}
+
+TEST(FigureRow, ATrialBegunAtTheValleculaHasNoTimesAndOneLineThatSaysSo) {
+  TrialOutcome outcome;
+  curricula::Score& score = outcome.score;
+  score.attempt_begun = score.complete = true;
+  score.attempt_time_s = 52.0;  // of which nothing is to be made
+  score.time_to_trachea_visible_s = 3.5;
+  curricula::Scenario scenario;
+  scenario.pass.attempt_time_s = 30.0;
+  const auto lines = [&] {
+    std::vector<Row> all = result_figures(outcome, scenario);
+    for (const Row& row : report_rows(score, {}, scenario)) all.push_back(row);
+    return all;
+  };
+  const auto timed = [](const Row& row) {
+    return row.name.rfind("Time to", 0) == 0 || row.name.find("ttempt") != std::string::npos;
+  };
+  const auto uncounted = [](const Row& row) { return row.name == "Times" && row.value == "not counted"; };
+  for (const bool tube : {false, true}) {
+    if (tube) score.intubation.emplace().attempts.resize(2);
+    score.at_vallecula = false;
+    auto all = lines();
+    EXPECT_GE(std::count_if(all.begin(), all.end(), timed), tube ? 6 : 4);
+    EXPECT_EQ(std::count_if(all.begin(), all.end(), uncounted), 0);
+    score.at_vallecula = true;
+    all = lines();
+    for (const Row& row : all) EXPECT_FALSE(timed(row) && row.name != "Attempts") << row.name;
+    EXPECT_EQ(std::count_if(all.begin(), all.end(), uncounted), 2) << "on the page and in the report";
+  }
+  const std::string advice = what_to_change(score, scenario);
+  EXPECT_EQ(advice.find("30 seconds"), std::string::npos) << advice;
+  EXPECT_EQ(summary_sentence(score, scenario).find("52"), std::string::npos) << summary_sentence(score, scenario);
 }
 
 TEST(FigureRow, AFigureIsRoundedAsTheLiveFiguresAndTheSentencesAre) {

@@ -189,22 +189,22 @@ TEST(Report, TellsOfAnIntubationWhereverAPersonReads) {
   const curricula::Score score = curricula::score_trial(log, scenario);
   const std::string sentence = summary_sentence(score, scenario);
   EXPECT_NE(sentence.find("The tube's tip lies 24.0 mm past the cords, 50 % of the way to the carina: good depth. "
-                          "2 attempts, the longest of 15.0 s, saturation down to 60 %, heart to 90 per minute"),
+                          "2 attempts, the longest of 15.0 s, lowest saturation 60 %, lowest heart rate 90 per minute"),
             std::string::npos)
       << sentence;
   write_force_chart(box / "force.png", log, scenario, score);
   write_report(box.folder(), log, scenario, score);
   const std::string page = text_of(box / "report.html");
-  for (const char* part : {"<td class=\"figure\">good-depth</td><td>good-depth</td><td class=\"met\">",
-                           "24.0 mm past the cords, 50 % of 48.0 mm to the carina",
-                           "60 %, at 20.0 s</td><td>at least 70 %</td><td "
-                           "class=\"missed\">",
-                           "2</td><td>at most 2</td><td class=\"met\">", "yellow with breath 3",
-                           "1.25 N, at 42.5 s (cricoid)", "cricoid 2.5 N", "95 %, 60 %: severe desaturation",
-                           "<h2>Points: ", "<h2>Checklist</h2>", "Ventilated between attempts</td><td class=\"met\">yes",
-                           "Handle in the left hand</td><td class=\"\">not seen", "Cormack-Lehane grade at best",
-                           "0.0 mm shallower", "Global rating, by a person:",
-                           "90 per minute: bradycardia", "1 time, 0 breaths given there", "<h2>The monitor</h2>"}) {
+  for (const char* part :
+       {"<td class=\"figure\">good depth</td><td>good depth</td><td class=\"met\">",
+        "24.0 mm past the cords, 50 % of 48.0 mm to the carina",
+        "60 %, at 20.0 s</td><td>at least 70 %</td><td "
+        "class=\"missed\">",
+        "2</td><td>at most 2</td><td class=\"met\">", "yellow with breath 3", "1.25 N, at 42.5 s (cricoid)",
+        "cricoid 2.5 N", "95 %, 60 %: severe desaturation", "<h2>Points: ", "<h2>Checklist</h2>",
+        "Ventilated between attempts</td><td class=\"met\">yes", "Handle in the left hand</td><td class=\"\">not seen",
+        "Cormack-Lehane grade at best", "0.0 mm shallower", "Global rating, by a person:", "90 per minute: bradycardia",
+        "1 time, 0 breaths given there", "<h2>The monitor</h2>"}) {
     EXPECT_NE(page.find(part), std::string::npos) << part;
   }
   std::size_t pictures = 0;

@@ -1,5 +1,7 @@
 // A trial with a laryngoscope of one's own: placed by tip and handle, kept with the trial, replayed and scored.
 #include <gtest/gtest.h>
+#include <vtkCellLocator.h>
+#include <vtkNew.h>
 #include <vtkPolyData.h>
 
 #include <cmath>
@@ -207,6 +209,27 @@ TEST(ToolLook, AToolWithAHandleIsDrawnAsItselfAndABladeGetsOne) {
   EXPECT_NEAR(look.bulb_mm().y(), 2.5, 1e-9);
   EXPECT_LT(look.bulb_mm().z(), -1.0);
   EXPECT_GT(look.bulb_mm().z(), -4.0);
+}
+
+TEST(ToolLook, TheBulbIsLetIntoTheBladeAndHangsNowhereInTheAir) {
+  for (const char* name : {"miller-00", "miller-0", "miller-1"}) {  // with a flange that hangs below the plate
+    const TriangleMesh blade = engine::blade_surface(engine::miller_blade(name));
+    ToolLook look(blade);
+    look.place(engine::Pose{});
+    double b[6];
+    look.actors().back()->GetBounds(b);
+    ASSERT_LT(b[1] - b[0], 1.5) << "mm: the bulb";
+    const double centre[3] = {0.5 * (b[0] + b[1]), 0.5 * (b[2] + b[3]), 0.5 * (b[4] + b[5])};
+    vtkNew<vtkCellLocator> surface;
+    surface->SetDataSet(blade_surface(blade));
+    surface->BuildLocator();
+    double nearest[3], distance2 = 0.0;
+    vtkIdType cell = 0;
+    int part = 0;
+    surface->FindClosestPoint(centre, nearest, cell, part, distance2);
+    EXPECT_LT(std::sqrt(distance2), 0.45) << name << ": half in its plate";
+    EXPECT_GT(std::sqrt(distance2), 0.05) << name << ": and to be seen";
+  }
 }
 
 }  // namespace

@@ -331,7 +331,8 @@ TEST_F(Window, RunsAScriptedTrialToItsResultPage) {
   EXPECT_GT(colours_in(window.grab().toImage()), 20) << "the plot and the figures";
   const auto labels = window.findChild<ResultPage*>()->findChildren<QLabel*>();
   EXPECT_TRUE(std::any_of(labels.begin(), labels.end(), [](const QLabel* label) {
-    return label->text().contains("steps dropped") && label->toolTip().contains("Real-time set-up: servo: ");
+    return label->toolTip().contains("step was not finished in time") &&
+           label->toolTip().contains("Real-time set-up: servo: ");
   }));
 }
 

@@ -1,4 +1,5 @@
 // What is kept of a replay, and how one comes to it: clips, notes, the result's reasons, the lock of an assessment.
+#include <QDesktopServices>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
@@ -164,6 +165,16 @@ TEST_F(WindowReplay, IsReachedFromTheResultAndItsReasons) {
   ASSERT_GE(link, 0) << text.toStdString();
   const QString at_s = text.mid(link + 6, text.indexOf("'", link + 6) - link - 6);
   keep_picture(window, "result-links.png");
+  // No browser: Qt says so of a handler that there is not, as it does of a program.
+  QDesktopServices::setUrlHandler("file", &window, "no_such_slot");
+  result.findChild<QPushButton*>("report")->click();
+  QDesktopServices::unsetUrlHandler("file");
+  const std::string report = (own / "out" / "report.html").string();
+  const auto said = result.findChildren<QLabel*>();
+  EXPECT_TRUE(std::any_of(said.begin(), said.end(), [&](const QLabel* label) {
+    return label->isVisible() && label->text().contains(QString::fromStdString(report));
+  })) << "nobody waits for a report that does not come";
+  keep_picture(window, "result-no-browser.png");
   bool there = false;
   QObject::connect(&window, &MainWindow::replay_opened, [&] { there = true; });
   emit reasons.linkActivated(at_s);
@@ -182,6 +193,18 @@ TEST_F(WindowReplay, IsReachedFromTheResultAndItsReasons) {
   ASSERT_TRUE(wait_for([&] { return !failure.isEmpty(); }));
   EXPECT_EQ(window.page_name(), "result");
   EXPECT_TRUE(failure.contains("block.patient")) << failure.toStdString();
+}
+
+TEST_F(WindowReplay, BeginsAtTheVerySecondThatIsAskedFor) {
+  MainWindow window;
+  window.show();
+  bool there = false;
+  QObject::connect(&window, &MainWindow::replay_opened, [&] { there = true; });
+  window.replay(trial(), 1.0);
+  ASSERT_TRUE(wait_for([&] { return there; }));
+  ReplayPage& page = window.replay_page();
+  EXPECT_DOUBLE_EQ(page.time_s(), 1.0) << "as `vallecula replay --window --at 1` asks";
+  EXPECT_DOUBLE_EQ(page.findChild<Timeline*>("timeline")->marked_s(), 1.0);
 }
 
 TEST_F(WindowReplay, OfAnAssessmentIsLockedAndSaysWhy) {

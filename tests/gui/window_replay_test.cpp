@@ -247,6 +247,14 @@ TEST_F(WindowReplay, ShowsForcesPathAndLetsTheEyeGoRound) {
   EXPECT_GT(saved.width(), view.picture().width());
   EXPECT_GT(colours_in(saved), 10);
   EXPECT_THROW(page.save_picture("/nonexistent/seen.png"), std::runtime_error);
+  const auto told = [&] {
+    const auto labels = page.findChildren<QLabel*>();
+    return std::any_of(labels.begin(), labels.end(),
+                       [&](const QLabel* label) { return label->toolTip().contains("Saved: " + png); });
+  };
+  EXPECT_TRUE(wait_for(told, 5000)) << "where it is";
+  page.seek(0.3);
+  EXPECT_TRUE(wait_for([&] { return !told(); }, 5000)) << "until one goes on";
 }
 
 TEST_F(WindowReplay, ColoursWhatWasPressedByHowHard) {

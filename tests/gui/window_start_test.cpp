@@ -22,6 +22,7 @@
 #include "gui/pages/help_dialog.h"
 #include "gui/pages/main_menu.h"
 #include "gui/pages/remade_window.h"
+#include "gui/pages/settings_dialog.h"
 #include "gui/pages/trial_page.h"
 #include "gui/pages/versions.h"
 #include "gui/records_pages/records_page.h"
@@ -175,6 +176,36 @@ TEST_F(WindowStart, MadeAnewInAnotherLanguageItKeepsWhatItToldAndItsSize) {
   emit notice()->linkActivated("draft:drop");
   EXPECT_FALSE(notice()->isVisible());
   EXPECT_FALSE(fs::exists(draft)) << "the window made anew can let it go";
+}
+
+TEST_F(WindowStart, AnotherLanguageOfTheSettingsIsFollowedAtOnceWhereNothingIsLost) {
+  const auto choose = [&](const QString& code) {
+    emit window_->menu().settings_wanted();
+    auto* settings = opened<SettingsDialog>();
+    ASSERT_NE(settings, nullptr);
+    auto* box = settings->findChild<QComboBox*>("language");
+    box->setCurrentIndex(box->findData(code));
+    settings->accept();
+  };
+  open();
+  choose("de");
+  EXPECT_EQ(language(), "en") << "nobody makes this window anew";
+  EXPECT_EQ(chosen_language(), "de") << "but from the next start on";
+  choose("en");
+  int anew = 0;
+  bool steps = false;
+  QObject::connect(window_.get(), &MainWindow::words_changed, [&](bool first_steps) {
+    ++anew;
+    steps = first_steps;
+  });
+  choose("de");
+  EXPECT_EQ(anew, 1) << "whoever made the window makes it anew";
+  EXPECT_FALSE(steps) << "without the first steps";
+  EXPECT_EQ(language(), "de");
+  window_->write_course();
+  choose("en");
+  EXPECT_EQ(anew, 1) << "a course is being written";
+  EXPECT_EQ(language(), "de");
 }
 
 TEST_F(WindowStart, ItsStepsCanBeSkippedAndComeAgainOnlyWhenAskedFor) {

@@ -11,10 +11,13 @@
 #include "curricula/score/rubric.h"
 #include "device/haptic_device.h"
 #include "gui/pages/result_figures.h"
+#include "gui/report/force_chart.h"
 #include "gui/report/report.h"
+#include "gui/session/fault_report.h"
 #include "gui/session/languages.h"
 #include "gui/session/replay_events.h"
 #include "gui/session/user_paths.h"
+#include "tests/gui/program.h"
 #include "tests/gui/window_screen.h"
 
 namespace vallecula::gui::window_test {
@@ -34,8 +37,8 @@ class WordsFromBelow : public Screen {
   void SetUp() override { ASSERT_TRUE(install_language(*qApp, "de")); }
   ~WordsFromBelow() override { install_language(*qApp, "en"); }
 
-  static void look_at(const std::string& said) {
-    if (said.empty() || !seen_.insert(said).second) return;
+  /// A word that English has and German never.
+  static QRegularExpressionMatch english_in(const QString& text) {
     static const QRegularExpression english(
         "\\b(the|were|lies|with|than|within|allowed|asked|for|its|attempts?|blade|of|to|and|past|from|seconds|"
         "breaths?|"
@@ -44,9 +47,13 @@ class WordsFromBelow : public Screen {
         "left|"
         "ends|begins|wrong|reached|trial|is|no|not|or)\\b",
         QRegularExpression::CaseInsensitiveOption);
+    return english.match(text);
+  }
+  static void look_at(const std::string& said) {
+    if (said.empty() || !seen_.insert(said).second) return;
     static const QRegularExpression point("\\d\\.\\d"), word("[A-Za-z]{4,}");
     const QString german = in_words(said);
-    const auto left = english.match(german);
+    const auto left = english_in(german);
     EXPECT_FALSE(left.hasMatch()) << said << "\n  " << german.toStdString();
     EXPECT_FALSE(point.match(german).hasMatch()) << said << "\n  " << german.toStdString();
     if (word.match(QString::fromStdString(said)).hasMatch()) {
@@ -255,6 +262,10 @@ TEST_F(WordsFromBelow, EverySentenceOfAnIntubationsScoreIsGerman) {
           if (accepted == 6) one.blade_out = false;
           if (accepted == 7) one.force.lift_share.reset();
           if (accepted == 8) one.blade = {};
+          if (accepted == 1) done.first_spo2_percent = 97.0, done.first_heart_per_min = 150.0;
+          if (accepted == 2) done.first_spo2_percent = *done.lowest_spo2_percent;
+          if (accepted == 2) done.first_heart_per_min = *done.lowest_heart_per_min;
+          one.at_vallecula = accepted == 0;
           TrialLog trial = log();
           for (auto& tick : trial.ticks) tick.has_intubation = true;
           if (accepted == 3)
@@ -310,6 +321,68 @@ TEST_F(WordsFromBelow, PausesHelpsAndDistractionsAreGerman) {
       in_words("The tube is not in the trachea: the intubation was given up; asked for: good-depth").toStdString(),
       u8"Der Tubus ist nicht in der Trachea: Die Intubation wurde aufgegeben; verlangt: gute Tiefe");
   EXPECT_EQ(in_words("1 time (frozen)").toStdString(), "1-mal (eingefroren)");
+  for (const auto state : {device::GuardState::paused, device::GuardState::confirming})
+    for (int fault = 0; fault <= static_cast<int>(device::DeviceFault::frozen); ++fault) {
+      const std::string pause = pause_words(state, static_cast<device::DeviceFault>(fault), false);
+      if (!pause.empty()) look_at("The tube's hand: " + pause);
+    }
+  for (const char* column : {"At", "Why", "Points", "Limit by", "Item", "Done"})
+    EXPECT_NE(in_words(column).toStdString(), column);
+}
+
+TEST_F(WordsFromBelow, AReportsTablesAreGermanToTheirColumns) {
+  const test::Sandbox box;
+  TrialLog trial = log();
+  trial.header.has_intubation = true;
+  for (auto& tick : trial.ticks) tick.has_intubation = true;
+  Scenario asked = scenario();
+  asked.title = "Term infant, 3.2 kg, tube 3.5";
+  asked.intubation.emplace().pass.time_to_pass_s = 20.0;
+  Score one = score(true);
+  one.intubation = tube(Outcome::good_depth, true, 2);
+  curricula::judge(trial, asked, {}, one);
+  one.checklist = curricula::checklist_of(one, trial, asked);
+  draw_force_chart(trial, asked, one).save(QString::fromStdString((box / "force.png").string()));
+  write_report(box.folder(), trial, asked, one);
+  const QString page = QString::fromStdString(test::text_of(box / "report.html"));
+  const int end = page.lastIndexOf("<h2>");  // how it was recorded: names of builds and devices
+  static const QRegularExpression cell("<(?:th|td|h1|h2)[^>]*>([^<]+)<"), point("\\d\\.\\d");
+  int cells = 0;
+  for (auto found = cell.globalMatch(page.left(end)); found.hasNext(); ++cells) {
+    const QString text = found.next().captured(1);
+    EXPECT_FALSE(english_in(text).hasMatch()) << text.toStdString();
+    EXPECT_FALSE(point.match(text).hasMatch()) << text.toStdString();
+  }
+  EXPECT_GT(cells, 150);
+  EXPECT_TRUE(page.contains("<h1>Reifgeborenes, 3,2 kg, Tubus 3,5</h1>"));
+}
+
+TEST_F(WordsFromBelow, TheShippedCoursesAreTitledInGermanAndNobodysOwnIs) {
+  std::size_t told = 0;
+  const auto in_german = [&](const std::string& english) {
+    EXPECT_NE(course_words(english).toStdString(), english);
+    ++told;
+  };
+  for (const auto& file :
+       std::filesystem::directory_iterator(std::filesystem::path(VALLECULA_SOURCE_DIR) / "curricula/courses")) {
+    const curricula::Curriculum course = curricula::load_curriculum(file.path());
+    in_german(course.title);
+    for (const curricula::Text& goal : course.goals) in_german(goal.in("en"));
+    for (const curricula::Module& module : course.modules) {
+      in_german(module.title);
+      in_german(module.goal.in("en"));
+    }
+    for (const Scenario& one : course.scenarios) {
+      in_german(one.title);
+      in_german(one.briefing.in("en"));
+      in_german(one.debriefing.in("en"));
+      for (const curricula::Distraction& asked : one.distractions) in_german(asked.text.in("en"));
+    }
+  }
+  EXPECT_GT(told, 90u);
+  EXPECT_EQ(course_words("Preterm infant, 1.2 kg").toStdString(), u8"Fr\u00fchgeborenes, 1,2 kg");
+  for (const char* own : {"Term infant, 3.4 kg", "finished", "2 trials", "Our ward's first steps"})
+    EXPECT_EQ(course_words(own).toStdString(), own);
 }
 
 TEST_F(WordsFromBelow, WhatNobodyListedStaysAsItIs) {

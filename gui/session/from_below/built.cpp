@@ -35,6 +35,7 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("FromBelow", "%1 N, at %2 s (%3)"),
     QT_TRANSLATE_NOOP("FromBelow", "%1: recognised late"),
     // gui/session
+    QT_TRANSLATE_NOOP("FromBelow", "The tube's hand: %1"),
     QT_TRANSLATE_NOOP("FromBelow", "pause: %1"),
     QT_TRANSLATE_NOOP("FromBelow", "recorded by another build (%1, %2); only the same build promises the same bits"),
     QT_TRANSLATE_NOOP("FromBelow", "recorded with kernels for %1, computed here with %2"),

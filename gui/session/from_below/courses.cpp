@@ -184,7 +184,7 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("FromBelow", "the sagittal cut beside the operator's view"),
     QT_TRANSLATE_NOOP("FromBelow", "the live bars of force"),
     QT_TRANSLATE_NOOP("FromBelow", "the picture of a camera at the blade's tip"),
-    QT_TRANSLATE_NOOP("FromBelow", "20 s of an expert at this patient, while the trial waits"),
+    QT_TRANSLATE_NOOP("FromBelow", "an expert at this patient, while the trial waits"),
     QT_TRANSLATE_NOOP("FromBelow", "by growing time"),
     QT_TRANSLATE_NOOP("FromBelow", "Blade taken"),
     QT_TRANSLATE_NOOP("FromBelow", "Tube taken"),

@@ -16,6 +16,8 @@ Sentences scores();
 Sentences reasons();
 Sentences courses();
 Sentences trials();
+/// Titles and texts; in a translation context of their own, "Courses".
+Sentences shipped_courses();
 /// Those with places for words: names, or others of these sentences.
 Sentences built();
 

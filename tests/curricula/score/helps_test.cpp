@@ -7,6 +7,7 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 
+#include "curricula/score/points.h"
 #include "tests/curricula/score/hand_made_intubation.h"
 
 namespace vallecula::curricula {
@@ -113,7 +114,12 @@ TEST(Helps, BegunAtTheValleculaIsScoredFromWhereTheHandTookOver) {
   ASSERT_EQ(s.pauses.size(), 1u);
   EXPECT_EQ(s.pauses[0].fault, "unplugged");
   EXPECT_NE(s.reasons.front().find("Begun at the vallecula"), std::string::npos);
-  for (const Criterion& c : s.criteria) EXPECT_NE(c.name, "attempt_time_s");
+  for (const Criterion& c : s.criteria) {
+    EXPECT_NE(c.name, "attempt_time_s");
+    EXPECT_NE(c.name, "time_to_pass_s");
+  }
+  EXPECT_TRUE(points_of(s, scenario()).empty()) << "half of the way has no whole score";
+  EXPECT_FALSE(points_of(score_of(), scenario()).empty());
   EXPECT_TRUE(json_of(log, s)["at_vallecula"].toBool());
   // Ended while it was still led: nothing to judge, and no fall over the end.
   log.header.settings[kLeadInTicks] = 1e9;

@@ -22,12 +22,12 @@ TEST(IntubationScore, EachLimitFailsAloneForItsOwnReasonWithFigureLimitAndSecond
        [](LogTick& t) {
          if (t.tick == 21000) t.intubation.spo2 = 0.69;
        },
-       {"Saturation fell to 69.00 % at 21.00 s", "70 % asked for"}},
+       {"Saturation fell to 69 % at 21.00 s", "70 % asked for"}},
       {"heart",
        [](LogTick& t) {
          if (t.tick == 19000) t.intubation.heart_per_min = 99.0;
        },
-       {"The heart fell to 99.00 per minute at 19.00 s", "100 per minute asked for"}},
+       {"The heart fell to 99 per minute at 19.00 s", "100 per minute asked for"}},
       {"force",
        [](LogTick& t) {
          if (t.tick == 14700) t.intubation.tip_load_n = 2.5, t.intubation.tip_against = kTubeTrachea;
@@ -72,6 +72,58 @@ TEST(IntubationScore, EachLimitFailsAloneForItsOwnReasonWithFigureLimitAndSecond
                 t.intubation.detector_yellow = t.time_s > 26.9995;
               })
                   .passed);
+}
+
+/// The rubric's sentence of this criterion.
+std::string sentence_of(const Score& score, const std::string& name) {
+  for (const Criterion& c : score.criteria)
+    if (c.name == name) return c.sentence;
+  return "";
+}
+
+TEST(IntubationScore, WhatNeverFellIsNotSaidToHaveFallen) {
+  const auto all_through = [](double spo2, double heart) {
+    return [=](LogTick& t) {
+      t.intubation.spo2 = spo2;
+      t.intubation.heart_per_min = heart;
+    };
+  };
+  const Score steady = score_of(all_through(0.98, 140.0));
+  EXPECT_EQ(sentence_of(steady, "lowest_spo2_percent"),
+            "Saturation stayed at 98 % or above, at least the 70 % asked for");
+  EXPECT_EQ(sentence_of(steady, "lowest_heart_per_min"),
+            "The heart stayed at 140 per minute or above, at least the 100 per minute asked for");
+  // The attempt begins at 5 s with 95 %, which is 80 % from 20 s on; 140 a minute are 110 from 18 s on.
+  const Score fell = score_of();
+  EXPECT_EQ(sentence_of(fell, "lowest_spo2_percent"),
+            "Saturation fell to 80 % at 20.00 s, at least the 70 % asked for");
+  EXPECT_EQ(sentence_of(fell, "lowest_heart_per_min"),
+            "The heart fell to 110 per minute at 18.00 s, at least the 100 per minute asked for");
+  const Score by_a_beat = score_of([](LogTick& t) { t.intubation.heart_per_min = t.time_s < 10 ? 140.4 : 139.6; });
+  EXPECT_EQ(sentence_of(by_a_beat, "lowest_heart_per_min"),
+            "The heart stayed at 140 per minute or above, at least the 100 per minute asked for")
+      << "no monitor shows parts of a beat";
+  const Score low = score_of(all_through(0.62, 90.0));
+  EXPECT_EQ(sentence_of(low, "lowest_spo2_percent"),
+            "Saturation began at 62 % and fell no further, less than the 70 % asked for");
+  EXPECT_EQ(sentence_of(low, "lowest_heart_per_min"),
+            "The heart began at 90 per minute and fell no further, less than the 100 per minute asked for");
+  const Score before = score_of([](LogTick& t) {  // until the blade goes in
+    if (t.time_s < 4.9) t.intubation.spo2 = 0.60;
+  });
+  EXPECT_EQ(sentence_of(before, "lowest_spo2_percent"), sentence_of(fell, "lowest_spo2_percent"));
+}
+
+TEST(IntubationScore, PercentsAndBeatsAreWholeUnlessThatWouldHideAMiss) {
+  const auto heart = [](double lowest) {
+    return sentence_of(score_of([=](LogTick& t) {
+                         if (t.tick == 19000) t.intubation.heart_per_min = lowest;
+                       }),
+                       "lowest_heart_per_min");
+  };
+  EXPECT_EQ(heart(100.4), "The heart fell to 100 per minute at 19.00 s, at least the 100 per minute asked for");
+  EXPECT_EQ(heart(99.6), "The heart fell to 99.6 per minute at 19.00 s, less than the 100 per minute asked for");
+  EXPECT_EQ(heart(99.96), "The heart fell to 99.96 per minute at 19.00 s, less than the 100 per minute asked for");
 }
 
 TEST(IntubationScore, TheHeadNeutralPutsTheTipDeeperAndIsJudgedWhereAskedFor) {

@@ -167,7 +167,7 @@ TEST(IntubationScore, EveryOutcomeIsWhereTheTipReallyIs) {
     EXPECT_EQ(s.passed, c.outcome == Outcome::good_depth) << c.name << joined(s.reasons);
     EXPECT_NE(outcome_in_words(*s.intubation), "") << c.name;
     if (!s.passed) {
-      EXPECT_NE(joined(s.reasons).find("; asked for: good-depth"), std::string::npos) << c.name << joined(s.reasons);
+      EXPECT_NE(joined(s.reasons).find("; asked for: good depth"), std::string::npos) << c.name << joined(s.reasons);
     }
   }
 }

@@ -95,7 +95,7 @@ TEST(Score, MeasuresAGoodAttempt) {
   EXPECT_EQ(s.deadline_misses, 7);
   EXPECT_EQ(s.overruns, 2);
   EXPECT_EQ(s.real_time_setup, "servo: real-time priority 80");
-  EXPECT_TRUE(any_contains(s.reasons, "82.00 % at 7.00 s")) << joined(s.reasons);
+  EXPECT_TRUE(any_contains(s.reasons, "Glottis seen to 82 % at 7.00 s")) << joined(s.reasons);
 }
 
 TEST(Score, EachLimitFailsAloneForItsOwnReasonWithFigureLimitAndSecond) {
@@ -117,7 +117,10 @@ TEST(Score, EachLimitFailsAloneForItsOwnReasonWithFigureLimitAndSecond) {
        },
        14,
        {"on the gums 3.50 N at 4.32 s", "3 N allowed"}},
-      {"sight", [](LogTick& t) { t.glottis_visible *= 0.49 / 0.82; }, 14, {"49.00 % at 7.00 s", "50 % asked for"}},
+      {"sight",
+       [](LogTick& t) { t.glottis_visible *= 0.49 / 0.82; },
+       14,
+       {"Glottis seen to 49 % at 7.00 s", "50 % asked for"}},
       {"never seen", [](LogTick& t) { t.glottis_visible = 0.0; }, 14, {"never in sight", "50 %"}},
       {"time",
        [](LogTick& t) {

@@ -8,6 +8,7 @@
 #include <QLabel>
 #include <QMenu>
 #include <QPointer>
+#include <QScreen>
 #include <QtTest/QTest>
 
 #include "gui/pages/distraction_panel.h"
@@ -184,6 +185,35 @@ TEST_F(WindowPanels, WhatWasSaidOpensTheTeamInItsTrialAndIsNoChoiceForOthers) {
   MainWindow next;
   open(next, "helped");
   EXPECT_FALSE(team_is_seen(next)) << "nobody has said anything to the next one";
+}
+
+TEST_F(WindowPanels, WhatLeavesTheWindowLiesOverNoOtherPanel) {
+  MainWindow window;
+  open(window, "helped");
+  TrialPanels& panels = window.trial_page().panels();
+  const auto place = [&](TrialPanels::Panel panel) {
+    const QDockWidget* dock = panels.dock(panel);
+    return dock->isFloating() ? dock->frameGeometry() : QRect(dock->mapToGlobal(QPoint(0, 0)), dock->size());
+  };
+  for (const TrialPanels::Panel out : {TrialPanels::force, TrialPanels::cut}) {
+    panels.dock(out)->setFloating(true);
+    const auto free = [&] {
+      for (const TrialPanels::Panel other : {TrialPanels::force, TrialPanels::cut, TrialPanels::readings})
+        if (other != out && place(out).intersects(place(other))) return false;
+      return window.screen()->geometry().contains(place(out));
+    };
+    for (int i = 0; i < 5; ++i)
+      QApplication::processEvents(QEventLoop::AllEvents, 20);  // it is put there once it is out
+    EXPECT_TRUE(wait_for(free, 5000)) << out;
+  }
+  const QRect chosen(60, 70, panels.dock(TrialPanels::cut)->width(), panels.dock(TrialPanels::cut)->height());
+  panels.dock(TrialPanels::cut)->move(chosen.topLeft());
+  for (int i = 0; i < 5; ++i) QApplication::processEvents(QEventLoop::AllEvents, 20);
+  panels.dock(TrialPanels::cut)->setFloating(false);
+  QApplication::processEvents();
+  panels.dock(TrialPanels::cut)->setFloating(true);
+  for (int i = 0; i < 10; ++i) QApplication::processEvents(QEventLoop::AllEvents, 20);
+  EXPECT_EQ(panels.dock(TrialPanels::cut)->pos(), chosen.topLeft()) << "where a person had put it";
 }
 
 TEST_F(WindowPanels, WhatWasTakenOutOfTheWindowGoesWithTheTrialAndComesBackWithTheNext) {
