@@ -36,6 +36,8 @@ std::vector<LiveEvent> LiveEvents::watch(const engine::Snapshot& snapshot, const
                                          DualTask* task) {
   told_.clear();
   now_s_ = std::max(now_s_, snapshot.time_s - paused_s);
+  log_s_ = std::max(log_s_, snapshot.time_s);
+  if (pause_.isEmpty() && !pause.isEmpty()) pause_began_s_ = log_s_;
   if (pause != pause_) tell(pause.isEmpty() ? tr("It goes on") : tr("Paused: %1").arg(in_words(pause.toStdString())));
   pause_ = pause;
   watch_blade(snapshot);

@@ -28,10 +28,11 @@ class LiveEvents {
   void begin(const curricula::Scenario& scenario, const std::optional<curricula::Mouth>& mouth);
   /// What is new since the last snapshot. `pause`: why it is paused, empty while it is not; `paused_s`: so far.
   std::vector<LiveEvent> watch(const engine::Snapshot& snapshot, const QString& pause, double paused_s, DualTask* task);
-  double now_s() const { return now_s_; }
+  /// The trial's clock as its log, the result and the replay have it, pauses included, s; in a pause when that began.
+  double now_s() const { return pause_.isEmpty() ? log_s_ : pause_began_s_; }
 
  private:
-  void tell(const QString& text) { told_.push_back({now_s_, text}); }
+  void tell(const QString& text) { told_.push_back({log_s_, text}); }
   void watch_blade(const engine::Snapshot& snapshot);
   void watch_force(const QString& what, double force_n, double target_n, bool& over);
   void watch_tube(const engine::IntubationRecord& now);
@@ -40,7 +41,8 @@ class LiveEvents {
   std::optional<curricula::Mouth> mouth_;
   double sight_percent_ = 25.0, tongue_target_n_ = 0.0, gum_target_n_ = 0.0;
   std::vector<LiveEvent> told_;
-  double now_s_ = 0.0, last_in_s_ = 0.0;
+  double log_s_ = 0.0, pause_began_s_ = 0.0;
+  double now_s_ = 0.0, last_in_s_ = 0.0;  ///< without pauses
   bool in_ = false, seen_ = false, over_tongue_ = false, over_gum_ = false;
   bool yellow_ = false, spasm_ = false;
   engine::TipPlace place_ = engine::TipPlace::outside;

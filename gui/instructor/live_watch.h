@@ -21,7 +21,7 @@ class LiveWatch : public QObject {
   explicit LiveWatch(TrialPage& trial);
   /// Of the trial that was opened last, the newest last; of very many the newest 500.
   const std::vector<LiveEvent>& events() const { return events_; }
-  /// The trial's clock, which stands in pauses, s.
+  /// The trial's clock as the result and the replay have it; in a pause when that began, s.
   double now_s() const { return events_of_.now_s(); }
   /// What was done at another window, told with the others.
   void add(const QString& text);
