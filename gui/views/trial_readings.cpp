@@ -165,7 +165,7 @@ void TrialReadings::clear() {
   state_->setText(tr("ready"));
   tube_->setText(tr("not in the mouth"));
   loop_->setText(tr("not running"));
-  steps_->clear();
+  steps_->setText(QChar(QChar::Nbsp));  // its line stays
   show_drawing(0.0, {});
 }
 
