@@ -111,7 +111,7 @@ double TrialChart::left_wide() const {
 
 QRectF TrialChart::frame() const {
   const double line = QFontMetricsF(font()).lineSpacing();
-  return QRectF(rect()).adjusted(left_wide(), title_high() + 0.3 * line, -kRight, -1.25 * line);
+  return QRectF(rect()).adjusted(left_wide(), title_high() + 0.3 * line, -kRight, -1.5 * line);
 }
 
 double TrialChart::y(double value) const {
@@ -168,10 +168,12 @@ void TrialChart::draw_scales(QPainter& painter, ChartLabels& labels) const {
     const QString words = QString::number(number);
     const double half = 0.5 * type.horizontalAdvance(words) + 1.0;
     const double middle = std::min(position(number - 1).x(), width() - half);  // the last ends with the chart
-    labels.write(painter, QRectF(middle - half, in.bottom() + 2, 2.0 * half, line), Qt::AlignCenter, words);
+    labels.write(painter, QRectF(middle - half, in.bottom() + 2 + 0.2 * line, 2.0 * half, line), Qt::AlignCenter,
+                 words);
   }
   painter.setPen(theme::faint());
-  labels.write(painter, QRectF(2, in.bottom() + 2, left - 4, line), Qt::AlignLeft | Qt::AlignTop, tr("trial"));
+  labels.write(painter, QRectF(2, in.bottom() + 2 + 0.2 * line, left - 4, line), Qt::AlignLeft | Qt::AlignTop,
+               tr("trial"));
   for (const Level& level : content_.levels) {
     painter.setPen(QPen(level.colour, 1.4, Qt::DashLine));
     painter.drawLine(QPointF(in.left(), y(level.value)), QPointF(in.right(), y(level.value)));

@@ -81,19 +81,35 @@ void ChartLabels::write(QPainter& painter, const QRectF& box, int alignment, con
   taken_.push_back(tight);
 }
 
+std::vector<ChartLabel> ChartLabels::laid_out(bool off_shunned) {
+  const std::size_t fixed = taken_.size();
+  std::vector<ChartLabel> all;
+  for (const Wish& wish : wishes_) {
+    ChartLabel label = placed(wish, off_shunned);
+    if (label.cut() && off_shunned) label = placed(wish, false);
+    if (!label.shown.isEmpty()) taken_.push_back(label.box);
+    all.push_back(label);
+  }
+  taken_.resize(fixed);
+  return all;
+}
+
 std::vector<ChartLabel> ChartLabels::draw(QPainter& painter, const QColor& paper) {
   std::stable_partition(wishes_.begin(), wishes_.end(),
                         [](const Wish& wish) { return !wish.places.empty() && wish.places.front().at_end; });
-  for (const Wish& wish : wishes_) {
-    ChartLabel label = placed(wish, true);
-    if (label.cut()) label = placed(wish, false);
-    labels_.push_back(label);
-    if (label.shown.isEmpty()) continue;
-    taken_.push_back(label.box);
-    painter.fillRect(label.box.adjusted(-0.15 * em_, 0.0, 0.15 * em_, 0.0), paper);
-    painter.setPen(wish.colour);
-    painter.drawText(label.box, Qt::AlignCenter | Qt::TextDontClip | Qt::TextSingleLine, label.shown);
+  const auto cut = [](const std::vector<ChartLabel>& all) {
+    return std::count_if(all.begin(), all.end(), [](const ChartLabel& label) { return label.cut(); });
+  };
+  std::vector<ChartLabel> best = laid_out(true);
+  if (cut(best) > 0)  // to be read comes before to be off the curves
+    if (std::vector<ChartLabel> closer = laid_out(false); cut(closer) < cut(best)) best = std::move(closer);
+  for (std::size_t i = 0; i < best.size(); ++i) {
+    if (best[i].shown.isEmpty()) continue;
+    painter.fillRect(best[i].box.adjusted(-0.15 * em_, 0.0, 0.15 * em_, 0.0), paper);
+    painter.setPen(wishes_[i].colour);
+    painter.drawText(best[i].box, Qt::AlignCenter | Qt::TextDontClip | Qt::TextSingleLine, best[i].shown);
   }
+  labels_.insert(labels_.end(), best.begin(), best.end());
   wishes_.clear();
   return labels_;
 }

@@ -58,6 +58,7 @@ class ChartLabels {
   /// What of a row is free: left and right end, px.
   std::vector<std::pair<double, double>> free_of(const QRectF& row, bool off_shunned) const;
   ChartLabel placed(const Wish& wish, bool off_shunned) const;
+  std::vector<ChartLabel> laid_out(bool off_shunned);
 
   QFontMetricsF type_;
   double em_;

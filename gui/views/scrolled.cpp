@@ -30,7 +30,11 @@ QSize Scrolled::minimumSizeHint() const {
 }
 
 bool Scrolled::eventFilter(QObject* watched, QEvent* event) {
-  if (watched == widget() && event->type() == QEvent::LayoutRequest) updateGeometry();
+  // Figures that change ask for no new place each time.
+  if (watched == widget() && event->type() == QEvent::LayoutRequest && least_ != minimumSizeHint()) {
+    least_ = minimumSizeHint();
+    updateGeometry();
+  }
   return QScrollArea::eventFilter(watched, event);
 }
 

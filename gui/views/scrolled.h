@@ -18,6 +18,7 @@ class Scrolled : public QScrollArea {
 
  private:
   double least_lines_;
+  QSize least_;  ///< as the layout around it knows it
 };
 
 }  // namespace vallecula::gui
