@@ -336,5 +336,21 @@ TEST_F(WindowSlices, TheLabelsStandInThreeDimensionsAndLandmarksAreDraggedThere)
   EXPECT_NEAR(to.y() - from.y(), 20.0, 0.5);
 }
 
+TEST_F(WindowSlices, OfTheScanBeforeNoStructureIsShown) {
+  scene_.set_scan(scan_);
+  auto labels = std::make_shared<pipeline::Labels>(scan_->grid);
+  for (int z = 20; z < 40; ++z)
+    for (int y = 30; y < 70; ++y)
+      for (int x = 20; x < 60; ++x) labels->at(x, y, z) = pipeline::kTongue;
+  LabelView view(scene_);
+  view.resize(300, 240);
+  view.show();
+  scene_.set_labels(labels);
+  const auto colours = [&] { return colours_in(view.grab().toImage().convertToFormat(QImage::Format_RGB32)); };
+  ASSERT_TRUE(wait_for([&] { return view.up_to_date() && !view.making_ready() && colours() > 5; }));
+  scene_.set_scan(scan_);  // the next patient's; nothing of it is labelled yet
+  EXPECT_EQ(colours(), 1) << "not even until it is drawn anew";
+}
+
 }  // namespace
 }  // namespace vallecula::gui::window_test
