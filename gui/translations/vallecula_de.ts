@@ -4771,8 +4771,8 @@ Sekunden sind eine Obergrenze, kein Ziel.</translation>
         <translation>Zeiten</translation>
     </message>
     <message>
-        <source>begun at the vallecula, half of the way</source>
-        <translation>an der Vallecula begonnen, auf halbem Weg</translation>
+        <source>begun at the vallecula</source>
+        <translation>an der Vallecula begonnen</translation>
     </message>
     <message>
         <source>At</source>
