@@ -33,7 +33,7 @@ Row row(const curricula::Score& score, const std::string& name, const std::strin
 }
 
 Row attempt_row(const curricula::Score& score, const curricula::Scenario& scenario, const std::string& name) {
-  if (score.at_vallecula) return {"Times", "not counted", "begun at the vallecula, half of the way", ""};
+  if (score.at_vallecula) return {"Times", "not counted", "begun at the vallecula", ""};
   const std::string time = number(score.attempt_time_s, 1) + " s",
                     most = "at most " + number(scenario.pass.attempt_time_s, 2) + " s";
   if (score.mouth_unknown) return {name, "not timed", "where the mouth begins is not known", ""};

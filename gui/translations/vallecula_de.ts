@@ -4795,16 +4795,16 @@ Sekunden sind eine Obergrenze, kein Ziel.</translation>
         <translation>Zeiten</translation>
     </message>
     <message>
-        <source>begun at the vallecula, half of the way</source>
-        <translation>an der Vallecula begonnen, den halben Weg</translation>
-    </message>
-    <message>
         <source>At</source>
         <translation>Bei</translation>
     </message>
     <message>
         <source>lowest saturation %1 %, lowest heart rate %2 per minute</source>
         <translation>niedrigste Sättigung %1 %, niedrigste Herzfrequenz %2 pro Minute</translation>
+    </message>
+    <message>
+        <source>begun at the vallecula</source>
+        <translation>an der Vallecula begonnen</translation>
     </message>
 </context>
 <context>

@@ -209,7 +209,7 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("FromBelow", "Begun at the vallecula"),
     QT_TRANSLATE_NOOP("FromBelow", "Times"),
     QT_TRANSLATE_NOOP("FromBelow", "not counted"),
-    QT_TRANSLATE_NOOP("FromBelow", "begun at the vallecula, half of the way"),
+    QT_TRANSLATE_NOOP("FromBelow", "begun at the vallecula"),
     QT_TRANSLATE_NOOP("FromBelow", "At"),
     QT_TRANSLATE_NOOP("FromBelow", "with at most %1 N on the tongue and %2 N on the gums"),
     QT_TRANSLATE_NOOP("FromBelow", "in an attempt of %1 s."),
