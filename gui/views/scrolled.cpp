@@ -29,12 +29,21 @@ QSize Scrolled::minimumSizeHint() const {
           static_cast<int>(std::ceil(least_lines_ * fontMetrics().lineSpacing()))};
 }
 
+/// Figures that change ask for no new place each time, a width that changes does where it changes the height.
+void Scrolled::tell() {
+  if (least_ == minimumSizeHint() && hint_ == sizeHint()) return;
+  least_ = minimumSizeHint();
+  hint_ = sizeHint();
+  updateGeometry();
+}
+
+void Scrolled::resizeEvent(QResizeEvent* event) {
+  QScrollArea::resizeEvent(event);
+  tell();
+}
+
 bool Scrolled::eventFilter(QObject* watched, QEvent* event) {
-  // Figures that change ask for no new place each time.
-  if (watched == widget() && event->type() == QEvent::LayoutRequest && least_ != minimumSizeHint()) {
-    least_ = minimumSizeHint();
-    updateGeometry();
-  }
+  if (watched == widget() && event->type() == QEvent::LayoutRequest) tell();
   return QScrollArea::eventFilter(watched, event);
 }
 

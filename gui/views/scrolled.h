@@ -14,11 +14,13 @@ class Scrolled : public QScrollArea {
   QSize minimumSizeHint() const override;
 
  protected:
+  void resizeEvent(QResizeEvent* event) override;
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
+  void tell();
   double least_lines_;
-  QSize least_;  ///< as the layout around it knows it
+  QSize least_, hint_;  ///< as the layout around it knows them
 };
 
 }  // namespace vallecula::gui
