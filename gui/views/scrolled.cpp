@@ -29,11 +29,10 @@ QSize Scrolled::minimumSizeHint() const {
           static_cast<int>(std::ceil(least_lines_ * fontMetrics().lineSpacing()))};
 }
 
-/// Figures that change ask for no new place each time, a width that changes does where it changes the height.
+/// Figures that change ask for no new place each time: whoever fits by sizeHint() asks anew.
 void Scrolled::tell() {
-  if (least_ == minimumSizeHint() && hint_ == sizeHint()) return;
+  if (least_ == minimumSizeHint()) return;
   least_ = minimumSizeHint();
-  hint_ = sizeHint();
   updateGeometry();
 }
 

@@ -20,7 +20,7 @@ class Scrolled : public QScrollArea {
  private:
   void tell();
   double least_lines_;
-  QSize least_, hint_;  ///< as the layout around it knows them
+  QSize least_;  ///< as the layout around it knows it
 };
 
 }  // namespace vallecula::gui
