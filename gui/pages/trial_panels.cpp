@@ -220,6 +220,7 @@ void TrialPanels::fit_team(int left) {
 void TrialPanels::fit() {
   if (!isVisible() || !as_at_first_) return;
   widen();
+  docks_[readings]->widget()->updateGeometry();  // its height now: it does not ask by itself when a figure changes
   resizeDocks({docks_[monitor]}, {docks_[monitor]->sizeHint().height()}, Qt::Vertical);
   QList<QDockWidget*> side;
   QList<int> heights;

@@ -26,7 +26,7 @@ std::vector<ChartLabel> paint_force_chart(QPainter& painter, const ChartForm& fo
 Chart make_force_chart(const ChartForm& form, const curricula::TrialLog& log, const curricula::Scenario& scenario,
                        const curricula::Score& score);
 /// em: of one with and without its title.
-constexpr double kLeastForceChart = 22.0, kLeastUntitledForceChart = 19.0;
+constexpr double kLeastForceChart = 22.0, kLeastUntitledForceChart = 18.0;
 
 /// As a picture of a size in pixels, from about 640 x 400 up.
 QImage draw_force_chart(const curricula::TrialLog& log, const curricula::Scenario& scenario,

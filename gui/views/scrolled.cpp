@@ -29,12 +29,20 @@ QSize Scrolled::minimumSizeHint() const {
           static_cast<int>(std::ceil(least_lines_ * fontMetrics().lineSpacing()))};
 }
 
+/// Figures that change ask for no new place each time: whoever fits by sizeHint() asks anew.
+void Scrolled::tell() {
+  if (least_ == minimumSizeHint()) return;
+  least_ = minimumSizeHint();
+  updateGeometry();
+}
+
+void Scrolled::resizeEvent(QResizeEvent* event) {
+  QScrollArea::resizeEvent(event);
+  tell();
+}
+
 bool Scrolled::eventFilter(QObject* watched, QEvent* event) {
-  // Figures that change ask for no new place each time.
-  if (watched == widget() && event->type() == QEvent::LayoutRequest && least_ != minimumSizeHint()) {
-    least_ = minimumSizeHint();
-    updateGeometry();
-  }
+  if (watched == widget() && event->type() == QEvent::LayoutRequest) tell();
   return QScrollArea::eventFilter(watched, event);
 }
 

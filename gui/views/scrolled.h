@@ -14,9 +14,11 @@ class Scrolled : public QScrollArea {
   QSize minimumSizeHint() const override;
 
  protected:
+  void resizeEvent(QResizeEvent* event) override;
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
+  void tell();
   double least_lines_;
   QSize least_;  ///< as the layout around it knows it
 };

@@ -16,6 +16,7 @@
 
 #include "gui/authoring/authoring_page.h"
 #include "gui/import/import_wizard.h"
+#include "gui/pages/chart_view.h"
 #include "gui/pages/help_dialog.h"
 #include "gui/pages/main_menu.h"
 #include "gui/pages/replay_page.h"
@@ -143,12 +144,9 @@ class WindowHelp : public Screen {
     ASSERT_TRUE(wait_for([&] { return finished; }, kBusyMs));
     ASSERT_GT(shown_s, 0.0);
     ASSERT_TRUE(wait_for([&] {  // every curve is drawn on a thread of its own
-      const QStringList curves{ResultPage::tr("Force over time"),
-                               ResultPage::tr("Saturation and heart rate over time")};
-      const auto labels = window_->findChild<ResultPage*>()->findChildren<QLabel*>();
-      return curves.size() == std::count_if(labels.begin(), labels.end(), [&](const QLabel* label) {
-               return curves.contains(label->accessibleName()) && !label->pixmap(Qt::ReturnByValue).isNull();
-             });
+      const auto charts = window_->findChild<ResultPage*>()->findChildren<ChartView*>();
+      return charts.size() == 2 &&
+             std::all_of(charts.begin(), charts.end(), [](const ChartView* chart) { return chart->drawn(); });
     }));
     keep("result.jpg");
     window_->replay(box_ / "out", shown_s + kBeforeReason_s);
