@@ -13,6 +13,7 @@
 #include "gui/instructor/instructor_controls.h"
 #include "gui/instructor/sign_in_dialog.h"
 #include "gui/instructor/station.h"
+#include "gui/pages/trial_page.h"
 #include "gui/records_pages/person_dialog.h"
 #include "tests/gui/instructor/window_instructor.h"
 
