@@ -1,10 +1,13 @@
 #include "curricula/score/checklist.h"
 
 #include <algorithm>
+#include <iterator>
+#include <optional>
 
 #include "curricula/score/attempts.h"
 #include "curricula/score/criterion.h"
 #include "curricula/score/score.h"
+#include "curricula/score/vectors.h"
 
 namespace vallecula::curricula {
 namespace {
@@ -15,7 +18,9 @@ using Done = ChecklistItem::Done;
 /// A blade that enters so far to the left of the midline is at neither place where it may go in (assumed).
 constexpr double kStillMiddleM = 0.003;
 /// Less of the glottis beside the tube than this is none (assumed).
-constexpr double kSomeOfIt = 0.05;
+constexpr double kSomeOfIt = 0.1;
+/// The tip stands before the larynx so near to where it goes in: half a tube's width (assumed).
+constexpr double kBeforeLarynxM = 0.0025;
 
 Item item(const char* id, const char* text, bool done, double at_s, const std::string& sentence) {
   return {id, text, done ? Done::yes : Done::no, at_s, sentence};
@@ -68,24 +73,28 @@ Item view_before_tube(const Attempt* attempt) {
                    : "Passed at " + second(*attempt->passed_cords_s) + " without a view before");
 }
 
-/// By the newest sight sample as the tip came into the larynx, some millimetres before the cords: from there on a tube
-/// that fits the opening fills it and hides it itself, whoever leads it.
+/// By what was seen while the tip stood before the larynx: in it a tube that fits the opening fills it and hides it
+/// itself, whoever leads it.
 Item passed_in_sight(const Attempt* attempt, const TrialLog& log) {
   const char *id = "tube_passed_in_sight", *text = "Tube seen as it passed between the cords";
   if (!attempt || !attempt->passed_cords_s) return not_seen(id, text, "No tube passed the cords in an attempt");
-  double newest = 0.0, seen = 0.0, reached_s = *attempt->passed_cords_s;
-  for (const LogTick& tick : log.ticks) {
-    if (tick.time_s > *attempt->passed_cords_s) break;
-    if (tick.has_sight && !paused(tick)) newest = tick.glottis_visible;
-    if (tick.intubation.place == LoggedPlace::larynx) continue;
-    seen = newest;
-    reached_s = tick.time_s;
+  const double passed_s = *attempt->passed_cords_s;
+  if (passed_s >= attempt->end_s)
+    return item(id, text, false, passed_s, "Passed at " + second(passed_s) + " with the blade out");
+  const auto passed =
+      std::find_if(log.ticks.begin(), log.ticks.end(), [&](const LogTick& t) { return t.time_s >= passed_s; });
+  auto entered = passed;
+  while (entered != log.ticks.begin() && std::prev(entered)->intubation.place == LoggedPlace::larynx) --entered;
+  // Sight is sampled in some ticks only: the newest counts wherever the tip was.
+  std::optional<double> seen;
+  for (auto tick = entered; tick != log.ticks.begin();) {
+    --tick;
+    if (seen && distance(tick->intubation.tip_m, entered->intubation.tip_m) > kBeforeLarynxM) break;
+    if (tick->has_sight && !paused(*tick)) seen = std::max(seen.value_or(0.0), tick->glottis_visible);
   }
-  const bool in_mouth = *attempt->passed_cords_s < attempt->end_s;
-  return item(id, text, seen >= kSomeOfIt && in_mouth, *attempt->passed_cords_s,
-              !in_mouth ? "Passed at " + second(*attempt->passed_cords_s) + " with the blade out"
-                        : fixed(100.0 * seen, 0) + " % of the glottis in sight as it came to the cords at " +
-                              second(reached_s));
+  return item(id, text, seen.value_or(0.0) >= kSomeOfIt, passed_s,
+              fixed(100.0 * seen.value_or(0.0), 0) +
+                  " % of the glottis in sight beside it before the cords, passed at " + second(passed_s));
 }
 
 /// Of the tube that lies where it lies at the first breath through it.

@@ -5,6 +5,12 @@
 #include "gui/session/words_from_below.h"
 
 namespace vallecula::gui {
+namespace {
+
+/// A limit as the scenario has it.
+std::string as_written(double limit) { return QString::number(limit, 'g', 6).toStdString(); }
+
+}  // namespace
 
 const char* verdict(const curricula::Score& score) {
   if (score.set_aside.empty()) return score.passed ? "Passed" : "Not passed";
@@ -25,8 +31,7 @@ Row row(const curricula::Score& score, const std::string& name, const std::strin
         const std::string& demand) {
   for (const curricula::Criterion& line : score.criteria) {
     if (line.name != criterion) continue;
-    const bool fine = line.unit == "N" || line.unit == "s";  // counts, percents and rates are whole
-    return {name, value, demand + " " + number(line.limit, fine ? 2 : 0) + (line.unit.empty() ? "" : " " + line.unit),
+    return {name, value, demand + " " + as_written(line.limit) + (line.unit.empty() ? "" : " " + line.unit),
             line.met ? "met" : "missed"};
   }
   return {name, value, "", ""};
@@ -35,7 +40,7 @@ Row row(const curricula::Score& score, const std::string& name, const std::strin
 Row attempt_row(const curricula::Score& score, const curricula::Scenario& scenario, const std::string& name) {
   if (score.at_vallecula) return {"Times", "not counted", "begun at the vallecula", ""};
   const std::string time = number(score.attempt_time_s, 1) + " s",
-                    most = "at most " + number(scenario.pass.attempt_time_s, 2) + " s";
+                    most = "at most " + as_written(scenario.pass.attempt_time_s) + " s";
   if (score.mouth_unknown) return {name, "not timed", "where the mouth begins is not known", ""};
   if (!score.attempt_begun) return {name, no_attempt(name).value, no_attempt(name).limit + "; " + most, ""};
   return row(score, name, time, "attempt_time_s", "at most");

@@ -3111,8 +3111,8 @@ Sekunden sind eine Obergrenze, kein Ziel.</translation>
         <translation>Passiert bei %1 s ohne Sicht davor</translation>
     </message>
     <message>
-        <source>%1 % of the glottis in sight as it came to the cords at %2 s</source>
-        <translation>%1 % der Glottis in Sicht, als er bei %2 s an die Stimmlippen kam</translation>
+        <source>%1 % of the glottis in sight beside it before the cords, passed at %2 s</source>
+        <translation>%1 % der Glottis neben ihm in Sicht vor den Stimmlippen, passiert bei %2 s</translation>
     </message>
     <message>
         <source>Passed at %1 s with the blade out</source>

@@ -84,7 +84,7 @@ TrialReadings::TrialReadings(QWidget* parent) : QWidget(parent) {
   auto* grid = new QGridLayout(this);
   grid->setContentsMargins(12, 8, 12, 8);
   grid->setVerticalSpacing(4);
-  grid->setHorizontalSpacing(16);
+  grid->setHorizontalSpacing(24);
   const auto caption = [&](const QString& text, int row, int column) {
     auto* label = new QLabel(text, this);
     label->setObjectName("faint");

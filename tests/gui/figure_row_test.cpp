@@ -39,7 +39,7 @@ TEST(FigureRow, WhereTheBladeNeverEnteredTheMouthThatIsSaid) {
     const auto found = std::find_if(rows.begin(), rows.end(), [&](const Row& row) { return row.name == name; });
     ASSERT_NE(found, rows.end()) << name;
     EXPECT_EQ(found->value, "no attempt") << name;
-    const std::string also = std::string(name) == "Attempt" ? "; at most 30.00 s" : "";
+    const std::string also = std::string(name) == "Attempt" ? "; at most 30 s" : "";
     EXPECT_EQ(found->limit, "the blade did not enter the mouth" + also) << name;
     EXPECT_EQ(found->verdict, "") << name << ": what was never tried is neither met nor missed";
   }
@@ -54,7 +54,7 @@ TEST(FigureRow, TheAttemptsLimitStandsBesideItWhetherItWasJudgedByItOrNot) {
   score.criteria.push_back({"attempt_time_s", "s", 12.34, 30.0, 0.0, true, ""});
   Row row = attempt_row(score, scenario, "Attempt");
   EXPECT_EQ(row.value, "12.3 s");
-  EXPECT_EQ(row.limit, "at most 30.00 s");
+  EXPECT_EQ(row.limit, "at most 30 s");
   EXPECT_EQ(row.verdict, "met");
   curricula::Score unknown;
   unknown.mouth_unknown = true;

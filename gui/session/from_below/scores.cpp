@@ -235,7 +235,7 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("FromBelow", "From %1 s on the upper jaw bore more than %2 N of the load, %3 N at most"),
     QT_TRANSLATE_NOOP("FromBelow", "In sight at %1 s, passed at %2 s"),
     QT_TRANSLATE_NOOP("FromBelow", "Passed at %1 s without a view before"),
-    QT_TRANSLATE_NOOP("FromBelow", "%1 % of the glottis in sight as it came to the cords at %2 s"),
+    QT_TRANSLATE_NOOP("FromBelow", "%1 % of the glottis in sight beside it before the cords, passed at %2 s"),
     QT_TRANSLATE_NOOP("FromBelow", "Passed at %1 s with the blade out"),
     QT_TRANSLATE_NOOP("FromBelow", "The first breath at %1 s"),
     QT_TRANSLATE_NOOP("FromBelow", "Still in at the first breath at %1 s"),

@@ -65,6 +65,7 @@ inline TrialLog log_of(const Change& change = {}, double seconds = 40.0) {
               : t.time_s < 12 - kTick / 2   ? LoggedPlace::mouth
               : t.time_s < 14.5 - kTick / 2 ? LoggedPlace::larynx
                                             : LoggedPlace::trachea;
+    i.tip_m = {0.0, 0.0, 0.008 * (14.0 - t.time_s)};
     if (t.time_s > 14 - kTick / 2) i.past_cords_m = std::min(0.024, 0.012 * (t.time_s - 14) + 1e-6);
     i.glottis_opening = 0.8;
     i.breaths_given = std::min(3, n / 1000) + std::max(0, (n - 21000) / 1000);
