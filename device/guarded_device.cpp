@@ -76,6 +76,7 @@ DeviceFault GuardedDevice::trouble(const DeviceReading& reading, bool has_pose) 
 
 void GuardedDevice::pause(DeviceFault fault) noexcept {
   if (!quiet() && !seen_tool_) tool_ = {last_.position_m, last_.rotation_wxyz};
+  held_only_ = fault == DeviceFault::frozen && (!quiet() || held_only_);
   fault_.store(fault, std::memory_order_relaxed);
   state_.store(GuardState::paused, std::memory_order_relaxed);
 }
@@ -98,7 +99,7 @@ void GuardedDevice::clutch(const DeviceReading& reading, const DeviceReading& to
 
 bool GuardedDevice::confirmed(const DeviceReading& tool, double elapsed_s) noexcept {
   near_s_ = length(subtract(tool.position_m, tool_.position_m)) <= kConfirmWithinM ? near_s_ + elapsed_s : 0.0;
-  const bool was_kept_waiting = device_.plays_back() && fault() == DeviceFault::frozen;
+  const bool was_kept_waiting = device_.plays_back() && held_only_;
   return device_.confirms_itself() || was_kept_waiting || (tool.buttons & ~buttons_) != 0 || near_s_ >= kConfirmHoldS ||
          confirmations_.load(std::memory_order_relaxed) != confirmed_;
 }

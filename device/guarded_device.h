@@ -99,6 +99,7 @@ class GuardedDevice {
   OutputChain chain_;
 
   bool centred_ = false;    ///< the first good reading has been put at the start
+  bool held_only_ = false;  ///< the pause began by somebody's holding it, and no device has been away since
   bool seen_tool_ = false;  ///< the scene has told where it holds the tool
   Place start_;
   Place tool_;          ///< in the scene; without one, of the last reading before the pause

@@ -21,6 +21,8 @@ constexpr double kStillMiddleM = 0.003;
 constexpr double kSomeOfIt = 0.1;
 /// The tip stands before the larynx so near to where it goes in: half a tube's width (assumed).
 constexpr double kBeforeLarynxM = 0.0025;
+/// What was seen before it went in tells nothing of a passing later than this (assumed).
+constexpr double kStandsS = 3.0;
 
 Item item(const char* id, const char* text, bool done, double at_s, const std::string& sentence) {
   return {id, text, done ? Done::yes : Done::no, at_s, sentence};
@@ -85,6 +87,10 @@ Item passed_in_sight(const Attempt* attempt, const TrialLog& log) {
       std::find_if(log.ticks.begin(), log.ticks.end(), [&](const LogTick& t) { return t.time_s >= passed_s; });
   auto entered = passed;
   while (entered != log.ticks.begin() && std::prev(entered)->intubation.place == LoggedPlace::larynx) --entered;
+  const auto stood = std::count_if(entered, passed, [](const LogTick& t) { return !paused(t); });
+  if (static_cast<double>(stood) * log.header.servo_period_s > kStandsS)
+    return not_seen(id, text, "The tip stood in the larynx for more than " + fixed(kStandsS, 0) +
+                                  " s before it passed, and hid it from the log");
   // Sight is sampled in some ticks only: the newest counts wherever the tip was.
   std::optional<double> seen;
   for (auto tick = entered; tick != log.ticks.begin();) {

@@ -13,6 +13,10 @@ std::string limit_text(double value) { return QString::number(value, 'g', 6).toS
 std::string figure(const Criterion& c) {
   if (c.unit == "%" || c.unit == "per minute") {  // nobody reads a monitor, or a view, to a part of one
     int decimals = 0;
+    const auto shown = [&] { return QString::number(c.value, 'f', decimals).toDouble(); };
+    // Rounded it must not lie on the other side of the limit, nor, where that was missed, on it.
+    const bool above = c.value > c.limit;
+    while (decimals < 4 && c.value != c.limit && (above ? shown() < c.limit : shown() > c.limit)) ++decimals;
     while (!c.met && decimals < 4 && fixed(c.value, decimals) == fixed(c.limit, decimals)) ++decimals;
     return fixed(c.value, decimals);
   }

@@ -28,7 +28,9 @@ class LiveEvents {
   void begin(const curricula::Scenario& scenario, const std::optional<curricula::Mouth>& mouth);
   /// What is new since the last snapshot. `pause`: why it is paused, empty while it is not; `paused_s`: so far.
   std::vector<LiveEvent> watch(const engine::Snapshot& snapshot, const QString& pause, double paused_s, DualTask* task);
-  /// The trial's clock as its log, the result and the replay have it, pauses included, s; in a pause when that began.
+  /// The trial's clock as its log, the result and the replay have it, pauses included, s.
+  double log_s() const { return log_s_; }
+  /// The same, but in a pause when that began.
   double now_s() const { return pause_.isEmpty() ? log_s_ : pause_began_s_; }
 
  private:

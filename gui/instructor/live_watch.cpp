@@ -58,7 +58,7 @@ void LiveWatch::forget() {
   emit forgotten();
 }
 
-void LiveWatch::add(const QString& text) { keep({{now_s(), text}}); }
+void LiveWatch::add(const QString& text) { keep({{events_of_.log_s(), text}}); }
 
 void LiveWatch::keep(const std::vector<LiveEvent>& events) {
   if (events.empty()) return;

@@ -70,11 +70,13 @@ void ChartView::draw_now() {
       [this, of = asked_](const Chart& chart) {
         if (of != asked_) return;
         chart_ = chart;
+        problem_.clear();
         shown_ = theme::of_this_ground(chart_.picture);
         update();
       },
       [this, of = asked_](const QString& message) {
         if (of != asked_) return;
+        chart_ = {};
         problem_ = message;
         update();
       });

@@ -350,6 +350,11 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     event->ignore();
     return;
   }
+  if (trial_->held_by_instructor()) {
+    trial_->refuse_to_end();
+    event->ignore();
+    return;
+  }
   if (trial_->assessing()) {  // it counts as ended by the End button does, and is rated before the window goes
     trial_->end(curricula::kEndedByTrainee);
     event->ignore();

@@ -68,6 +68,8 @@ class MainWindow : public QMainWindow {
   /// Tells of what an earlier program that ended too early left: trials, a course that was being written.
   void look_back();
   bool looking_back() const { return looking_back_; }  ///< until looked_back()
+  /// Nothing would be lost with it: nobody is signed in, nothing is under way or unsaved, no instructor's window is open.
+  bool may_be_made_anew() const;
   /// This window takes the other's place: as large, maximised where it is, with what it has told of.
   void take_over(MainWindow& before);
   /// Writes what the program did, and on what, into one text file; it names nobody.
@@ -107,7 +109,6 @@ class MainWindow : public QMainWindow {
   void show_help();
   /// Puts on the language that was chosen in the settings, at once where nothing would be lost with this window.
   void follow_language();
-  bool may_be_made_anew() const;
   void follow(const QString& link);
   void show_found();
   void restore_place();

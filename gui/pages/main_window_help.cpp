@@ -134,7 +134,9 @@ void MainWindow::show_first_steps(bool very_first) {
 bool MainWindow::may_be_made_anew() const {
   const QWidget* page = pages_->currentWidget();
   const bool at_rest = page == home_ || page == start_ || page == records_ || page == devices_;
-  return at_rest && !working_ && !records_->desk().who() && !authoring_->document().modified() &&
+  const InstructorWindow* instructor = station_->instructor_window();
+  const bool instructed = instructor != nullptr && instructor->isVisible();
+  return at_rest && !working_ && !instructed && !records_->desk().who() && !authoring_->document().modified() &&
          isSignalConnected(QMetaMethod::fromSignal(&MainWindow::words_changed));
 }
 

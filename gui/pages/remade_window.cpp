@@ -28,6 +28,8 @@ void RemadeWindow::remake(bool first_steps) {
         Qt::QueuedConnection);
     return;
   }
+  // Somebody may have begun something meanwhile: it is in the other language from the next start on.
+  if (!window_->may_be_made_anew()) return;
   open();
   if (first_steps) window_->show_first_steps(true);
   emit remade();

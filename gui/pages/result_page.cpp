@@ -21,6 +21,7 @@
 #include "gui/report/figure_row.h"
 #include "gui/report/force_chart.h"
 #include "gui/report/monitor_chart.h"
+#include "gui/session/log_on_demand.h"
 #include "gui/session/replay_trial.h"
 #include "gui/session/words_from_below.h"
 #include "gui/views/scrolled.h"
@@ -181,12 +182,13 @@ void ResultPage::tell(const QString& message) {
   told_->setVisible(!message.isEmpty());
 }
 
-/// As large as they are seen, of the log, which is read for it: long ones are not kept in memory beside a page of text.
+/// As large as they are seen. The log is read for the first of them and kept for the others until the page is left.
 void ResultPage::show_charts(const TrialOutcome& outcome, const curricula::Scenario& scenario) {
-  const auto of_log = [log = outcome.log, score = outcome.score, scenario](const auto& make, const QString& words) {
+  log_ = std::make_shared<LogOnDemand>(outcome.log);
+  const auto of_log = [log = log_, score = outcome.score, scenario](const auto& make, const QString& words) {
     return [=](const ChartForm& form) {
       try {
-        return make(form, curricula::read_trial_log(log), scenario, score);
+        return make(form, *log->get(), scenario, score);
       } catch (const std::exception& error) {
         throw std::runtime_error(words.arg(QString::fromUtf8(error.what())).toStdString());
       }
@@ -197,6 +199,11 @@ void ResultPage::show_charts(const TrialOutcome& outcome, const curricula::Scena
   monitor_->setVisible(outcome.score.intubation.has_value());
   if (outcome.score.intubation)
     monitor_->show_chart(of_log(make_monitor_chart, tr("Saturation and heart rate cannot be drawn: %1")));
+}
+
+void ResultPage::hideEvent(QHideEvent* event) {
+  QWidget::hideEvent(event);
+  if (log_ && !event->spontaneous()) log_->forget();  // long ones take much memory beside a page of text
 }
 
 void ResultPage::show_figures(const TrialOutcome& outcome, const curricula::Scenario& scenario) {

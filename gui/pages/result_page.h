@@ -14,6 +14,7 @@ class QPushButton;
 namespace vallecula::gui {
 
 class ChartView;
+class LogOnDemand;
 
 class ResultPage : public QWidget {
   Q_OBJECT
@@ -32,6 +33,7 @@ class ResultPage : public QWidget {
   void replay_wanted(double at_s);
 
  protected:
+  void hideEvent(QHideEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
 
  private:
@@ -41,6 +43,7 @@ class ResultPage : public QWidget {
   QPushButton *replay_, *again_, *same_;
   QGridLayout* figures_;
   ChartView *plot_, *monitor_;
+  std::shared_ptr<LogOnDemand> log_;
   std::filesystem::path report_;
 };
 

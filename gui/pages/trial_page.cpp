@@ -159,6 +159,7 @@ void TrialPage::begin_anew(bool at_vallecula) {
 void TrialPage::hand_to_blade() {
   auto* mouse = dynamic_cast<device::MouseDevice*>(&session_->device());
   if (mouse == nullptr || session_->latest().step < 0 || session_->led_in()) return;
+  if (session_->pause().empty() && !session_->frozen()) return;  // the hand has hold of it: it would let the lift go
   if (session_->takes_turns() && session_->in_hand() != Tool::blade) return;
   const engine::Pose& blade = session_->latest().proxy_pose;
   const engine::Vec3& p = blade.position;

@@ -58,6 +58,8 @@ class TrialPage : public QWidget {
   /// What is known of the device's check, beside the help; empty: nothing.
   void set_device_note(const QString& note);
   bool running() const { return running_; }
+  bool held_by_instructor() const;  ///< a running trial: nobody ends or leaves it at this window
+  void refuse_to_end();             ///< says so, until it is let go
   /// The open trial, for whoever looks at it from another window; null: none is open.
   std::shared_ptr<TrialSession> session() const { return session_; }
   /// What it is drawn from: moved once a frame, before frame().
@@ -108,7 +110,6 @@ class TrialPage : public QWidget {
   void show_buttons();
   /// What ends or leaves the trial, which nobody does at this window while an instructor holds it.
   void show_ways_out();
-  bool held_by_instructor() const;
   void show_help();
   /// The scenario's helps in the operator's view; all are off in an assessment.
   void show_helps();

@@ -96,7 +96,10 @@ void TrialPage::draw_frame() {
   operator_view_->set_ghost_time(1e-3 * static_cast<double>(since_shown_.elapsed()));
   try {
     if (!running_) return draw_at_rest();
-    if (held_by_instructor() == end_->isEnabled()) show_ways_out();
+    if (held_by_instructor() == end_->isEnabled()) {
+      show_ways_out();
+      if (!held_by_instructor()) hand_to_blade();  // before a hand that holds still takes hold by itself
+    }
     if (expert_wanted_) {
       draw_expert();
       emit waited();
@@ -143,7 +146,7 @@ void TrialPage::show_running(const engine::Snapshot& snapshot) {
   sound_->hear(snapshot, !pause.isEmpty());
   if (session_->takes_turns() && session_->in_hand() != shown_in_hand_) show_steered();
   const bool hinted = curricula::rules_of(session_->scenario().attempt.mode).assistance;  // a help like the others
-  show_banner(session_->led_in() ? tr("The blade is being led to the vallecula; then it is yours.")
+  show_banner(session_->led_in() && pause.isEmpty() ? tr("The blade is being led to the vallecula; then it is yours.")
                                  : banner_for(snapshot, in_words(session_->fault()), pause + refused),
               snapshot.has_intubation && hinted
                   ? hint_for(snapshot, session_->scenario().sight_percent, operator_view_->blade_in(),

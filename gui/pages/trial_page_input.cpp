@@ -78,13 +78,12 @@ void TrialPage::enter_pressed() {
   session_->confirm();
 }
 
+void TrialPage::refuse_to_end() { end_refused_ = true; }  // the banner says why
+
 void TrialPage::escape_pressed() {
   if (close_key_list(this)) return;  // it says so, wherever the keys go
   if (expert_wanted_) return end_expert();
-  if (held_by_instructor()) {
-    end_refused_ = true;  // the banner says why
-    return;
-  }
+  if (held_by_instructor()) return refuse_to_end();
   (running_ ? end_ : leave_)->click();
 }
 

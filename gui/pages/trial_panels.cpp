@@ -325,14 +325,17 @@ void TrialPanels::show_what_is_wanted() {
 void TrialPanels::find_place(Panel panel) {
   QDockWidget* dock = docks_[panel];
   if (!dock->isFloating()) return;
-  placed_[panel] = true;
-  if (places_[panel] && QGuiApplication::screenAt(*places_[panel]) != nullptr) return dock->move(*places_[panel]);
+  if (places_[panel] && QGuiApplication::screenAt(*places_[panel]) != nullptr) {
+    placed_[panel] = true;
+    return dock->move(*places_[panel]);
+  }
   std::vector<QRect> others;
   for (const QDockWidget* other : docks_)
     if (other != dock && !other->visibleRegion().isEmpty())
       others.emplace_back(other->mapToGlobal(QPoint(0, 0)), other->size());
   dock->move(free_place(dock->frameGeometry().size(), window()->screen()->availableGeometry(),
                         window()->frameGeometry(), others));
+  placed_[panel] = true;  // what moves it from now on is a person
 }
 
 /// Out of the window a panel would stand there without the page, and be there again before a trial is.

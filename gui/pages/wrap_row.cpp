@@ -71,7 +71,7 @@ void WrapRow::setGeometry(const QRect& place) {
   int y = place.top();
   for (const Row& row : rows_for(place.width())) {
     const auto grows = [](QLayoutItem* item) {
-      return (item->widget()->sizePolicy().horizontalPolicy() & QSizePolicy::GrowFlag) != 0;
+      return item->widget() != nullptr && (item->widget()->sizePolicy().horizontalPolicy() & QSizePolicy::GrowFlag) != 0;
     };
     int growing = static_cast<int>(std::count_if(row.begin(), row.end(), grows));
     int left = std::max(0, place.width() - wide(row)), x = place.left();

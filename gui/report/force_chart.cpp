@@ -112,8 +112,9 @@ std::vector<ChartLabel> paint_force_chart(QPainter& painter, const ChartForm& fo
              true);
   if (score.time_to_trachea_visible_s >= 0.0) {
     force.moment(score.time_of_first_sight_s, kSightColour,
-                 QCoreApplication::translate("Charts", "first sight, %1 s into the attempt")
-                     .arg(chart::number(score.time_to_trachea_visible_s, 1)));
+                 score.at_vallecula ? QCoreApplication::translate("Charts", "first sight")
+                                    : QCoreApplication::translate("Charts", "first sight, %1 s into the attempt")
+                                          .arg(chart::number(score.time_to_trachea_visible_s, 1)));
     view.moment(score.time_of_first_sight_s, kSightColour, QString());
   }
   if (score.peak_gum_force_n > 0.0) {

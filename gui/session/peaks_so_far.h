@@ -17,10 +17,16 @@ inline double load_n(const curricula::LogTick& tick, curricula::LoadedStructure 
 
 struct PeaksSoFar {
   float tongue_n = 0.0f, gum_n = 0.0f;
+  long long led_ticks = 0;  ///< of the way on which the blade is led, still to come
 
-  /// A tick of a pause, in which nothing is felt, counts as little as in the score.
+  PeaksSoFar() = default;
+  explicit PeaksSoFar(const curricula::LogHeader& header) {
+    const auto led = header.settings.find(curricula::kLeadInTicks);
+    if (led != header.settings.end()) led_ticks = static_cast<long long>(led->second);
+  }
+  /// What is no hand's doing counts as little as in the score: a tick of a pause, or of the way on which the blade is led.
   void take(const curricula::LogTick& tick) {
-    if (curricula::paused(tick)) return;
+    if (curricula::paused(tick) || led_ticks-- > 0) return;
     tongue_n = std::fmax(tongue_n, static_cast<float>(load_n(tick, curricula::kTongue)));
     gum_n = std::fmax(gum_n, static_cast<float>(load_n(tick, curricula::kGum)));
   }

@@ -45,7 +45,7 @@ TipPath expert_path_on(const pipeline::PatientPackage& package, const curricula:
 
 std::vector<PeaksSoFar> peaks_of(const curricula::TrialLog& log) {
   std::vector<PeaksSoFar> peaks;
-  PeaksSoFar now;
+  PeaksSoFar now(log.header);
   for (std::size_t i = 0; i < log.ticks.size(); ++i) {
     now.take(log.ticks[i]);
     if ((i + 1) % kPeaksEvery == 0 || i + 1 == log.ticks.size()) peaks.push_back(now);

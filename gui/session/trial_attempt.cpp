@@ -18,15 +18,16 @@ namespace {
 
 constexpr auto kRecorderPeriod = std::chrono::milliseconds(5);  ///< the ring holds 8 s
 constexpr double kPeriodS = 0.001;                              ///< of the servo
-constexpr double kLongestPauseS =
-    600.0;  ///< a device that is away for longer ends the trial; a person may hold it up for as long as they like
+/// A device that is away for longer ends the trial; a person may hold it up for as long as they like.
+constexpr double kLongestPauseS = 600.0;
 constexpr std::int64_t kChunkTicks = 10;  ///< not in real time: ticks between two looks at the stop flag
 
 }  // namespace
 
 TrialAttempt::TrialAttempt(const AttemptFrame& frame, std::shared_ptr<const engine::Scene> scene,
                            engine::HapticPort& port, curricula::LogHeader header, curricula::OpenTrial registered)
-    : frame_(frame), runner_(std::move(scene), port), header_(std::move(header)), registered_(std::move(registered)) {}
+    : frame_(frame), runner_(std::move(scene), port), header_(std::move(header)), registered_(std::move(registered)),
+      highest_(header_) {}
 
 TrialAttempt::~TrialAttempt() {
   halt();
@@ -103,6 +104,13 @@ std::string TrialAttempt::problem() const {
   }
 }
 
+PeaksSoFar TrialAttempt::peaks() const {
+  PeaksSoFar so_far;
+  so_far.tongue_n = tongue_peak_n_;
+  so_far.gum_n = gum_peak_n_;
+  return so_far;
+}
+
 void TrialAttempt::record(const engine::TickRecord& tick) {
   if (tick.tick != recorded_) {
     throw std::runtime_error("ticks " + std::to_string(recorded_) + " to " + std::to_string(tick.tick - 1) +
@@ -111,10 +119,9 @@ void TrialAttempt::record(const engine::TickRecord& tick) {
   const curricula::LogTick logged = to_log(tick);
   writer_->append(logged);
   ++recorded_;
-  PeaksSoFar highest = peaks();
-  highest.take(logged);
-  tongue_peak_n_ = highest.tongue_n;
-  gum_peak_n_ = highest.gum_n;
+  highest_.take(logged);
+  tongue_peak_n_ = highest_.tongue_n;
+  gum_peak_n_ = highest_.gum_n;
   if (loop_fault_ == 0) loop_fault_ = tick.faults & kLoopFaults;
   if (ended_by_.empty()) follow(logged, tick);
 }

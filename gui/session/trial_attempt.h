@@ -47,8 +47,7 @@ class TrialAttempt {
   TrialAttempt(const TrialAttempt&) = delete;
   TrialAttempt& operator=(const TrialAttempt&) = delete;
 
-  // --- the thread that made it
-  // -----------------------------------------------------------------------------------------
+  // --- the thread that made it ---------------------------------------------------------------------------------------
   /// Returns at once. `before`: the attempt that was reset for this one, halted; kept and scored before all else.
   void start(std::unique_ptr<TrialAttempt> before);
   bool started() const { return worker_.joinable() || writer_; }
@@ -70,7 +69,7 @@ class TrialAttempt {
   std::string problem() const;
   std::uint32_t loop_fault() const { return loop_fault_; }
   std::int64_t paused_ticks() const { return paused_; }
-  PeaksSoFar peaks() const { return {tongue_peak_n_, gum_peak_n_}; }
+  PeaksSoFar peaks() const;
 
  private:
   void work();
@@ -94,8 +93,8 @@ class TrialAttempt {
   const curricula::OpenTrial registered_;
   std::unique_ptr<TrialAttempt> before_;
   std::thread worker_;
-  /// Held while the loop is begun, while it runs at full speed, and while the hands are asked: once halted, nobody
-  /// does.
+  /// Held while the loop is begun, while it runs at full speed, and while the hands are asked: once halted,
+  /// nobody does.
   std::recursive_mutex gate_;
 
   std::atomic<bool> stop_asked_{false}, ended_{false}, begun_{false};
@@ -107,6 +106,7 @@ class TrialAttempt {
   std::unique_ptr<curricula::TrialLogWriter> writer_;
   TrialRecord row_;
   std::int64_t recorded_ = 0;
+  PeaksSoFar highest_;
   std::int64_t pause_began_ = -1;          ///< tick of the last one that was not paused
   std::int64_t away_ = 0;                  ///< ticks of the present pause in which nobody held it: a device is away
   std::vector<std::string> pause_faults_;  ///< as in the log's footer

@@ -91,7 +91,7 @@ class TrialSession {
   /// Why the attempt could not begin or its log could not be written, for a person; empty: nothing so far. Any thread.
   std::string problem() const;
   /// Somebody holds the trial: its clock stands, no force is shown, the tools stay. Once all have let go it goes on as
-  /// after any pause, when the hand confirms. A reset lets nobody go. Logged as a pause with the fault "frozen". Throws
+  /// after any pause, when the hand confirms. A reset lets nobody go. Logged as a pause that names who held it. Throws
   /// std::runtime_error in an assessment. Window's thread.
   void freeze(Holder holder, bool on);
   bool frozen() const;                  ///< by anybody; any thread

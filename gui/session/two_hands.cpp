@@ -149,8 +149,7 @@ std::string TwoHands::pause_fault() const {
   const bool second = second_guard_ && pauses(*second_guard_) && !pauses(*guard_);
   const device::HapticDevice& device = second ? *second_.device : *device_;
   const device::DeviceFault fault = (second ? second_guard_ : guard_)->fault();
-  if (device.confirms_itself()) return "";
-  if (fault != device::DeviceFault::frozen) return device::name_of(fault);
+  if (fault != device::DeviceFault::frozen) return device.confirms_itself() ? "" : device::name_of(fault);
   const std::uint32_t held_by = last_held_;  // whoever it was may have let go again already
   const auto is = [&](Holder holder) { return (held_by & static_cast<std::uint32_t>(holder)) != 0; };
   return is(Holder::instructor) ? device::name_of(fault) : is(Holder::expert) ? "expert_shown" : "list_of_keys";

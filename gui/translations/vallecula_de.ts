@@ -283,6 +283,10 @@
         <source>as a device with force would show it (this one shows none)</source>
         <translation>wie ein Gerät mit Kraft sie zeigte (dieses zeigt keine)</translation>
     </message>
+    <message>
+        <source>first sight</source>
+        <translation>erste Sicht</translation>
+    </message>
 </context>
 <context>
     <name>CohortModel</name>
@@ -4805,6 +4809,10 @@ Sekunden sind eine Obergrenze, kein Ziel.</translation>
     <message>
         <source>begun at the vallecula</source>
         <translation>an der Vallecula begonnen</translation>
+    </message>
+    <message>
+        <source>The tip stood in the larynx for more than %1 s before it passed, and hid it from the log</source>
+        <translation>Die Spitze stand länger als %1 s im Larynx, bevor sie hindurchging, und verdeckte es dem Protokoll</translation>
     </message>
 </context>
 <context>

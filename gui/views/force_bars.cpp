@@ -98,9 +98,9 @@ void ForceBars::set_marks(const ForceMarks& marks) {
   clear();
 }
 
-void ForceBars::show_forces(const BladeForces& now, const PeaksSoFar& peaks) {
-  tongue_.peak = std::max({tongue_.peak, now.tongue_n, static_cast<double>(peaks.tongue_n)});
-  gum_.peak = std::max({gum_.peak, now.gum_n, static_cast<double>(peaks.gum_n)});
+void ForceBars::show_forces(const BladeForces& now, const std::optional<PeaksSoFar>& peaks) {
+  tongue_.peak = std::max(tongue_.peak, peaks ? static_cast<double>(peaks->tongue_n) : now.tongue_n);
+  gum_.peak = std::max(gum_.peak, peaks ? static_cast<double>(peaks->gum_n) : now.gum_n);
   show(now, false);
 }
 

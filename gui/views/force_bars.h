@@ -5,6 +5,7 @@
 
 #include <QWidget>
 #include <array>
+#include <optional>
 
 #include "curricula/scenario.h"
 #include "engine/tick_record.h"
@@ -36,8 +37,8 @@ class ForceBars : public QWidget {
  public:
   explicit ForceBars(QWidget* parent = nullptr);
   void set_marks(const ForceMarks& marks);
-  /// `peaks`: the largest so far of what was not shown; the larger is kept until clear().
-  void show_forces(const BladeForces& now, const PeaksSoFar& peaks = {});
+  /// `peaks`: the largest so far; left out, of what was shown. They are kept until clear().
+  void show_forces(const BladeForces& now, const std::optional<PeaksSoFar>& peaks = std::nullopt);
   /// An expert's, in place of one's own, whose peaks stay kept; until show_forces().
   void show_expert(const BladeForces& now);
   void clear();

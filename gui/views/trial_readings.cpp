@@ -160,6 +160,7 @@ void TrialReadings::clear() {
   sight_->show_percent(0.0, 0.0, sight_percent_);
   state_->setText(tr("ready"));
   tube_->setText(tr("not in the mouth"));
+  pace_ = {};
   computer_->setText(tr("waits"));
   computer_->setStyleSheet(QString());
   computer_->setToolTip(QString());
@@ -208,7 +209,7 @@ void TrialReadings::show_snapshot(const engine::Snapshot& snapshot, double pause
   state_->setText(words_for(snapshot.state, invalid).name);
   state_->setStyleSheet(
       snapshot.state == engine::HapticState::tracking ? QString() : QString("color: %1").arg(theme::device().name()));
-  const bool fast = keeps_up(snapshot.ticks, snapshot.deadline_misses, snapshot.overruns);
+  const bool fast = pace_.keeps_up({snapshot.ticks, snapshot.deadline_misses, snapshot.overruns});
   computer_->setText(fast ? tr("keeps up with the hand") : tr("too slow: forces come late"));
   computer_->setStyleSheet(fast ? QString() : QString("color: %1").arg(theme::device().name()));
   const QString rate =

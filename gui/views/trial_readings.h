@@ -8,6 +8,7 @@
 #include "curricula/scenario.h"
 #include "curricula/score/mouth.h"
 #include "engine/snapshot.h"
+#include "gui/session/keeps_up.h"
 
 class QLabel;
 class QProgressBar;
@@ -52,6 +53,7 @@ class TrialReadings : public QWidget {
   double attempt_start_s_ = -1.0, attempt_s_ = 0.0, last_in_s_ = 0.0;
   bool led_ = false;
   QLabel *clock_caption_, *clock_, *limit_, *seen_, *state_, *computer_, *drawing_, *tube_, *tube_caption_;
+  Pace pace_;
   class SightBar* sight_;
   double sight_percent_ = 25.0, best_percent_ = 0.0, attempt_limit_s_ = 30.0;
   bool force_shown_ = true;

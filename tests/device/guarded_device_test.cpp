@@ -5,7 +5,9 @@
 #include <functional>
 #include <limits>
 #include <utility>
+#include <vector>
 
+#include "device/drivers/scripted_device.h"
 #include "tests/device/puppet_device.h"
 
 namespace vallecula::device {
@@ -368,6 +370,27 @@ TEST(GuardedDevice, LettingGoIsZeroForce) {
   bench.ticks(600, {3, 0, 0});
   bench.guard.let_go();
   EXPECT_EQ(bench.puppet.heard, (Vector{0, 0, 0}));
+}
+
+TEST(GuardedDevice, WhoHoldsTheTrialTakesNoFaultOfAScriptAway) {
+  std::vector<Keyframe> way(2);  // 50 mm/s: no hand that holds still
+  way[1].time_s = 2.0;
+  way[1].position_m = {0.1, 0, 0};
+  const auto held_after = [&](std::vector<InjectedFault> faults) {
+    ScriptedDevice script(Trajectory(way), HandSettings{}, std::move(faults));
+    GuardedDevice guard(script, guard_for(script.info()));
+    double waited_s = 0.0;
+    for (int n = 0; n < 1200; ++n) {
+      guard.freeze(n >= 600 && n < 900);
+      if (guard.waits()) waited_s += kServoTick;
+      guard.read(n * kServoTick, waited_s);
+      guard.write({0, 0, 0});
+    }
+    return guard.state();
+  };
+  EXPECT_EQ(held_after({}), GuardState::working) << "it goes on by itself";
+  EXPECT_EQ(held_after({{DeviceFault::communication_lost, 0.4, 0.1}}), GuardState::confirming)
+      << "its tool stands where it was when the device went: somebody has to take hold";
 }
 
 }  // namespace

@@ -7,6 +7,8 @@
 #include <chrono>
 #include <cstdlib>
 #include <fstream>
+#include <optional>
+#include <string>
 
 #include "gui/session/recent_files.h"
 #include "gui/session/user_settings.h"
@@ -107,9 +109,25 @@ TEST_F(DroppedFiles, ATrialIsOfTheDayItWasDoneWhateverIsWrittenBesideItsLog) {
   EXPECT_NEAR(static_cast<double>(there[0].changed.daysTo(QDateTime::currentDateTime())), 40.0, 1.0);
 }
 
+/// An environment variable for the time being.
+class Elsewhere {
+ public:
+  Elsewhere(const char* name, const std::string& value) : name_(name) {
+    if (const char* before = std::getenv(name)) before_ = before;
+    setenv(name, value.c_str(), 1);
+  }
+  ~Elsewhere() { before_ ? setenv(name_, before_->c_str(), 1) : unsetenv(name_); }
+  Elsewhere(const Elsewhere&) = delete;
+  Elsewhere& operator=(const Elsewhere&) = delete;
+
+ private:
+  const char* name_;
+  std::optional<std::string> before_;
+};
+
 TEST_F(DroppedFiles, AnOpeningDialogBeginsWhereTheLastOneEndedElseInTheDocumentsElseAtHome) {
-  const std::string before = std::getenv("HOME") == nullptr ? "" : std::getenv("HOME");
-  setenv("HOME", box_.folder().c_str(), 1);
+  const Elsewhere home("HOME", box_.folder().string());
+  const Elsewhere settings("XDG_CONFIG_HOME", (box_ / "config").string());  // where another folder may be named
   const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
   ASSERT_TRUE(documents.startsWith(QString::fromStdString(box_.folder().string()))) << documents.toStdString();
   if (documents != QString::fromStdString(box_.folder().string())) {
@@ -123,7 +141,6 @@ TEST_F(DroppedFiles, AnOpeningDialogBeginsWhereTheLastOneEndedElseInTheDocuments
   EXPECT_EQ(folder_to_open().toStdString(), folder.string());
   std::filesystem::remove_all(folder);
   EXPECT_EQ(folder_to_open(), documents) << "it is gone";
-  setenv("HOME", before.c_str(), 1);
 }
 
 }  // namespace

@@ -236,6 +236,8 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("FromBelow", "In sight at %1 s, passed at %2 s"),
     QT_TRANSLATE_NOOP("FromBelow", "Passed at %1 s without a view before"),
     QT_TRANSLATE_NOOP("FromBelow", "%1 % of the glottis in sight beside it before the cords, passed at %2 s"),
+    QT_TRANSLATE_NOOP(
+        "FromBelow", "The tip stood in the larynx for more than %1 s before it passed, and hid it from the log"),
     QT_TRANSLATE_NOOP("FromBelow", "Passed at %1 s with the blade out"),
     QT_TRANSLATE_NOOP("FromBelow", "The first breath at %1 s"),
     QT_TRANSLATE_NOOP("FromBelow", "Still in at the first breath at %1 s"),

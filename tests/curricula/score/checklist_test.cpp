@@ -130,6 +130,14 @@ TEST(Checklist, ATubeThatHidesTheGlottisOnlyAsItEntersWasSeen) {
   EXPECT_EQ(again.done, Done::no) << again.sentence;
 }
 
+TEST(Checklist, OfATipThatStoodInTheLarynxForLongNobodyKnowsWhatWasSeen) {
+  const ChecklistItem item = *find(score_of([](LogTick& t) {
+                                     if (between(t, 10.5, 12)) t.intubation.place = LoggedPlace::larynx;
+                                   }),
+                                   "tube_passed_in_sight");
+  EXPECT_EQ(item.done, Done::not_seen) << item.sentence;
+}
+
 TEST(Checklist, AMillerLiftIsLeftToTheInstructor) {
   const auto far = [](LogTick& t) {
     if (between(t, 5, 20)) t.proxy_pose.position_m = kInMouth;

@@ -1,6 +1,8 @@
 // A chart's letters and its least height follow the text's size, whatever it is drawn for, and what was cut is told.
 #include <QHelpEvent>
 #include <QToolTip>
+#include <mutex>
+#include <vector>
 
 #include "gui/pages/chart_view.h"
 #include "gui/pages/look_settings.h"
@@ -24,18 +26,26 @@ class WindowChartView : public Screen {
 };
 
 TEST_F(WindowChartView, LettersAndLeastHeightFollowTheTextsSize) {
+  std::mutex drawing;  // forms are asked for on threads of their own
   std::vector<ChartForm> asked;
+  const auto last = [&] {
+    const std::lock_guard<std::mutex> lock(drawing);
+    return asked.back();
+  };
   ChartView view("Force", 20.0, true);
   view.resize(600, 260);
   view.show_chart([&](const ChartForm& form) {
-    asked.push_back(form);
+    {
+      const std::lock_guard<std::mutex> lock(drawing);
+      asked.push_back(form);
+    }
     QImage picture(form.width, form.height, QImage::Format_RGB32);
     picture.fill(Qt::white);
     return Chart{picture, {{QRectF(10, 10, 60, 20), "dev...", "device limit 7.9 N"}}};
   });
   view.show();
   ASSERT_TRUE(wait_for([&] { return view.drawn(); }, 20000));
-  const ChartForm small = asked.back();
+  const ChartForm small = last();
   // 10 points at 96 to the inch are 13.3 px; a chart's letters a tenth smaller.
   EXPECT_NEAR(small.em, 0.9 * 10.0 * 96.0 / 72.0, 0.6);
   EXPECT_EQ(small.width, 600);
@@ -45,9 +55,9 @@ TEST_F(WindowChartView, LettersAndLeastHeightFollowTheTextsSize) {
   EXPECT_EQ(QToolTip::text(), "device limit 7.9 N");
   QToolTip::hideText();
   text(1.35);
-  ASSERT_TRUE(wait_for([&] { return asked.back().em > 1.2 * small.em; }, 20000)) << "drawn anew";
-  EXPECT_NEAR(asked.back().em / small.em, 1.35, 0.08);
-  EXPECT_NEAR(view.minimumSizeHint().height(), 20.0 * asked.back().em, 1.0);
+  ASSERT_TRUE(wait_for([&] { return last().em > 1.2 * small.em; }, 20000)) << "drawn anew";
+  EXPECT_NEAR(last().em / small.em, 1.35, 0.08);
+  EXPECT_NEAR(view.minimumSizeHint().height(), 20.0 * last().em, 1.0);
 }
 
 TEST_F(WindowChartView, ALearningCurvesWordsStandClearOfOneAnotherInEveryTextSize) {
