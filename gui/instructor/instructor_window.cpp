@@ -220,6 +220,7 @@ void InstructorWindow::catch_up() {
   add_events(live_.events());
   if (!session_) return;
   const TrialPanels& panels = trial_.panels();
+  bars_->show_forces({}, panels.bars().peaks());
   readings_->go_on_from(panels.readings_panel());
   monitor_->go_on_from(panels.monitor_panel());
 }
@@ -239,7 +240,7 @@ void InstructorWindow::frame(const engine::Snapshot& snapshot) {
   ++drawn_;
   view_->update_from(snapshot);  // the look has moved to it already, in the trial page's view
   view_->draw();
-  bars_->show_forces(blade_forces(snapshot.loads, snapshot.proxy_pose), session_->peaks());
+  bars_->show_forces(blade_forces(snapshot.loads, snapshot.proxy_pose), trial_.panels().bars().peaks());
   readings_->set_led(session_->led_in());
   readings_->show_snapshot(snapshot, session_->paused_s());
   monitor_->show_snapshot(snapshot);

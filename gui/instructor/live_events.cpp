@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "gui/report/markdown.h"
+#include "gui/session/trial_clock.h"
 #include "gui/session/words_from_below.h"
 #include "gui/views/monitor_panel.h"
 
@@ -35,8 +36,8 @@ void LiveEvents::begin(const curricula::Scenario& scenario, const std::optional<
 std::vector<LiveEvent> LiveEvents::watch(const engine::Snapshot& snapshot, const QString& pause, double paused_s,
                                          DualTask* task) {
   told_.clear();
-  now_s_ = std::max(now_s_, snapshot.time_s - paused_s);
-  log_s_ = std::max(log_s_, snapshot.time_s);
+  now_s_ = std::max(now_s_, trial_clock_s(snapshot) - paused_s);
+  log_s_ = std::max(log_s_, trial_clock_s(snapshot));
   if (pause_.isEmpty() && !pause.isEmpty()) pause_began_s_ = log_s_;
   if (pause != pause_) tell(pause.isEmpty() ? tr("It goes on") : tr("Paused: %1").arg(in_words(pause.toStdString())));
   pause_ = pause;

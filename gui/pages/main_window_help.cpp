@@ -9,6 +9,8 @@
 
 #include "gui/authoring/authoring_page.h"
 #include "gui/authoring/kept_draft.h"
+#include "gui/instructor/instructor_window.h"
+#include "gui/instructor/station.h"
 #include "gui/pages/about_dialog.h"
 #include "gui/pages/background.h"
 #include "gui/pages/devices_page.h"

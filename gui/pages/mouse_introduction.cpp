@@ -2,12 +2,16 @@
 
 #include <QCheckBox>
 #include <QCoreApplication>
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QStyle>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "gui/session/user_settings.h"
+#include "gui/views/scrolled.h"
 #include "gui/views/theme.h"
 
 namespace vallecula::gui {
@@ -24,6 +28,8 @@ constexpr const char* kMoves = QT_TRANSLATE_NOOP(
     "<tr><td><b>Space</b></td><td>held: lifts the blade along its handle; Backspace lowers</td></tr>"
     "<tr><td><b>Shift, + and -</b></td><td>held: all of it finer; farther, or less far, for the same way</td></tr>"
     "<tr><td><b>Arrows, PgUp, PgDn &nbsp;</b></td><td>move it without a mouse</td></tr>");
+constexpr int kEdge = 8;             // px, to the edge of what it lies over
+constexpr double kLeastLines = 6.0;  // of its words
 constexpr const char* kTube = QT_TRANSLATE_NOOP(
     "MouseIntroduction",
     "<tr><td><b>X</b> (or Tab)</td><td>the other hand: blade or tube; what you let go of stays where it is</td></tr>"
@@ -77,9 +83,39 @@ MouseIntroduction::MouseIntroduction(QWidget* parent) : QFrame(parent) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(20, 16, 20, 16);
   column->addWidget(title_);
-  column->addWidget(text_);
+  auto* words = new Scrolled(text_, kLeastLines, this);
+  words->viewport()->setAutoFillBackground(false);  // the panel's own shows
+  text_->setAutoFillBackground(false);
+  column->addWidget(words, 1);
   column->addLayout(foot);
+  parent->installEventFilter(this);
   hide();
+}
+
+/// Over the view and, where that is too low for its words, over the buttons below, which are grey until the start.
+void MouseIntroduction::place() {
+  const QMargins margins = layout()->contentsMargins();
+  const int wide =
+      std::min(parentWidget()->width() - 2 * kEdge, text_->minimumWidth() + margins.left() + margins.right() +
+                                                        style()->pixelMetric(QStyle::PM_ScrollBarExtent));
+  const int others = layout()->minimumSize().height() - layout()->itemAt(1)->minimumSize().height();
+  const int words = text_->heightForWidth(wide - margins.left() - margins.right());
+  const int high = std::min(parentWidget()->height() - 2 * kEdge, others + words + kEdge);
+  QRect place(0, 0, wide, high);
+  place.moveCenter(parentWidget()->rect().center());
+  setGeometry(place);
+}
+
+bool MouseIntroduction::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::Resize && !isHidden()) place();
+  return QFrame::eventFilter(watched, event);
+}
+
+void MouseIntroduction::changeEvent(QEvent* event) {
+  QFrame::changeEvent(event);
+  if (event->type() != QEvent::FontChange || isHidden()) return;
+  text_->setMinimumWidth(static_cast<int>(theme::points(540)));
+  place();
 }
 
 void MouseIntroduction::show_if_wanted(bool with_tube, const curricula::Assistance& helps) {
@@ -94,6 +130,7 @@ void MouseIntroduction::show_if_wanted(bool with_tube, const curricula::Assistan
          "<p>Enter closes this; Enter again starts the trial.</p>") +
       (with_tube ? words(kTubeRules) : blade_rules(helps)));
   setVisible(!user_settings()->value(with_tube ? kTubeKey : kKey, false).toBool());
+  place();
   raise();
 }
 

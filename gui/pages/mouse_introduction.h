@@ -13,6 +13,7 @@ namespace vallecula::gui {
 class MouseIntroduction : public QFrame {
   Q_OBJECT
  public:
+  /// Lies over `parent`, in its middle.
   explicit MouseIntroduction(QWidget* parent);
   /// Shows it unless the user said that once was enough; `with_tube`: the second half too, which is known or not by
   /// itself. It tells of the `helps` that this trial has.
@@ -20,7 +21,13 @@ class MouseIntroduction : public QFrame {
   /// Goes away; with the box ticked for good.
   void dismiss();
 
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ protected:
+  void changeEvent(QEvent* event) override;
+
  private:
+  void place();
   QLabel *title_, *text_;
   QCheckBox* never_again_;
   bool with_tube_ = false;

@@ -6,7 +6,7 @@
 namespace vallecula::gui {
 namespace {
 
-constexpr int kShareOfTheWindow = 13;  // of its height: what is looked at meanwhile needs the rest
+constexpr int kShareOfTheWindow = 16;  // of its height: what is looked at meanwhile needs the rest
 
 QString joined(const QStringList& parts) { return parts.join("   |   "); }
 

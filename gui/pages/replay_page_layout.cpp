@@ -149,6 +149,7 @@ QWidget* ReplayPage::make_pictures() {
   operator_view_->setMinimumSize(360, 200);
   legend_ = new QLabel(top);
   legend_->setMargin(5);
+  legend_->setWordWrap(true);                              // no wider than the view it lies over
   legend_->setStyleSheet("background: palette(window);");  // follows the look, as the words on it do
   legend_->setAttribute(Qt::WA_TransparentForMouseEvents);
   legend_->hide();
@@ -158,7 +159,7 @@ QWidget* ReplayPage::make_pictures() {
   column->setSpacing(4);
   auto* picture = new QGridLayout;  // the legend lies over the view
   picture->addWidget(operator_view_, 0, 0);
-  picture->addWidget(legend_, 0, 0, Qt::AlignBottom | Qt::AlignLeft);
+  picture->addWidget(legend_, 0, 0, Qt::AlignBottom);
   column->addLayout(picture, 1);
   column->addWidget(monitor_);
   charts_ = new QTabWidget(splitter);

@@ -101,7 +101,6 @@ QWidget* TrialPage::make_centre() {
   picture->addWidget(operator_view_, 0, 0);
   picture->addWidget(steered_, 0, 0, Qt::AlignTop | Qt::AlignLeft);
   picture->addWidget(expert_sign_, 0, 0, Qt::AlignTop | Qt::AlignHCenter);
-  picture->addWidget(introduction_, 0, 0, Qt::AlignCenter);
   column->addLayout(picture, 1);
   column->addWidget(hands_);
   column->addWidget(helps_);

@@ -24,7 +24,8 @@ struct PeaksSoFar {
     const auto led = header.settings.find(curricula::kLeadInTicks);
     if (led != header.settings.end()) led_ticks = static_cast<long long>(led->second);
   }
-  /// What is no hand's doing counts as little as in the score: a tick of a pause, or of the way on which the blade is led.
+  /// What is no hand's doing counts as little as in the score: a tick of a pause, or of the way on which the blade is
+  /// led.
   void take(const curricula::LogTick& tick) {
     if (curricula::paused(tick) || led_ticks-- > 0) return;
     tongue_n = std::fmax(tongue_n, static_cast<float>(load_n(tick, curricula::kTongue)));

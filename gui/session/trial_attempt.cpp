@@ -8,6 +8,7 @@
 #include "gui/session/files.h"
 #include "gui/session/log_conversion.h"
 #include "gui/session/placed_tool.h"
+#include "gui/session/trial_clock.h"
 #include "gui/session/trial_results.h"
 
 namespace vallecula::gui {
@@ -17,7 +18,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr auto kRecorderPeriod = std::chrono::milliseconds(5);  ///< the ring holds 8 s
-constexpr double kPeriodS = 0.001;                              ///< of the servo
 /// A device that is away for longer ends the trial; a person may hold it up for as long as they like.
 constexpr double kLongestPauseS = 600.0;
 constexpr std::int64_t kChunkTicks = 10;  ///< not in real time: ticks between two looks at the stop flag
@@ -26,7 +26,10 @@ constexpr std::int64_t kChunkTicks = 10;  ///< not in real time: ticks between t
 
 TrialAttempt::TrialAttempt(const AttemptFrame& frame, std::shared_ptr<const engine::Scene> scene,
                            engine::HapticPort& port, curricula::LogHeader header, curricula::OpenTrial registered)
-    : frame_(frame), runner_(std::move(scene), port), header_(std::move(header)), registered_(std::move(registered)),
+    : frame_(frame),
+      runner_(std::move(scene), port),
+      header_(std::move(header)),
+      registered_(std::move(registered)),
       highest_(header_) {}
 
 TrialAttempt::~TrialAttempt() {
@@ -147,13 +150,13 @@ void TrialAttempt::follow(const curricula::LogTick& logged, const engine::TickRe
     ++paused_;
     if (!held) ++away_;
   }
-  const double trial_s = tick.time_s - kPeriodS * static_cast<double>(paused_);
+  const double trial_s = tick.time_s - kServoPeriodS * static_cast<double>(paused_);
   for (const curricula::LogEvent& event : frame_.dual_task.advance(tick.tick, trial_s)) writer_->append(event);
   if (script_over) {
     ended_by_ = "finished";
   } else if (trial_s >= frame_.scenario.max_attempt_s) {
     ended_by_ = "the scenario's time was over";
-  } else if (kPeriodS * static_cast<double>(away_) > kLongestPauseS) {
+  } else if (kServoPeriodS * static_cast<double>(away_) > kLongestPauseS) {
     ended_by_ = "the device did not come back";
   }
 }

@@ -16,6 +16,7 @@
 #include "gui/session/scene_from_package.h"
 #include "gui/session/scripted_hands.h"
 #include "gui/session/trial_attempt.h"
+#include "gui/session/trial_clock.h"
 #include "gui/session/trial_header.h"
 #include "gui/session/two_hands.h"
 #include "gui/session/user_paths.h"
@@ -25,8 +26,6 @@ namespace vallecula::gui {
 namespace fs = std::filesystem;
 
 namespace {
-
-constexpr double kServoPeriodS = 0.001;  ///< of the servo
 
 curricula::Curriculum curriculum_with(const fs::path& file, const std::string& scenario) {
   curricula::Curriculum curriculum = curricula::load_curriculum(file);

@@ -1616,7 +1616,7 @@ Sekunden sind eine Obergrenze, kein Ziel.</translation>
     </message>
     <message>
         <source>no attempt</source>
-        <translation>keiner</translation>
+        <translation>kein Versuch</translation>
     </message>
     <message>
         <source>Peak force on the tongue</source>
@@ -7235,11 +7235,11 @@ Nichts kann kaputtgehen, und jeder Versuch ist ein neuer. Bevor es beginnt, sagt
     </message>
     <message>
         <source>Stylet out (T)</source>
-        <translation>Mandrin (T)</translation>
+        <translation>Führungsstab (T)</translation>
     </message>
     <message>
         <source>Draws the stylet out of the tube, for good</source>
-        <translation>Zieht den Mandrin aus dem Tubus, endgültig</translation>
+        <translation>Zieht den Führungsstab aus dem Tubus, endgültig</translation>
     </message>
     <message>
         <source>Catheter (C)</source>

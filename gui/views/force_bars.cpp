@@ -118,6 +118,13 @@ void ForceBars::show(const BladeForces& now, bool of_expert) {
   update();
 }
 
+PeaksSoFar ForceBars::peaks() const {
+  PeaksSoFar peaks;
+  peaks.tongue_n = static_cast<float>(tongue_.peak);
+  peaks.gum_n = static_cast<float>(gum_.peak);
+  return peaks;
+}
+
 void ForceBars::clear() {
   tongue_.now = tongue_.peak = gum_.now = gum_.peak = lifted_ = levered_ = 0.0;
   of_expert_ = false;

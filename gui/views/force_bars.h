@@ -42,6 +42,7 @@ class ForceBars : public QWidget {
   /// An expert's, in place of one's own, whose peaks stay kept; until show_forces().
   void show_expert(const BladeForces& now);
   void clear();
+  PeaksSoFar peaks() const;
   double tongue_peak_n() const { return tongue_.peak; }
   double gum_peak_n() const { return gum_.peak; }
   /// Share of the track's width that a force takes, 0..1.

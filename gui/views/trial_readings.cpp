@@ -6,7 +6,7 @@
 #include <QVariant>
 #include <algorithm>
 
-#include "gui/session/keeps_up.h"
+#include "gui/session/trial_clock.h"
 #include "gui/session/words_from_below.h"
 #include "gui/views/theme.h"
 
@@ -178,7 +178,7 @@ void TrialReadings::show_snapshot(const engine::Snapshot& snapshot, double pause
   const double percent = 100.0 * snapshot.glottis_visible;
   best_percent_ = std::max(best_percent_, percent);
   const engine::Vec3& tip = snapshot.proxy_pose.position;
-  const double now_s = snapshot.time_s - paused_s;
+  const double now_s = trial_clock_s(snapshot) - paused_s;
   if (!led_ && (!mouth_ || mouth_->holds({tip.x(), tip.y(), tip.z()}))) {
     const bool in_anew = snapshot.has_intubation && mouth_ && now_s - last_in_s_ > curricula::kOutForAnEntryS;
     if (attempt_start_s_ < 0.0 || in_anew) {

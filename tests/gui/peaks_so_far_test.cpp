@@ -16,8 +16,14 @@ TEST(PeaksSoFarTest, NeitherAPauseNorTheWayOnWhichTheBladeIsLedIsTheHands) {
   };
   const auto highest = [&](PeaksSoFar peaks) {
     // A pause on the way makes it no shorter.
-    for (const auto& [tongue_n, valid] : {std::pair{9.0, true}, {9.0, false}, {8.0, true}, {7.0, true}, {2.0, true},
-                                          {6.0, false}, {3.0, true}, {1.0, true}})
+    for (const auto& [tongue_n, valid] : {std::pair{9.0, true},
+                                          {9.0, false},
+                                          {8.0, true},
+                                          {7.0, true},
+                                          {2.0, true},
+                                          {6.0, false},
+                                          {3.0, true},
+                                          {1.0, true}})
       peaks.take(tick(tongue_n, valid));
     return peaks.tongue_n;
   };

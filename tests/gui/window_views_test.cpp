@@ -290,6 +290,18 @@ TEST_F(Views, BarsTurnOverTheTargetAndKeepThePeak) {
   EXPECT_DOUBLE_EQ(bars.tongue_peak_n(), 0.0);
 }
 
+TEST_F(Views, AComputerThatIsTooSlowGivesNobodyTime) {
+  TrialReadings readings;
+  readings.set_scenario({}, std::nullopt);
+  engine::Snapshot snapshot;
+  snapshot.time_s = 18.0;  // of the newest step
+  snapshot.ticks = 20000;  // the hand's
+  readings.show_snapshot(snapshot);
+  const auto labels = readings.findChildren<QLabel*>();
+  EXPECT_TRUE(std::any_of(labels.begin(), labels.end(), [](const QLabel* label) { return label->text() == "20.0 s"; }))
+      << "as its log and result have it";
+}
+
 TEST_F(Views, WhatTheLoopCouldNotDoIsInSight) {
   TrialReadings readings;
   readings.set_scenario({}, std::nullopt);
@@ -403,8 +415,7 @@ TEST(StateWords, AFaultHidesNoLimit) {
   engine::Snapshot snapshot;
   snapshot.state = engine::HapticState::tracking;
   EXPECT_EQ(banner_for(snapshot, "").toStdString(), "");
-  EXPECT_EQ(banner_for(snapshot, "one").toStdString(),
-            "A fault: one. Reset to begin anew; what led to it is kept.");
+  EXPECT_EQ(banner_for(snapshot, "one").toStdString(), "A fault: one. Reset to begin anew; what led to it is kept.");
   snapshot.state = engine::HapticState::limited;
   EXPECT_TRUE(banner_for(snapshot, "").startsWith("Device limit reached"));
   EXPECT_TRUE(banner_for(snapshot, "one").startsWith("Device limit reached"));
@@ -436,7 +447,8 @@ TEST_F(Views, TheGlottisIsPointedOutAndTheExpertsWayGoesRound) {
   EXPECT_GT(find_pixels(marked, yellow).pixels, find_pixels(plain, yellow).pixels);
   EXPECT_NEAR(outline.x, 250.0, 25.0) << "in the middle";
 
-  const engine::Pose before_lips{{0.0, -0.060, 0.045}, engine::Quat::Identity()}, inside{{0.0, 0.0, 0.010}, engine::Quat::Identity()};
+  const engine::Pose before_lips{{0.0, -0.060, 0.045}, engine::Quat::Identity()},
+      inside{{0.0, 0.0, 0.010}, engine::Quat::Identity()};
   const auto key = [](double time_s, const engine::Pose& pose) {
     device::Keyframe k;
     k.time_s = time_s;

@@ -187,7 +187,13 @@ TEST_F(WindowInstructor, OpenedInTheMiddleOfATrialItHasAllOfIt) {
   EXPECT_EQ(
       std::count_if(after.begin(), after.end(), [](const QString& one) { return one.contains("Blade in the mouth"); }),
       2);
-  EXPECT_DOUBLE_EQ(second().findChild<ForceBars*>()->tongue_peak_n(), page.panels().bars().tongue_peak_n());
+  // It draws less often than the page: once both have drawn.
+  EXPECT_TRUE(wait_for(
+      [&] {
+        const double shown_n = second().findChild<ForceBars*>()->tongue_peak_n();
+        return shown_n > 0.0 && shown_n == page.panels().bars().tongue_peak_n();
+      },
+      20000));
   page.close_trial();
 }
 

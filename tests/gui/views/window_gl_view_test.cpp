@@ -177,6 +177,7 @@ TEST_F(WindowGlView, OfThePatientBeforeNothingIsShown) {
   view.show();
   draw(view);
   ASSERT_GT(colours_in(painted(view)), kFewColours);
+  QApplication::processEvents();  // what is told of the paintings so far
   bool on_screen = false;
   QObject::connect(&view, &GlView::painted, [&] { on_screen = true; });
   show_mouth(view);  // the next one's
