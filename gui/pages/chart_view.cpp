@@ -71,7 +71,7 @@ void ChartView::draw_now() {
         if (of != asked_) return;
         chart_ = chart;
         problem_.clear();
-        shown_ = theme::of_this_ground(chart_.picture);
+        shown_ = QImage();
         update();
       },
       [this, of = asked_](const QString& message) {
@@ -85,7 +85,10 @@ void ChartView::draw_now() {
 void ChartView::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.fillRect(rect(), theme::panel());
-  if (drawn()) return painter.drawImage(rect(), shown_);
+  if (drawn()) {
+    if (shown_.isNull()) shown_ = theme::of_this_ground(chart_.picture);
+    return painter.drawImage(rect(), shown_);
+  }
   if (problem_.isEmpty() && !meanwhile_.isNull()) {
     painter.setRenderHint(QPainter::SmoothPixmapTransform);
     const QSize fitting = meanwhile_.size().scaled(size(), Qt::KeepAspectRatio);
@@ -111,7 +114,7 @@ void ChartView::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
   if (event->type() == QEvent::FontChange) draw_soon();
   if (event->type() != QEvent::PaletteChange && event->type() != QEvent::StyleChange) return;
-  if (drawn()) shown_ = theme::of_this_ground(chart_.picture);
+  shown_ = QImage();
   update();
 }
 

@@ -45,7 +45,7 @@ class ChartView : public QWidget {
   void draw_now();
   Draw draw_;
   Chart chart_;       ///< as drawn for paper
-  QImage shown_;      ///< the same on the window's ground
+  QImage shown_;      ///< the same on the window's ground, made when it is painted
   QImage meanwhile_;  ///< for paper
   QString problem_;
   QTimer soon_;
