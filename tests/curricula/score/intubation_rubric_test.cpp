@@ -126,6 +126,22 @@ TEST(IntubationScore, PercentsAndBeatsAreWholeUnlessThatWouldHideAMiss) {
   EXPECT_EQ(heart(99.96), "The heart fell to 99.96 per minute at 19.00 s, less than the 100 per minute asked for");
 }
 
+TEST(IntubationScore, RoundedAFigureStaysOnItsSideOfALimitWithParts) {
+  Scenario s = scenario();
+  s.intubation->pass.lowest_heart_per_min = 90.4;
+  const auto heart = [&](double lowest) {
+    return sentence_of(score_of(
+                           [=](LogTick& t) {
+                             if (t.tick == 19000) t.intubation.heart_per_min = lowest;
+                           },
+                           s),
+                       "lowest_heart_per_min");
+  };
+  EXPECT_EQ(heart(90.47), "The heart fell to 90.5 per minute at 19.00 s, at least the 90.4 per minute asked for")
+      << "not to 90, which would be a miss";
+  EXPECT_EQ(heart(92.3), "The heart fell to 92 per minute at 19.00 s, at least the 90.4 per minute asked for");
+}
+
 TEST(IntubationScore, TheHeadNeutralPutsTheTipDeeperAndIsJudgedWhereAskedFor) {
   Scenario s = scenario();
   TrialLog log = log_of();
