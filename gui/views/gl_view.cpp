@@ -93,6 +93,9 @@ GlView::GlView(QWidget* parent)
   interactor_->SetInteractorStyle(vtkSmartPointer<vtkInteractorStyleTrackballCamera>::New());
   interactor_->Initialize();
   interactor_->EnableRenderOff();  // it moves the camera; whoever hears camera_moved() draws
+  later_.setSingleShot(true);
+  later_.setInterval(0);
+  connect(&later_, &QTimer::timeout, this, &GlView::draw_on);
   setFocusPolicy(Qt::NoFocus);
   setAttribute(Qt::WA_OpaquePaintEvent);  // every pixel is the picture's
 }
@@ -215,16 +218,14 @@ void GlView::draw() {
   last_draw_ms_ = static_cast<double>(timer.nsecsElapsed()) * 1e-6;
 }
 
-/// Once, however often it is asked for until then.
+/// Once, however often it is asked for until then, and behind whatever waits: a page that was just opened and its first
+/// picture are two pieces of work, with room for a key between them.
 void GlView::draw_later() {
-  if (drawing_later_) return;
-  drawing_later_ = true;
-  QMetaObject::invokeMethod(this, &GlView::draw_on, Qt::QueuedConnection);
+  if (!later_.isActive()) later_.start();
 }
 
 /// Unless somebody else has drawn meanwhile.
 void GlView::draw_on() {
-  drawing_later_ = false;
   if (isValid() && (!drawn_ || !ready_ || making_ready_)) draw();
 }
 

@@ -13,6 +13,7 @@
 #include <QImage>
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
+#include <QTimer>
 #include <QWidget>
 #include <memory>
 #include <vector>
@@ -95,7 +96,8 @@ class GlView : public QWidget {
   vtkSmartPointer<QVTKInteractor> interactor_;
   std::unique_ptr<QVTKInteractorAdapter> adapter_;
   std::vector<vtkWeakPointer<vtkProp>> known_;  ///< have been drawn
-  bool making_ready_ = false, drawing_later_ = false;
+  bool making_ready_ = false;
+  QTimer later_;        ///< zero: runs out when nothing else is to be done
   bool ready_ = false;  ///< all of it was drawn once since the view was made, or got another patient
   int part_ms_ = 30;
   QImage pixels_;  ///< as VTK drew them

@@ -1,5 +1,6 @@
 #include "gui/views/theme.h"
 
+#include <QAbstractScrollArea>
 #include <QApplication>
 #include <QFont>
 #include <QLabel>
@@ -116,6 +117,33 @@ const char* const kSheet = R"(
     QProgressBar::chunk { background: @accent@; border-radius: 5px; }
   )";
 
+/// What scrolls measures all it holds as soon as its style changes, a hidden page's whole form too: a third of what a
+/// new look costs. While this lives, a scrolled view that nobody sees is spared; it measures when it is shown.
+class MeasuredWhenSeen : public QObject {
+ public:
+  MeasuredWhenSeen() { qApp->installEventFilter(this); }
+  bool eventFilter(QObject* watched, QEvent* event) override {
+    if (event->type() != QEvent::StyleChange) return false;
+    auto* scrolled = qobject_cast<QAbstractScrollArea*>(watched);
+    if (scrolled == nullptr || scrolled->isVisible()) return false;
+    static OnceShown once_shown;
+    scrolled->removeEventFilter(&once_shown);  // waits once, however often the look changes meanwhile
+    scrolled->installEventFilter(&once_shown);
+    return true;
+  }
+
+ private:
+  struct OnceShown : QObject {
+    bool eventFilter(QObject* watched, QEvent* event) override {
+      if (event->type() != QEvent::Show) return false;
+      watched->removeEventFilter(this);
+      QEvent style(QEvent::StyleChange);
+      QApplication::sendEvent(watched, &style);
+      return false;
+    }
+  };
+};
+
 Look applied;
 const Colours* colours = &kDark;
 
@@ -213,6 +241,7 @@ QImage of_this_ground(const QImage& on_paper) {
 void apply(QApplication& application, const Look& look) {
   applied = {look.ground, std::clamp(look.text_scale, kLeastTextScale, kMostTextScale)};
   colours = applied.ground == Ground::dark ? &kDark : &kLight;
+  const MeasuredWhenSeen spared;
   // Without a style sheet the others are laid under every widget of every page in a tenth of the time, and a sheet put
   // on where there is none touches only what has been seen.
   application.setStyleSheet({});

@@ -130,6 +130,28 @@ TEST_F(WindowGlView, WhatIsHiddenBeforeItWasReadyComesWhenItIsSeenAgain) {
   expect_alike(painted(view), truth.picture(), "seen again");
 }
 
+// A first picture takes its time, part by part: a key pressed meanwhile is heard between two of them.
+TEST_F(WindowGlView, TheNextPartOfAFirstPictureStandsBehindWhatElseIsAsked) {
+  GlView::governor().hold(0);
+  OperatorView view;
+  show_mouth(view);
+  int parts = 0, parts_when_asked = -1;
+  const auto command = vtkSmartPointer<vtkCallbackCommand>::New();
+  command->SetClientData(&parts);
+  command->SetCallback([](vtkObject*, unsigned long, void* made, void*) { ++*static_cast<int*>(made); });
+  view.renderWindow()->AddObserver(vtkCommand::StartEvent, command);
+  view.set_part_ms(0);
+  view.show();
+  view.draw();
+  ASSERT_EQ(parts, 1);
+  ASSERT_TRUE(view.making_ready());
+  QMetaObject::invokeMethod(
+      &view, [&] { parts_when_asked = parts; }, Qt::QueuedConnection);
+  ASSERT_TRUE(wait_for([&] { return !view.making_ready() && parts_when_asked >= 0; }));
+  EXPECT_EQ(parts_when_asked, 1);
+  EXPECT_GT(parts, 2);
+}
+
 /// How many props can be seen in each picture that VTK makes of this view from now on.
 void watch_frames(GlView& view, std::vector<int>& seen) {
   const auto command = vtkSmartPointer<vtkCallbackCommand>::New();
@@ -177,7 +199,8 @@ TEST_F(WindowGlView, OfThePatientBeforeNothingIsShown) {
   view.show();
   draw(view);
   ASSERT_GT(colours_in(painted(view)), kFewColours);
-  QApplication::processEvents();  // what is told of the paintings so far
+  QApplication::processEvents();
+  QApplication::sendPostedEvents(&view, QEvent::MetaCall);  // what is told of the paintings so far, a late one's too
   bool on_screen = false;
   QObject::connect(&view, &GlView::painted, [&] { on_screen = true; });
   show_mouth(view);  // the next one's

@@ -2,6 +2,8 @@
 // behind.
 #include <QDialog>
 #include <QLabel>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QVBoxLayout>
 #include <cmath>
 
@@ -117,6 +119,51 @@ TEST_F(WindowTheme, ValuesOfTheResultStayLargerThanTheirLabels) {
 }
 
 // The colours of the charts (Okabe and Ito), as drawn on white.
+/// How often anybody asks how large it has to be.
+class Measured : public QLabel {
+ public:
+  using QLabel::QLabel;
+  QSize minimumSizeHint() const override {
+    ++asked;
+    return QLabel::minimumSizeHint();
+  }
+  mutable int asked = 0;
+};
+
+// A long form behind a tab must not hold the window up when the text grows; seen again, it is measured anew.
+TEST_F(WindowTheme, WhatNobodySeesIsMeasuredWhenItIsSeen) {
+  const auto area_with = [](Measured* words) {
+    auto area = std::make_unique<QScrollArea>();
+    area->setWidget(words);
+    area->setWidgetResizable(true);
+    area->resize(200, 100);
+    return area;
+  };
+  auto* words = new Measured(QString("a long form\n").repeated(40));
+  const auto area = area_with(words);
+  show(*area);
+  const int small = area->verticalScrollBar()->maximum();
+  words->asked = 0;
+  theme::apply(*qApp, {Ground::dark, 1.3});
+  EXPECT_GT(words->asked, 0) << "what is seen is measured at once";
+  theme::apply(*qApp, {Ground::dark, 1.0});
+  QApplication::processEvents();
+  EXPECT_EQ(area->verticalScrollBar()->maximum(), small);
+
+  area->hide();
+  for (const double text : {1.1, 1.3}) {
+    QApplication::processEvents();  // what the screen had still to say
+    words->asked = 0;
+    theme::apply(*qApp, {Ground::light, text});
+    EXPECT_EQ(words->asked, 0);
+  }
+  show(*area);
+  const auto truth = area_with(new Measured(words->text()));
+  show(*truth);
+  EXPECT_GT(area->verticalScrollBar()->maximum(), small);
+  EXPECT_EQ(area->verticalScrollBar()->maximum(), truth->verticalScrollBar()->maximum());
+}
+
 TEST_F(WindowTheme, AChartForPaperIsReadOnADarkGroundInItsOwnHues) {
   QImage paper(9, 1, QImage::Format_RGB32);
   const std::vector<QColor> colours{Qt::white,
