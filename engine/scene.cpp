@@ -127,6 +127,14 @@ RigidField rigid_field(const SceneDescription& d, const Scene* before, const std
   return RigidField(d.rigid, d.soft.bodies, low, high, kRigidSpacing, kRigidBand, sampled);
 }
 
+SkinField skin_field(const SceneDescription& d, const Scene* before, const std::function<void()>& between) {
+  if (!d.intubation) return {};
+  if (before != nullptr && before->description.intubation && same(before->description.rigid.surface, d.rigid.surface))
+    return before->skin;
+  if (between) between();
+  return SkinField(d.rigid.surface);
+}
+
 const SceneDescription& checked(const SceneDescription& d) {
   check(d);
   return d;
@@ -155,6 +163,7 @@ Scene::Scene(const SceneDescription& d, const Scene* before, const std::function
       shared_tool(tool_field(d.tool, before, between)),
       tool(*shared_tool),
       rigid(rigid_field(d, before, between)),
+      skin(skin_field(d, before, between)),
       lips(d.lips, d.soft.bodies, d.step_s),
       sight(d.sight, d.soft.bodies),
       tube_areas(thinned_areas(tree, surface, d.soft.nodes, kTubePointSpacing)),

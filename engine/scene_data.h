@@ -6,6 +6,7 @@
 #include "engine/aist/thinned_areas.h"
 #include "engine/contact/lips.h"
 #include "engine/contact/rigid_field.h"
+#include "engine/contact/skin_field.h"
 #include "engine/contact/tool_field.h"
 #include "engine/contact/triangle_contact.h"
 #include "engine/haptics/proxy.h"
@@ -33,6 +34,7 @@ class Scene {
   std::shared_ptr<const ToolField> shared_tool;   ///< with other scenes of the same tool
   const ToolField& tool;
   RigidField rigid;              ///< empty (nothing inside) without rigid anatomy
+  SkinField skin;                ///< likewise; and without an intubation, which alone asks for it
   Lips lips;
   LineOfSight sight;
   std::vector<float> tube_areas;   ///< of the tree's points that a tube meets (thinned_areas.h)

@@ -67,6 +67,9 @@ class RigidField {
     return nearest;
   }
 
+  /// Does x lie in the box that is sampled? Outside of it nothing is known.
+  bool covers(const Vec3& x) const noexcept { return grid_->covers(x); }
+
   /// Generalized direction: what a unit of the part's body's unknown (m along each axis, or rad in x) moves a point of
   /// the part, at rest at `rest`, along n.
   Vec3 lever(int part, const Vec3& rest, const Vec3& n) const noexcept;

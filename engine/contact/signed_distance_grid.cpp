@@ -244,4 +244,15 @@ std::uint8_t SignedDistanceGrid::class_at(const Vec3& p) const noexcept {
   return classes_[index(c[0] + (f[0] > 0.5), c[1] + (f[1] > 0.5), c[2] + (f[2] > 0.5))];
 }
 
+bool SignedDistanceGrid::covers(const Vec3& p) const noexcept {
+  int c[3];
+  float f[3];
+  return locate(p, c, f);
+}
+
+std::size_t SignedDistanceGrid::bytes() const noexcept {
+  return (values_.size() + fine_values_.size()) * sizeof(Float4) + refined_.size() * sizeof(std::int32_t) +
+         classes_.size();
+}
+
 }  // namespace vallecula::engine

@@ -36,6 +36,9 @@ class SignedDistanceGrid {
   Sample sample(const Vec3& p) const noexcept;
   double distance(const Vec3& p) const noexcept;
   std::uint8_t class_at(const Vec3& p) const noexcept;
+  /// Does p lie in the box?
+  bool covers(const Vec3& p) const noexcept;
+  std::size_t bytes() const noexcept;  ///< of its samples
   double band() const noexcept { return band_; }
   double spacing() const noexcept { return spacing_; }
 

@@ -189,6 +189,7 @@ PassageInput about_tube(const Scene& scene, const SceneState& state) {
   about.glottis_opening = state.intubation->glottis.opening;
   about.rigid = &scene.rigid;
   about.parts = &state.parts;
+  about.skin = &scene.skin;
   if (state.placed) about.blade = &scene.tool;
   about.blade_pose = state.proxy.pose;
   about.blade_velocity = state.proxy.velocity;

@@ -207,6 +207,7 @@ void PassageState::set_rest() noexcept {
   inside = 0;
   side = -1;
   passed.fill(-1);
+  met_by_skin.fill(kNotMet);
 }
 
 void TubeContacts::add(const RodContact& c, const ContactTag& t) noexcept {

@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "engine/contact/rigid_field.h"
+#include "engine/contact/skin_field.h"
 #include "engine/contact/tissue_contact.h"
 #include "engine/contact/tool_field.h"
 #include "engine/tube/airway.h"
@@ -111,7 +112,10 @@ class Passage {
   double mouth_radius_m_, mouth_half_width_m_;
 };
 
-/// Which nodes are inside which canal: all of it between two steps.
+/// Balls along the tube, half a segment apart, that surfaces meet.
+constexpr int kTubeBalls = 2 * kTubeSegments + 1;
+
+/// Which nodes are inside which canal, and what the skin has met: all of it between two steps.
 struct PassageState {
   PassageState() noexcept { set_rest(); }
   /// Outside, as at the start, or when the hand took the other thing.
@@ -121,6 +125,10 @@ struct PassageState {
   int inside = 0;  ///< so many nodes, from the tip on, are in the canal
   int side = -1;   ///< main bronchus that the tip went into: 0 right, 1 left; -1: it has not passed the carina
   std::array<std::int16_t, kTubeNodes> passed{};  ///< per node inside: index of the last ring it has passed
+  /// Per ball along the tube (tube_surfaces.h): how deep it was when the skin met it, m; it resists what comes deeper.
+  /// 0 for a ball that came from outside; one that comes from within (from the mouth, or put there) is met where it is.
+  std::array<float, kTubeBalls> met_by_skin{};
+  static constexpr float kNotMet = 1e9f;
 };
 
 /// What there is about it in this tick. What is not finite is taken as not there (or as still), and named.
@@ -130,15 +138,19 @@ struct PassageInput {
   double glottis_opening = 1.0;         ///< GlottisState::opening; below that of rest, muscles hold the cords shut
   const RigidField* rigid = nullptr;    ///< none: no surface
   const PartPoses* parts = nullptr;     ///< with `rigid`
+  const SkinField* skin = nullptr;      ///< asked outside of the box of `rigid`; none: no skin there
   const ToolField* blade = nullptr;     ///< none: no blade
   Pose blade_pose;
   Vec3 blade_velocity = Vec3::Zero(), blade_spin = Vec3::Zero();  ///< of the blade's origin, m/s; rad/s
   double friction = 0.1;                                          ///< on wet mucosa
 };
 
+/// The skin's: it is felt by the hand and counts for no part of the airway.
+constexpr std::uint8_t kLoadOfNothing = 255;
+
 /// What a contact of the tube belongs to.
 struct ContactTag {
-  std::uint8_t load = kLoadPharynx;  ///< AirwayPart or TubeLoad
+  std::uint8_t load = kLoadPharynx;  ///< AirwayPart or TubeLoad, or kLoadOfNothing
   bool before_tip = false;           ///< it stands before the tip: its part along the tube is the tip's load
   float larynx_share = 0.0f;         ///< of the reaction that the larynx body bears (walls of canals; surfaces: `part`)
   std::int8_t part = -1;             ///< of RigidField; -1: what stands still, and all that is not its

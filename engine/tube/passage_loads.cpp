@@ -22,7 +22,7 @@ PassageLoads read_loads(const RigidField* rigid, const RodState& tube, const Vec
   for (int n = 0; n < contacts.count; ++n) {
     const RodContact& c = contacts.contact[static_cast<std::size_t>(n)];
     const ContactTag& tag = contacts.tag[static_cast<std::size_t>(n)];
-    if (c.force.isZero(0)) continue;
+    if (c.force.isZero(0) || tag.load == kLoadOfNothing) continue;
     const double force = c.force.norm(), push = c.force.dot(c.normal);
     loads.loads_n[tag.load] += force;
     if (tag.before_tip) before_tip[tag.load] += push * c.normal.dot(backwards);

@@ -15,6 +15,7 @@ constexpr Surface kBone{3e6, 1e-3, 3e7};      // gum, palate, teeth
 constexpr Surface kLarynx{8e5, 1.5e-3, 1e7};  // the larynx from above: arytenoids, folds
 constexpr Surface kMucosa{4e5, 2e-3, 1e7};    // cheek, pharynx, what else there is
 constexpr Surface kLip{8e4, 4e-3, 5e6};       // at and before the mouth's front
+constexpr Surface kSkin{4e5, 2e-3, 1e7};      // face and neck: as a cheek from within
 constexpr Surface kBlade{5e6, 1.0, 0.0};      // metal: what gives is the tube's wall
 constexpr double kLipDepth = 4e-3;            // m behind the mouth's front
 
@@ -103,6 +104,28 @@ class Surfaces {
         [](int, double) {});
   }
 
+  /// Returns how far the sample is from the skin at least.
+  double meet_skin(const Sample& s, float& met) const {
+    if (!input_.skin) return 1.0;
+    const SignedDistanceGrid::Sample skin = input_.skin->sample(s.point);
+    if (skin.distance < -SkinField::kDeepest) {
+      met = PassageState::kNotMet;
+      return 0.0;
+    }
+    const float depth = static_cast<float>(s.radius_m - skin.distance);
+    met = std::max(0.0f, std::min(met, depth));
+    if (input_.rigid && input_.rigid->covers(s.point)) {
+      // The anatomy's own field meets it. What is pressed in there and comes out over the box' border is no blow.
+      met = std::max(met, depth - static_cast<float>(kSkin.give));
+      return skin.distance;
+    }
+    if (!(skin.distance < s.reach_m) || skin.gradient.squaredNorm() < 0.5) return skin.distance;
+    ContactTag tag;
+    tag.load = kLoadOfNothing;
+    add(s, skin.distance + met, skin.gradient, kSkin, length_, tag, contacts_);
+    return skin.distance;
+  }
+
   double meet_blade(const Sample& s) const {
     if (!input_.blade) return 1.0;
     const ToolField& blade = *input_.blade;
@@ -142,14 +165,17 @@ class Surfaces {
 
 }  // namespace
 
-void add_surface_contacts(const Passage& passage, const PassageState& state, const TubeOutside& outside, const Rod& rod,
+void add_surface_contacts(const Passage& passage, PassageState& state, const TubeOutside& outside, const Rod& rod,
                           const RodState& tube, const PassageInput& input, double dt, TubeContacts& contacts) noexcept {
   const double step = rod.segment_m() / 2;
   const Surfaces surfaces(passage, outside, input, step, contacts);
-  double anatomy_from = 0.0, blade_from = 0.0;  // m along the tube: nearer the tip it cannot touch
-  for (int n = 2 * state.inside; n <= 2 * kTubeSegments; ++n) {
+  // m along the tube: nearer the tip it cannot touch. The skin has its own, or the mouth's contacts would depend on it.
+  double anatomy_from = 0.0, skin_from = 0.0, blade_from = 0.0;
+  for (int n = 0; n < std::min(2 * state.inside, kTubeBalls); ++n) state.met_by_skin[n] = PassageState::kNotMet;
+  for (int n = 2 * state.inside; n < kTubeBalls; ++n) {
     const double s = n * step;
-    if (s < anatomy_from && s < blade_from) continue;
+    if (s < skin_from) state.met_by_skin[n] = 0.0f;
+    if (s < anatomy_from && s < skin_from && s < blade_from) continue;
     Sample sample;
     const int node = std::min(n / 2, kTubeSegments - 1);
     const std::size_t i = static_cast<std::size_t>(node);
@@ -167,6 +193,7 @@ void add_surface_contacts(const Passage& passage, const PassageState& state, con
     sample.reach_m = ball.radius_m + near;
     const double reach = outside.radius() + near;
     if (s >= anatomy_from) anatomy_from = s + surfaces.meet_anatomy(sample) - reach;
+    if (s >= skin_from) skin_from = s + surfaces.meet_skin(sample, state.met_by_skin[n]) - reach;
     if (s >= blade_from) blade_from = s + surfaces.meet_blade(sample) - reach;
   }
 }
