@@ -93,6 +93,7 @@ TEST_F(WindowPanelsOfATube, TheExpertIsSeenWhileTheTrialWaitsAndThenItGoesOn) {
       << "beside the expert's forces nothing of one's own passes for his";
   QStringList on_monitor;
   for (const PaintedWord& word : painted_words(*page.panels().findChild<MonitorPanel*>())) on_monitor << word.text;
+  EXPECT_TRUE(on_monitor.contains("by itself")) << "the scenario has an infant that breathes";
   EXPECT_TRUE(on_monitor.contains("Your own infant: its time stands meanwhile")) << on_monitor.join(", ").toStdString();
   EXPECT_EQ(cut_texts(page.panels().readings_panel()), std::vector<std::string>());
   keep_picture(window, "expert.png");
