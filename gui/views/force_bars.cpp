@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <utility>
 #include <vector>
 
 #include "curricula/score/handle_loads.h"
@@ -68,10 +67,8 @@ QSize ForceBars::minimumSizeHint() const {
   const double now = QFontMetricsF(with_points(font(), 13.0, true)).height();
   const QFontMetricsF small(with_points(font(), kSmall));
   double marks = 2.0 * kBetweenWords;  // each with its word: what it is stands nowhere else on the page
-  const std::pair<QString, double> named[]{
-      {tr("target %1"), tongue_.target}, {tr("pass limit %1"), tongue_.pass}, {tr("device limit %1"), device_limit_}};
-  for (const auto& [word, newton] : named)
-    marks += small.horizontalAdvance(word.arg(newtons(std::max(9.9, newton)))) + 2.0;
+  for (const QString& word : {tr("target %1"), tr("pass limit %1"), tr("device limit %1")})
+    marks += small.horizontalAdvance(word.arg(newtons(9.9))) + 2.0;
   const double bar = names_wide() + theme::points(kLeastTrack) + figures_wide();
   return {static_cast<int>(std::ceil(std::max(marks, bar))),
           static_cast<int>(std::max(4.2 * line() + 76.0, 2.0 * (2.0 * line() + now + 2.0) + parts_high()))};
@@ -102,7 +99,6 @@ void ForceBars::set_marks(const ForceMarks& marks) {
       "Below the tongue's bar: what your hand lifts along the handle of all that lies on the blade, so it may be more "
       "than the tongue's share, and what is levered on the upper jaw (hatched).");
   setToolTip(lines.join('\n'));
-  updateGeometry();
   clear();
 }
 

@@ -6,7 +6,6 @@
 #include "gui/session/log_conversion.h"
 #include "gui/views/theme.h"
 #include "tests/curricula/score/hand_made_intubation.h"
-#include "tests/gui/painted_words.h"
 #include "tests/gui/window_screen.h"
 
 namespace vallecula::gui::window_test {
@@ -115,25 +114,6 @@ TEST_F(Bars, SayWhatTheirMarksAreByTheScenariosOwnFigures) {
   ASSERT_TRUE(install_language(*qApp, "en"));
   bars_.set_marks(force_marks(scenario, 0.0));
   EXPECT_FALSE(bars_.toolTip().contains("evice")) << "without a limit: " << bars_.toolTip().toStdString();
-}
-
-TEST_F(Bars, AsNarrowAsTheyMayBeEveryMarkStillHasItsWord) {
-  for (const char* language : {"en", "de"})
-    for (const double limit_n : {7.9, 17.9}) {
-      ASSERT_TRUE(install_language(*qApp, language));
-      ForceMarks marks{15.0, 12.0, limit_n};
-      marks.tongue_pass_n = 16.8;
-      marks.gum_pass_n = 13.0;
-      bars_.set_marks(marks);
-      bars_.resize(bars_.minimumSizeHint());
-      QStringList said;
-      for (const PaintedWord& word : painted_words(bars_)) said << word.text;
-      for (const char* mark : {"target %1", "pass limit %1", "device limit %1"}) {
-        const QString name = ForceBars::tr(mark).section('%', 0, 0);
-        EXPECT_FALSE(said.filter(name).isEmpty()) << mark << " in " << said.join(", ").toStdString();
-      }
-    }
-  install_language(*qApp, "en");
 }
 
 TEST_F(Bars, AnExpertsForcesLeaveOnesOwnPeaks) {
