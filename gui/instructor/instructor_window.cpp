@@ -15,6 +15,7 @@
 
 #include "gui/instructor/instructor_controls.h"
 #include "gui/instructor/run_checklist.h"
+#include "gui/instructor/sign_in_dialog.h"
 #include "gui/pages/trial_page.h"
 #include "gui/pages/trial_panels.h"
 #include "gui/records_pages/keep_ratings.h"
@@ -100,6 +101,10 @@ QWidget* InstructorWindow::make_left() {
   who_ = new QLabel(left);
   who_->setObjectName("faint");
   who_->setWordWrap(true);
+  sign_in_ = new QPushButton(tr("&Sign in ..."), left);
+  sign_in_->setObjectName("sign_in_here");
+  sign_in_->setToolTip(tr("An instructor signs in at this window; whoever is at the blade stays signed in there"));
+  connect(sign_in_, &QPushButton::clicked, this, &InstructorWindow::sign_in);
   next_ = new QPushButton(tr("&Next trainee ..."), left);
   next_->setToolTip(tr("The present trainee is signed out, the next one signs in (Ctrl+T); not while a trial runs"));
   connect(next_, &QPushButton::clicked, this, &InstructorWindow::next_trainee_wanted);
@@ -125,6 +130,7 @@ QWidget* InstructorWindow::make_left() {
   column->setSpacing(8);
   column->addLayout(head);
   column->addLayout(line);
+  column->addWidget(sign_in_, 0, Qt::AlignLeft);
   events_ = new QListWidget(left);
   events_->setObjectName("events");
   events_->setAccessibleName(tr("Events"));
@@ -171,6 +177,14 @@ void InstructorWindow::show_beside(QWidget* first) {
   raise();
 }
 
+/// As where this window is opened; without an instructor in the records the dialog says how there comes to be one.
+void InstructorWindow::sign_in() {
+  auto* dialog =
+      new SignInDialog(desk_, SignInDialog::Whom::instructors, tr("Instructor's window"),
+                       tr("An instructor signs in here; whoever is at the blade stays signed in there."), 0, this);
+  dialog->open();
+}
+
 void InstructorWindow::showEvent(QShowEvent* event) {
   QWidget::showEvent(event);
   catch_up();
@@ -199,6 +213,7 @@ void InstructorWindow::take_session() {
   events_->clear();
   bars_->clear();
   monitor_->clear();
+  monitor_->set_breathes(scene.intubation && scene.intubation->breathes);
   record_ = 0;
   drawn_ = 0;
   if (!trial_.running()) {  // as at the blade: tools, and what the monitor says, before the start
@@ -277,6 +292,7 @@ void InstructorWindow::show_state() {
   const QString instructor = desk_.who() ? words_of(desk_.person()) : tr("nobody: ticks cannot be kept");
   who_->setText(
       tr("At the blade: %1. Here: %2.%3").arg(trainee, instructor, assessed ? tr(" Assessment.") : QString()));
+  sign_in_->setVisible(!desk_.who());
   monitor_->setVisible(infant);
   next_->setEnabled(!running && !trial_.assessing());
   const bool told = shows_figures();

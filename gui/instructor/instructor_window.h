@@ -49,6 +49,7 @@ class InstructorWindow : public QWidget {
   QWidget* make_left();
   void add_keys();
   QWidget* make_right();
+  void sign_in();
   void take_session();
   void let_go();
   void frame(const engine::Snapshot& snapshot);
@@ -79,7 +80,7 @@ class InstructorWindow : public QWidget {
   QListWidget* events_;
   QTabWidget* tabs_;
   QLabel *title_, *who_, *state_;
-  QPushButton* next_;
+  QPushButton *next_, *sign_in_;
   QWidget* forces_;
   QElapsedTimer since_drawn_;
   int drawn_ = 0;

@@ -4,6 +4,7 @@
 #include <QFormLayout>
 #include <QKeyEvent>
 #include <QLabel>
+#include <QLayout>
 #include <QLineEdit>
 #include <QPushButton>
 #include <algorithm>
@@ -50,8 +51,14 @@ SignInDialog::SignInDialog(RecordsDesk& desk, Whom whom, const QString& title, c
   ask_names();
 }
 
+void SignInDialog::tell(const QString& message) {
+  message_->setText(message);
+  const int high = layout()->totalHeightForWidth(width());
+  if (isVisible() && high > height()) resize(width(), high);  // it came up with a shorter one
+}
+
 void SignInDialog::ask_names() {
-  message_->setText(tr("Asking the records ..."));
+  tell(tr("Asking the records ..."));
   desk_.ask<std::vector<Person>>(
       this, [](curricula::Records& records) { return curricula::People(records).list(); },
       [this](std::vector<Person> people) {
@@ -69,10 +76,14 @@ void SignInDialog::ask_names() {
         // After the last one, and after nobody, the first of the trainees.
         if (next == 0 || next >= static_cast<int>(people_.size())) next = std::max(0, trainee);
         name_->setCurrentIndex(people_.empty() ? -1 : next);
-        message_->setText(people_.empty() ? tr("Nobody is registered here yet.") : QString());
+        tell(!people_.empty() ? QString()
+             : whom_ == Whom::instructors
+                 ? tr("No instructor is registered here yet: Records in the first window sets up the "
+                      "first one.")
+                 : tr("Nobody is registered here yet."));
         take_->setEnabled(!people_.empty());
       },
-      [this](const QString& message) { message_->setText(message); });
+      [this](const QString& message) { tell(message); });
 }
 
 bool SignInDialog::eventFilter(QObject* watched, QEvent* event) {
@@ -101,7 +112,7 @@ void SignInDialog::take() {
   if (chosen >= people_.size()) return;
   const Person person = people_[chosen];
   take_->setEnabled(false);
-  message_->setText(tr("Looking at the PIN ..."));
+  tell(tr("Looking at the PIN ..."));
   desk_.ask<PinTry>(
       this,
       [id = person.id, pin = pin_->text().toStdString()](curricula::Records& records) {
@@ -116,15 +127,15 @@ void SignInDialog::take() {
           desk_.sign_in(*answer.who, person);
           accept();
         } else if (answer.wait_s > 0.0) {
-          message_->setText(tr("Too many wrong PINs: wait %1 s, or ask an instructor for a new PIN.")
-                                .arg(static_cast<int>(std::ceil(answer.wait_s))));
+          tell(tr("Too many wrong PINs: wait %1 s, or ask an instructor for a new PIN.")
+                   .arg(static_cast<int>(std::ceil(answer.wait_s))));
         } else {
-          message_->setText(answer.refused);
+          tell(answer.refused);
         }
       },
       [this](const QString& message) {
         take_->setEnabled(true);
-        message_->setText(message);
+        tell(message);
       });
   pin_->clear();
 }

@@ -20,8 +20,8 @@ class SignInDialog : public AskPerson {
   using MayChange = std::function<bool()>;
   enum class Whom { anybody, instructors };
   /// `after`: who was signed in; the one after them in the list is chosen first. 0: nobody was.
-  SignInDialog(RecordsDesk& desk, Whom whom, const QString& title, const QString& say, long long after,
-               QWidget* parent, MayChange may_change = {});
+  SignInDialog(RecordsDesk& desk, Whom whom, const QString& title, const QString& say, long long after, QWidget* parent,
+               MayChange may_change = {});
 
  signals:
   void changes();             ///< somebody else comes, or nobody, and may: whoever was signed in goes now
@@ -32,6 +32,7 @@ class SignInDialog : public AskPerson {
 
  private:
   void ask_names();
+  void tell(const QString& message);  ///< all of it
   void take();
   bool begins_change();  ///< false: it may not be made, and the dialog is gone as by Cancel
 

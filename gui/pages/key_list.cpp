@@ -5,6 +5,7 @@
 #include <QDialogButtonBox>
 #include <QKeySequence>
 #include <QLabel>
+#include <QShortcut>
 #include <QTextBrowser>
 #include <QVBoxLayout>
 
@@ -56,6 +57,9 @@ QDialog* show_key_list(QWidget* page, const std::vector<KeyGroup>& groups, const
   list->setAccessibleName(dialog->windowTitle());
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, dialog);
   QObject::connect(buttons, &QDialogButtonBox::rejected, dialog, &QDialog::close);
+  auto* again = new QShortcut(Qt::Key_F1, dialog);
+  again->setAutoRepeat(false);  // held a little longer it would close what it has just opened
+  QObject::connect(again, &QShortcut::activated, dialog, &QDialog::close);
   auto* column = new QVBoxLayout(dialog);
   if (!note.isEmpty()) {
     auto* said = new QLabel(note, dialog);

@@ -19,7 +19,8 @@ struct KeyGroup {
 
 /// A key (Qt::Key, with modifiers) as it is written on this platform.
 QString key_name(int key);
-/// Opens the list; the page goes on behind it. One at a time: null where it is open already. `note`: said above it.
+/// Opens the list, which F1 closes as Esc does; the page goes on behind it. One at a time: null where it is open
+/// already. `note`: said above it.
 QDialog* show_key_list(QWidget* page, const std::vector<KeyGroup>& groups, const QString& note = {});
 /// False: it was not open.
 bool close_key_list(QWidget* page);

@@ -90,6 +90,7 @@ void ReplayPage::open(std::shared_ptr<ReplayTrial> trial, double at_s, double be
                "as in the result.")
                 .arg(trial_->score.paused_s, 0, 'f', 1));
   monitor_->clear();
+  monitor_->set_breathes(intubation != nullptr && intubation->breathes);
   monitor_->setVisible(intubation != nullptr);
   timeline_->show_trial(trial_->events, trial_->end_s());
   show_lists();

@@ -131,6 +131,7 @@ class TrialPage : public QWidget {
   void eye_up();
   void eye_down();
   void extend_head();
+  void keys_pressed();
   void list_keys();
   void end_reading();
   void expert_pressed();

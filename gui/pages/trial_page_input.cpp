@@ -38,7 +38,7 @@ const std::vector<TrialPage::PageKey>& TrialPage::page_keys() {
       {Qt::Key_H, &TrialPage::extend_head, QT_TR_NOOP("extends the infant's head by 10 degrees, and back")},
       {Qt::Key_Z, &TrialPage::change_zoom, QT_TR_NOOP("how near the view is: by itself, the face, the mouth")},
       {Qt::Key_M, &TrialPage::change_sound, QT_TR_NOOP("the monitor's sound, on or off")},
-      {Qt::Key_F1, &TrialPage::list_keys, QT_TR_NOOP("this list")}};
+      {Qt::Key_F1, &TrialPage::keys_pressed, QT_TR_NOOP("this list, and closes it")}};
   return keys;
 }
 
@@ -105,11 +105,16 @@ void TrialPage::eye_up() { helps_->move_eye(0, 1); }
 void TrialPage::eye_down() { helps_->move_eye(0, -1); }
 void TrialPage::extend_head() { helps_->extend(); }
 
+/// The key that opened it closes it, wherever the keys go.
+void TrialPage::keys_pressed() {
+  if (!close_key_list(this)) list_keys();
+}
+
 /// While it is read the clock of a person's practice stands.
 void TrialPage::list_keys() {
   const bool holds = session_ && running_ && session_->by_person() && !assessed();
   const QString note =
-      holds ? tr("Your trial waits while this list is open. Esc closes it; then it goes on as after any pause.")
+      holds ? tr("Your trial waits while this list is open. F1 or Esc closes it; then it goes on as after any pause.")
       : running_ && assessed() ? tr("The clock runs on: an assessment is not held up.")
                                : QString();
   QDialog* list = show_key_list(this, keys(), note);

@@ -41,7 +41,8 @@ class TrialPanels : public QMainWindow {
   void show_pictures(const engine::Snapshot& snapshot, double sight_percent);
   /// To be called for every frame: pictures and figures.
   void show_snapshot(const engine::Snapshot& snapshot, double sight_percent, double paused_s, const PeaksSoFar& peaks);
-  /// Pictures and forces of an expert's hands; the trial's own clock, figures and peaks stay as they are.
+  /// Pictures, forces and readings of an expert's hands; what is the trial's own beside them - its clock, its infant on
+  /// the monitor - is greyed out and named, and its peaks are kept.
   void show_expert(const engine::Snapshot& snapshot, double sight_percent);
   void clear();
   /// An instructor's sentence: the team's panel opens for it, whatever else is there.

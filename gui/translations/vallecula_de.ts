@@ -7129,22 +7129,6 @@ Nichts kann kaputtgehen, und jeder Versuch ist ein neuer. Bevor es beginnt, sagt
         <translation>Experte</translation>
     </message>
     <message>
-        <source>Model force of the tissue on the blade, in newton. White line: the highest so far.</source>
-        <translation>Modellkraft des Gewebes auf den Spatel, in Newton. Weiße Linie: das Höchste bisher.</translation>
-    </message>
-    <message>
-        <source>Target: what to train for, %1 N on the tongue and %2 N on the gum; a trial passes with at most %3 s above the tongue&apos;s.</source>
-        <translation>Ziel: worauf geübt wird, %1 N auf die Zunge und %2 N auf die Zahnleiste; bestanden wird mit höchstens %3 s über dem der Zunge.</translation>
-    </message>
-    <message>
-        <source>Pass limit: a peak above %1 N on the tongue or %2 N on the gum does not pass.</source>
-        <translation>Bestehensgrenze: Eine Spitze über %1 N auf die Zunge oder %2 N auf die Zahnleiste besteht nicht.</translation>
-    </message>
-    <message>
-        <source>Device limit: the device can show %1 N.</source>
-        <translation>Gerätegrenze: Das Gerät kann %1 N zeigen.</translation>
-    </message>
-    <message>
         <source>pass limit %1</source>
         <translation>Bestehensgrenze %1</translation>
     </message>
@@ -7155,6 +7139,22 @@ Nichts kann kaputtgehen, und jeder Versuch ist ein neuer. Bevor es beginnt, sagt
     <message>
         <source>Below the tongue&apos;s bar: what your hand lifts along the handle of all that lies on the blade, so it may be more than the tongue&apos;s share, and what is levered on the upper jaw (hatched).</source>
         <translation>Unter dem Zungenbalken: was Ihre Hand längs des Griffs von allem hebt, was auf dem Spatel liegt – es kann mehr sein als der Anteil der Zunge –, und was auf den Oberkiefer gehebelt wird (schraffiert).</translation>
+    </message>
+    <message>
+        <source>Bars: model force of the tissue on the blade, in newton. White line: the highest so far.</source>
+        <translation>Balken: Modellkraft des Gewebes auf den Spatel, in Newton. Weiße Linie: das Höchste bisher.</translation>
+    </message>
+    <message>
+        <source>Target: yellow line. What to train for, %1 N on the tongue and %2 N on the gum; a trial passes with at most %3 s above the tongue&apos;s.</source>
+        <translation>Ziel: gelbe Linie. Worauf geübt wird, %1 N auf die Zunge und %2 N auf die Zahnleiste; bestanden wird mit höchstens %3 s über dem der Zunge.</translation>
+    </message>
+    <message>
+        <source>Pass limit: red line. A peak above %1 N on the tongue or %2 N on the gum does not pass.</source>
+        <translation>Bestehensgrenze: rote Linie. Eine Spitze über %1 N auf die Zunge oder %2 N auf die Zahnleiste besteht nicht.</translation>
+    </message>
+    <message>
+        <source>Device limit: blue dashed line, hatched beyond it. Your device cannot push back with more than %1 N: there the blade stays where it is, and a grey one shows your hand.</source>
+        <translation>Gerätegrenze: blaue gestrichelte Linie, dahinter schraffiert. Ihr Gerät kann mit höchstens %1 N zurückdrücken: Dort bleibt der Spatel, wo er ist, und ein grauer zeigt Ihre Hand.</translation>
     </message>
 </context>
 <context>
@@ -7881,6 +7881,22 @@ Gerät: %3</translation>
         <source>Stands at %1: the list of keys is read</source>
         <translation>Steht bei %1: die Tastenliste wird gelesen</translation>
     </message>
+    <message>
+        <source>&amp;Sign in ...</source>
+        <translation>An&amp;melden ...</translation>
+    </message>
+    <message>
+        <source>An instructor signs in at this window; whoever is at the blade stays signed in there</source>
+        <translation>Eine Lehrperson meldet sich an diesem Fenster an; wer am Spatel ist, bleibt dort angemeldet</translation>
+    </message>
+    <message>
+        <source>Instructor&apos;s window</source>
+        <translation>Fenster der Lehrperson</translation>
+    </message>
+    <message>
+        <source>An instructor signs in here; whoever is at the blade stays signed in there.</source>
+        <translation>Hier meldet sich eine Lehrperson an; wer am Spatel ist, bleibt dort angemeldet.</translation>
+    </message>
 </context>
 <context>
     <name>vallecula::gui::LabelView</name>
@@ -8249,10 +8265,6 @@ Gerät: %3</translation>
         <translation>Monitor: Sättigung, Herzfrequenz, Beatmungshübe, CO2</translation>
     </message>
     <message>
-        <source>saturation %1 %, heart rate %2 a minute, %3 s since the last breath%4</source>
-        <translation>Sättigung %1 %, Herzfrequenz %2 pro Minute, %3 s seit dem letzten Hub%4</translation>
-    </message>
-    <message>
         <source>Since breath</source>
         <translation>Seit Hub</translation>
     </message>
@@ -8291,6 +8303,42 @@ Gerät: %3</translation>
     <message>
         <source>HR</source>
         <translation>HF</translation>
+    </message>
+    <message>
+        <source>Lines: the last minute; dotted: where the alarm begins. Breaths given are counted wherever they went; their rate is the mean of the last %1.</source>
+        <translation>Linien: die letzte Minute; gepunktet: wo der Alarm beginnt. Gegebene Hübe zählen, wohin sie auch gingen; ihre Frequenz ist das Mittel der letzten %1.</translation>
+    </message>
+    <message>
+        <source>it breathes by itself</source>
+        <translation>es atmet selbst</translation>
+    </message>
+    <message>
+        <source>%1 s since the last breath</source>
+        <translation>%1 s seit dem letzten Hub</translation>
+    </message>
+    <message>
+        <source>saturation %1 %</source>
+        <translation>Sättigung %1 %</translation>
+    </message>
+    <message>
+        <source>heart rate %1 a minute</source>
+        <translation>Herzfrequenz %1 pro Minute</translation>
+    </message>
+    <message>
+        <source>Your own infant waits</source>
+        <translation>Ihr eigenes Kind wartet</translation>
+    </message>
+    <message>
+        <source>Breathing</source>
+        <translation>Atmung</translation>
+    </message>
+    <message>
+        <source>by itself</source>
+        <translation>spontan</translation>
+    </message>
+    <message>
+        <source>Your own infant: its time stands meanwhile</source>
+        <translation>Ihr eigenes Kind: Seine Zeit steht solange</translation>
     </message>
 </context>
 <context>
@@ -9485,6 +9533,10 @@ Gerät: %3</translation>
         <source>Registers a trainee, who is signed in then</source>
         <translation>Registriert jemanden zum Üben und meldet ihn oder sie an</translation>
     </message>
+    <message>
+        <source>No instructor is registered here yet: Records in the first window sets up the first one.</source>
+        <translation>Hier ist noch keine Lehrperson eingetragen: Die erste wird im ersten Fenster unter Aufzeichnungen eingerichtet.</translation>
+    </message>
 </context>
 <context>
     <name>vallecula::gui::SliceScene</name>
@@ -10135,10 +10187,6 @@ Gerät: %3</translation>
         <translation>Ton des Monitors an oder aus</translation>
     </message>
     <message>
-        <source>this list</source>
-        <translation>diese Liste</translation>
-    </message>
-    <message>
         <source>Trial</source>
         <translation>Durchgang</translation>
     </message>
@@ -10217,10 +10265,6 @@ Gerät: %3</translation>
 %1 von %2 s   |   Esc oder G: zurück zu Ihrem Durchgang</translation>
     </message>
     <message>
-        <source>Your trial waits while this list is open. Esc closes it; then it goes on as after any pause.</source>
-        <translation>Ihr Durchgang wartet, solange diese Liste offen ist. Esc schließt sie; dann geht er weiter wie nach jeder Pause.</translation>
-    </message>
-    <message>
         <source>The clock runs on: an assessment is not held up.</source>
         <translation>Die Uhr läuft weiter: Eine Prüfung wird nicht angehalten.</translation>
     </message>
@@ -10235,6 +10279,14 @@ Gerät: %3</translation>
     <message>
         <source>an expert at this patient while the trial waits, and back</source>
         <translation>ein Experte an diesem Patienten, während der Durchgang wartet, und zurück</translation>
+    </message>
+    <message>
+        <source>this list, and closes it</source>
+        <translation>diese Liste, und schließt sie</translation>
+    </message>
+    <message>
+        <source>Your trial waits while this list is open. F1 or Esc closes it; then it goes on as after any pause.</source>
+        <translation>Ihr Durchgang wartet, solange diese Liste offen ist. F1 oder Esc schließt sie; dann geht er weiter wie nach jeder Pause.</translation>
     </message>
 </context>
 <context>
@@ -10301,10 +10353,6 @@ Gerät: %3</translation>
     <message>
         <source>Tube</source>
         <translation>Tubus</translation>
-    </message>
-    <message>
-        <source>The mark at the lips (cm), how hard the tube pushes back on the hand (N)</source>
-        <translation>Die Marke an den Lippen (cm), wie stark der Tubus auf die Hand zurückdrückt (N)</translation>
     </message>
     <message>
         <source>Device</source>
@@ -10441,6 +10489,38 @@ Gerät: %3</translation>
     <message>
         <source>The force loop runs at %1. Of %2 forces %3 were written more than 1 ms after they were due, and for %4 the tissue&apos;s step was not finished in time.</source>
         <translation>Die Kraftregelung läuft mit %1. Von %2 Kräften wurden %3 mehr als 1 ms nach ihrer Zeit ausgegeben, und für %4 war der Rechenschritt des Gewebes nicht rechtzeitig fertig.</translation>
+    </message>
+    <message>
+        <source>catheter beside the mouth</source>
+        <translation>Katheter, neben dem Mund</translation>
+    </message>
+    <message>
+        <source>beside the mouth</source>
+        <translation>neben dem Mund</translation>
+    </message>
+    <message>
+        <source>catheter %1 cm before the gums</source>
+        <translation>Katheter, %1 cm vor der Zahnleiste</translation>
+    </message>
+    <message>
+        <source>%1 cm before the gums</source>
+        <translation>%1 cm vor der Zahnleiste</translation>
+    </message>
+    <message>
+        <source>In the mouth: the mark at the lips (cm), and how hard the tube pushes back on the hand (N). Before it: how far the tip is from the gums; to one eye a tube before the mouth looks like one in it.</source>
+        <translation>Im Mund: die Marke an den Lippen (cm), und wie stark der Tubus auf die Hand zurückdrückt (N). Davor: wie weit die Spitze von der Zahnleiste ist; mit einem Auge sieht ein Tubus vor dem Mund aus wie einer darin.</translation>
+    </message>
+    <message>
+        <source>Your attempt</source>
+        <translation>Ihr Versuch</translation>
+    </message>
+    <message>
+        <source>Glottis visible: expert</source>
+        <translation>Glottis sichtbar: Experte</translation>
+    </message>
+    <message>
+        <source>expert: %1</source>
+        <translation>Experte: %1</translation>
     </message>
 </context>
 <context>

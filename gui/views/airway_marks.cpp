@@ -1,7 +1,6 @@
 #include "gui/views/airway_marks.h"
 
 #include <vtkActor.h>
-#include <vtkBillboardTextActor3D.h>
 #include <vtkCellArray.h>
 #include <vtkNew.h>
 #include <vtkPoints.h>
@@ -24,6 +23,8 @@ namespace vallecula::gui {
 namespace {
 
 using engine::Vec3;
+
+constexpr double kGoodDepthType = 14.0, kNumberType = 11.0;  // points
 
 /// A cut's ends in the sagittal plane, m, and how far it is along the chain.
 struct Cut {
@@ -92,13 +93,13 @@ class Drawing {
   vtkNew<vtkCellArray> polygons_, lines_;
 };
 
-vtkSmartPointer<vtkBillboardTextActor3D> text(const std::string& words, const Vec3& at_m, double x_mm, int points,
+vtkSmartPointer<vtkBillboardTextActor3D> text(const std::string& words, const Vec3& at_m, double x_mm, double points,
                                               const QColor& colour, bool to_the_left) {
   auto actor = vtkSmartPointer<vtkBillboardTextActor3D>::New();
   actor->SetInput(words.c_str());
   actor->SetPosition(x_mm, 1e3 * at_m.y(), 1e3 * at_m.z());
   auto* property = actor->GetTextProperty();
-  property->SetFontSize(points);
+  property->SetFontSize(static_cast<int>(std::lround(points)));
   property->SetBold(true);
   property->SetColor(colour.redF(), colour.greenF(), colour.blueF());
   property->SetVerticalJustificationToCentered();
@@ -114,14 +115,27 @@ std::size_t cords_in(const engine::AirwayCourse& course) {
 
 }  // namespace
 
-std::vector<vtkSmartPointer<vtkProp3D>> airway_marks(const engine::AirwayCourse& course, double midline_x_mm,
-                                                     double behind_mm, double layer_mm) {
-  std::vector<vtkSmartPointer<vtkProp3D>> props;
+void AirwayMarks::set_type(double text_scale, double px_per_cm) const {
+  const auto type = [&](vtkBillboardTextActor3D& word, double points) {
+    word.GetTextProperty()->SetFontSize(static_cast<int>(std::lround(points * text_scale)));
+  };
+  type(*good_depth, kGoodDepthType);
+  // At VTK's 72 dots an inch a point is a pixel, and a digit is not quite as tall as its type.
+  const double tall = kNumberType * text_scale;
+  const int each = std::max(1, static_cast<int>(std::ceil(tall / std::max(px_per_cm, 1.0))));
+  for (std::size_t i = 0; i < centimetres.size(); ++i) {
+    type(*centimetres[i], kNumberType);
+    centimetres[i]->SetVisibility((static_cast<int>(i) + 1) % each == 0);
+  }
+}
+
+AirwayMarks airway_marks(const engine::AirwayCourse& course, double midline_x_mm, double behind_mm, double layer_mm) {
+  AirwayMarks marks;
   const auto put = [&](vtkProp3D* prop, double towards_mm) {
     double at[3];
     prop->GetPosition(at);
     prop->SetPosition(at[0] + towards_mm, at[1], at[2]);
-    props.emplace_back(prop);
+    marks.props.emplace_back(prop);
   };
   if (course.oesophagus.size() > 1) {
     Drawing food(midline_x_mm);
@@ -140,18 +154,19 @@ std::vector<vtkSmartPointer<vtkProp3D>> airway_marks(const engine::AirwayCourse&
   put(band.actor(theme::within().lighter(130), 1.0), layer_mm);
   const Cut middle = cut_at(cuts, 0.5 * (good_from + good_to));
   const Vec3 out = (middle.front - middle.back).normalized();
-  put(text(QCoreApplication::translate("AirwayMarks", "good depth").toUtf8().constData(), middle.front + 0.003 * out,
-           midline_x_mm, 14, QColor(250, 252, 250), true),
-      layer_mm + 0.2);
+  marks.good_depth = text(QCoreApplication::translate("AirwayMarks", "good depth").toUtf8().constData(),
+                          middle.front + 0.003 * out, midline_x_mm, kGoodDepthType, QColor(250, 252, 250), true);
+  put(marks.good_depth, layer_mm + 0.2);
   for (int cm = 1; 0.01 * cm < length; ++cm) {
     const Cut cut = cut_at(cuts, from + 0.01 * cm);
     const Vec3 across = (cut.back - cut.front).normalized();
     centimetres.line(cut.front, cut.back + 0.0012 * across);
-    put(text(std::to_string(cm), cut.back + 0.0022 * across, midline_x_mm, 11, QColor(245, 246, 250), false),
-        layer_mm + 0.2);
+    marks.centimetres.push_back(
+        text(std::to_string(cm), cut.back + 0.0022 * across, midline_x_mm, kNumberType, QColor(245, 246, 250), false));
+    put(marks.centimetres.back(), layer_mm + 0.2);
   }
   put(centimetres.actor(QColor(245, 246, 250), 1.0), layer_mm + 0.1);
-  return props;
+  return marks;
 }
 
 }  // namespace vallecula::gui

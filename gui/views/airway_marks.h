@@ -2,6 +2,7 @@
 // and the oesophagus behind.
 #pragma once
 
+#include <vtkBillboardTextActor3D.h>
 #include <vtkProp3D.h>
 #include <vtkSmartPointer.h>
 
@@ -14,9 +15,18 @@ namespace vallecula::gui {
 /// Share of the way from the cords to the carina in which a tube's tip lies well: its middle third (CLINICAL).
 constexpr double kGoodDepthFrom = 1.0 / 3.0, kGoodDepthTo = 2.0 / 3.0;
 
-/// Actors for the plane x = `midline_x_mm`, each on a layer `layer_mm` nearer to a viewer on the left; the oesophagus
-/// on `behind_mm`. Throws std::runtime_error without cords.
-std::vector<vtkSmartPointer<vtkProp3D>> airway_marks(const engine::AirwayCourse& course, double midline_x_mm,
-                                                     double behind_mm, double layer_mm);
+struct AirwayMarks {
+  std::vector<vtkSmartPointer<vtkProp3D>> props;  ///< all of them, to be drawn
+  vtkSmartPointer<vtkBillboardTextActor3D> good_depth;
+  std::vector<vtkSmartPointer<vtkBillboardTextActor3D>> centimetres;  ///< 1, 2, 3 and on
+
+  /// Their type at a text scale (1: as it is first), and as many of the numbers as have room one below another where a
+  /// centimetre is so many pixels.
+  void set_type(double text_scale, double px_per_cm) const;
+};
+
+/// For the plane x = `midline_x_mm`, each on a layer `layer_mm` nearer to a viewer on the left; the oesophagus on
+/// `behind_mm`. Throws std::runtime_error without cords.
+AirwayMarks airway_marks(const engine::AirwayCourse& course, double midline_x_mm, double behind_mm, double layer_mm);
 
 }  // namespace vallecula::gui

@@ -83,14 +83,18 @@ void ForceBars::set_marks(const ForceMarks& marks) {
   device_limit_ = marks.device_limit_n;
   scale_ =
       std::max(1.0, std::ceil(1.2 * std::max({device_limit_, tongue_.target, gum_.target, tongue_.pass, gum_.pass})));
-  QStringList lines{
-      tr("Model force of the tissue on the blade, in newton. White line: the highest so far."),
-      tr("Target: what to train for, %1 N on the tongue and %2 N on the gum; a trial passes with at most %3 s above "
-         "the tongue's.")
-          .arg(newtons(tongue_.target), newtons(gum_.target), newtons(marks.over_target_s)),
-      tr("Pass limit: a peak above %1 N on the tongue or %2 N on the gum does not pass.")
-          .arg(newtons(tongue_.pass), newtons(gum_.pass))};
-  if (device_limit_ > 0.0) lines << tr("Device limit: the device can show %1 N.").arg(newtons(device_limit_));
+  // By how each looks, so that who wonders about a line finds it.
+  QStringList lines;
+  lines << tr("Bars: model force of the tissue on the blade, in newton. White line: the highest so far.");
+  lines << tr("Target: yellow line. What to train for, %1 N on the tongue and %2 N on the gum; a trial passes with at "
+              "most %3 s above the tongue's.")
+               .arg(newtons(tongue_.target), newtons(gum_.target), newtons(marks.over_target_s));
+  lines << tr("Pass limit: red line. A peak above %1 N on the tongue or %2 N on the gum does not pass.")
+               .arg(newtons(tongue_.pass), newtons(gum_.pass));
+  if (device_limit_ > 0.0)
+    lines << tr("Device limit: blue dashed line, hatched beyond it. Your device cannot push back with more than %1 N: "
+                "there the blade stays where it is, and a grey one shows your hand.")
+                 .arg(newtons(device_limit_));
   lines << tr(
       "Below the tongue's bar: what your hand lifts along the handle of all that lies on the blade, so it may be more "
       "than the tongue's share, and what is levered on the upper jaw (hatched).");

@@ -18,7 +18,7 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "gui/views/airway_marks.h"
+#include "gui/views/theme.h"
 #include "gui/views/tissue_colours.h"
 #include "gui/views/tool_look.h"
 
@@ -88,6 +88,7 @@ void SagittalView::show_patient(std::shared_ptr<PatientLook> look, const engine:
   add_anatomy_cuts();
   add_soft_cut();
   tube_.reset();
+  marks_.reset();
   if (intubation != nullptr) add_intubation(*intubation);
   add_tool(tool);
   add_sight_line();
@@ -210,8 +211,8 @@ void SagittalView::add_tool(const engine::TriangleMesh& tool) {
 }
 
 void SagittalView::add_intubation(const engine::IntubationDescription& intubation) {
-  for (const auto& mark : airway_marks(intubation.course, look_->framing.midline_x_mm, kFood, kMarks))
-    renderer()->AddViewProp(mark);
+  marks_ = airway_marks(intubation.course, look_->framing.midline_x_mm, kFood, kMarks);
+  for (const auto& mark : marks_->props) renderer()->AddViewProp(mark);
   tube_ = std::make_unique<TubeLook>(intubation);
   for (const auto& actor : tube_->actors()) {
     actor->SetPosition(kTube, 0, 0);
@@ -244,6 +245,7 @@ void SagittalView::update_from(const engine::Snapshot& snapshot, double sight_pe
     soft_points_->Modified();
     for (const auto& grid : soft_) grid->Modified();
   }
+  if (words_scale_ != theme::look().text_scale) fit_words();
   for (MovingSurface& cut : moving_) cut.update(snapshot);
   if (tube_) tube_->update(snapshot);
   const auto in_front = [](const engine::Pose& pose) {
@@ -279,7 +281,7 @@ void SagittalView::frame() {
     high_z = std::max(high_z, found->second[2]);
   }
   const double depth = high_y - low_y, tall = high_z - low_z;
-  width_mm_ = 2.2 * depth;  // lips and nose in front, the back wall of the throat behind
+  width_mm_ = 2.2 * depth;                   // lips and nose in front, the back wall of the throat behind
   height_mm_ = (tube_ ? 1.45 : 2.1) * tall;  // the palate and nose above, the windpipe below
   centre_y_ = 0.5 * (low_y + high_y) - 0.08 * depth;
   centre_z_ = 0.5 * (low_z + high_z) + (tube_ ? 0.10 : -0.05) * tall;
@@ -292,6 +294,15 @@ void SagittalView::frame() {
   camera->SetClippingRange(100.0, 900.0);
   const double aspect = static_cast<double>(std::max(width(), 1)) / std::max(height(), 1);
   camera->SetParallelScale(0.5 * std::max(height_mm_, width_mm_ / aspect));
+  fit_words();
+}
+
+/// As large as the window's text, and no more of them than have room.
+void SagittalView::fit_words() {
+  words_scale_ = theme::look().text_scale;
+  if (!marks_) return;
+  const double px_per_mm = 0.5 * std::max(height(), 1) / renderer()->GetActiveCamera()->GetParallelScale();
+  marks_->set_type(words_scale_, 10.0 * px_per_mm);
 }
 
 void SagittalView::resizeEvent(QResizeEvent* event) {

@@ -5,6 +5,7 @@
 #include <QPainter>
 #include <QVariant>
 #include <algorithm>
+#include <cmath>
 
 #include "gui/session/trial_clock.h"
 #include "gui/session/words_from_below.h"
@@ -80,6 +81,30 @@ QString banner_for(const engine::Snapshot& snapshot, const QString& fault, const
   return sentences.join(" ");
 }
 
+QString tube_words(const engine::IntubationRecord& now, const std::optional<curricula::Mouth>& mouth) {
+  const bool catheter = now.in_hand == engine::InHand::catheter;
+  if (now.at_mouth_m > 0.0) {
+    const QString depth_cm = decimal(100.0 * now.at_mouth_m, 1);
+    return (catheter ? TrialReadings::tr("catheter %1 cm at the lips") : TrialReadings::tr("%1 cm at the lips"))
+        .arg(depth_cm);
+  }
+  if (!mouth) return catheter ? TrialReadings::tr("catheter not in the mouth") : TrialReadings::tr("not in the mouth");
+  double behind_m = 0.0, along_m = 0.0, away_m2 = 0.0;
+  for (int a = 0; a < 3; ++a) {
+    const auto axis = static_cast<std::size_t>(a);
+    const double way_m = now.tip_m[a] - mouth->gum_middle_m[axis];
+    behind_m += mouth->inward[axis] * way_m;
+    along_m += mouth->axis[axis] * way_m;
+    away_m2 += way_m * way_m;
+  }
+  const double aside_m = std::sqrt(std::max(0.0, away_m2 - along_m * along_m));
+  // Farther to the side of its axis, which is about the operator's line of sight, than before it and than it is wide.
+  if (behind_m > 0.0 || aside_m > std::max(mouth->radius_m, -along_m))
+    return catheter ? TrialReadings::tr("catheter beside the mouth") : TrialReadings::tr("beside the mouth");
+  return (catheter ? TrialReadings::tr("catheter %1 cm before the gums") : TrialReadings::tr("%1 cm before the gums"))
+      .arg(decimal(-100.0 * behind_m, 1));
+}
+
 TrialReadings::TrialReadings(QWidget* parent) : QWidget(parent) {
   auto* grid = new QGridLayout(this);
   grid->setContentsMargins(12, 8, 12, 8);
@@ -99,7 +124,7 @@ TrialReadings::TrialReadings(QWidget* parent) : QWidget(parent) {
     return label;
   };
   clock_caption_ = caption(tr("Attempt"), 0, 0);
-  caption(tr("Glottis visible"), 0, 1);
+  seen_caption_ = caption(tr("Glottis visible"), 0, 1);
   clock_ = figure(1, 0);
   seen_ = figure(1, 1);
   limit_ = new QLabel(this);
@@ -109,7 +134,9 @@ TrialReadings::TrialReadings(QWidget* parent) : QWidget(parent) {
   grid->addWidget(sight_, 2, 1);
   tube_caption_ = caption(tr("Tube"), 3, 0);
   tube_ = new QLabel(this);
-  tube_->setToolTip(tr("The mark at the lips (cm), how hard the tube pushes back on the hand (N)"));
+  tube_->setToolTip(tr(
+      "In the mouth: the mark at the lips (cm), and how hard the tube pushes back on the hand (N). Before it: how far "
+      "the tip is from the gums; to one eye a tube before the mouth looks like one in it."));
   grid->addWidget(tube_, 3, 1);
   caption(tr("Device"), 4, 0);
   state_ = new QLabel(this);
@@ -141,8 +168,7 @@ void TrialReadings::set_scenario(const curricula::Scenario& scenario, const std:
   mouth_ = mouth;
   sight_percent_ = scenario.sight_percent;
   attempt_limit_s_ = scenario.pass.attempt_time_s;
-  clock_caption_->setText(mouth ? tr("Attempt") : tr("From Start"));
-  limit_->setText(mouth ? tr("at most %1 s").arg(attempt_limit_s_, 0, 'f', 0) : tr("no attempt: mouth not known"));
+  set_of_expert(false);
   const QString why = mouth ? QString()
                             : tr("Where this patient's mouth begins is not known: the clock counts from Start, and the "
                                  "result has no attempt's time.");
@@ -154,17 +180,61 @@ void TrialReadings::clear() {
   best_percent_ = 0.0;
   attempt_start_s_ = mouth_ ? -1.0 : 0.0;
   attempt_s_ = last_in_s_ = 0.0;
-  clock_->setText(QString("%1 s").arg(decimal(0.0, 1)));
-  clock_->setStyleSheet(QString());
+  if (of_expert_) set_of_expert(false);
+  show_clock();
   seen_->setText("0 %");
   sight_->show_percent(0.0, 0.0, sight_percent_);
   state_->setText(tr("ready"));
-  tube_->setText(tr("not in the mouth"));
+  state_->setStyleSheet(QString());
+  tube_->setText(tr("ready"));
   pace_ = {};
   computer_->setText(tr("waits"));
   computer_->setStyleSheet(QString());
   computer_->setToolTip(QString());
   show_drawing(0.0, {});
+}
+
+void TrialReadings::set_of_expert(bool of_expert) {
+  of_expert_ = of_expert;
+  clock_caption_->setText(of_expert ? tr("Your attempt") : mouth_ ? tr("Attempt") : tr("From Start"));
+  limit_->setText(of_expert ? tr("waits")
+                  : mouth_  ? tr("at most %1 s").arg(attempt_limit_s_, 0, 'f', 0)
+                            : tr("no attempt: mouth not known"));
+  seen_caption_->setText(of_expert ? tr("Glottis visible: expert") : tr("Glottis visible"));
+  if (!of_expert) drawing_->setStyleSheet(QString());
+}
+
+void TrialReadings::show_clock() {
+  clock_->setText(QString("%1 s").arg(decimal(attempt_s_, 1)));
+  const bool over = mouth_ && attempt_s_ > attempt_limit_s_;
+  clock_->setStyleSheet(of_expert_ ? QString("color: %1").arg(theme::faint().name())
+                        : over     ? QString("color: %1").arg(theme::over().name())
+                                   : QString());
+}
+
+void TrialReadings::show_tube_of(const engine::Snapshot& snapshot) {
+  if (!snapshot.has_intubation) return;
+  const auto& now = snapshot.intubation;
+  QString words = tube_words(now, mouth_);
+  if (force_shown_ && now.at_mouth_m > 0.0)
+    words = tr("%1, %2 N on the hand").arg(words).arg(decimal(now.model_force_n.norm(), 1));
+  tube_->setText(of_expert_ ? tr("expert: %1").arg(words) : words);
+}
+
+void TrialReadings::show_expert(const engine::Snapshot& snapshot) {
+  if (!of_expert_) {
+    set_of_expert(true);
+    show_clock();
+    for (QLabel* figure : {state_, computer_, drawing_}) {
+      figure->setText(tr("waits"));
+      figure->setStyleSheet(QString("color: %1").arg(theme::faint().name()));
+      figure->setToolTip(QString());
+    }
+  }
+  const double percent = 100.0 * snapshot.glottis_visible;
+  seen_->setText(QString("%1 %").arg(percent, 0, 'f', 0));
+  sight_->show_percent(percent, 0.0, sight_percent_);
+  show_tube_of(snapshot);
 }
 
 void TrialReadings::go_on_from(const TrialReadings& other) {
@@ -175,6 +245,7 @@ void TrialReadings::go_on_from(const TrialReadings& other) {
 }
 
 void TrialReadings::show_snapshot(const engine::Snapshot& snapshot, double paused_s) {
+  if (of_expert_) set_of_expert(false);
   const double percent = 100.0 * snapshot.glottis_visible;
   best_percent_ = std::max(best_percent_, percent);
   const engine::Vec3& tip = snapshot.proxy_pose.position;
@@ -189,22 +260,10 @@ void TrialReadings::show_snapshot(const engine::Snapshot& snapshot, double pause
     attempt_s_ = std::max(attempt_s_, now_s - attempt_start_s_);
     last_in_s_ = std::max(last_in_s_, now_s);
   }
-  clock_->setText(QString("%1 s").arg(decimal(attempt_s_, 1)));
-  clock_->setStyleSheet(mouth_ && attempt_s_ > attempt_limit_s_ ? QString("color: %1").arg(theme::over().name())
-                                                                : QString());
+  show_clock();
   seen_->setText(QString("%1 %").arg(percent, 0, 'f', 0));
   sight_->show_percent(percent, best_percent_, sight_percent_);
-  if (snapshot.has_intubation) {
-    const auto& now = snapshot.intubation;
-    const bool catheter = now.in_hand == engine::InHand::catheter;
-    const QString depth_cm = decimal(100.0 * now.at_mouth_m, 1);
-    if (now.at_mouth_m > 0.0)
-      tube_->setText((catheter ? tr("catheter %1 cm at the lips") : tr("%1 cm at the lips")).arg(depth_cm));
-    else
-      tube_->setText(catheter ? tr("catheter not in the mouth") : tr("not in the mouth"));
-    if (force_shown_ && now.at_mouth_m > 0.0)
-      tube_->setText(tr("%1, %2 N on the hand").arg(tube_->text()).arg(decimal(now.model_force_n.norm(), 1)));
-  }
+  show_tube_of(snapshot);
   const bool invalid = (snapshot.faults & engine::kFaultDeviceInvalid) != 0;
   state_->setText(words_for(snapshot.state, invalid).name);
   state_->setStyleSheet(

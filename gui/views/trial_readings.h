@@ -25,6 +25,10 @@ StateWords words_for(engine::HapticState state, bool device_invalid);
 /// none); a fault hides no limit.
 QString banner_for(const engine::Snapshot& snapshot, const QString& fault, const QString& pause = {});
 
+/// Where the tip of what the second hand holds is, in words: its mark at the lips once it is in the mouth; before, how
+/// far it still is from the gums, for to one eye a tube before the mouth looks like one in it.
+QString tube_words(const engine::IntubationRecord& now, const std::optional<curricula::Mouth>& mouth);
+
 class TrialReadings : public QWidget {
   Q_OBJECT
  public:
@@ -36,6 +40,9 @@ class TrialReadings : public QWidget {
   /// stands in a pause and while the tip is out, and with a tube begins anew when it comes in again, as the score
   /// counts. `paused_s`: of the attempt until now.
   void show_snapshot(const engine::Snapshot& snapshot, double paused_s = 0.0);
+  /// An expert's sight and tube, until show_snapshot(); one's own clock stands meanwhile, greyed out, and its caption
+  /// says whose it is. What the device and the computer do is nobody's then.
+  void show_expert(const engine::Snapshot& snapshot);
   /// The blade is being led to the vallecula: no hand's attempt has begun.
   void set_led(bool led) { led_ = led; }
   /// The same attempt, which the other has shown from its beginning: its clock and its best view.
@@ -49,14 +56,18 @@ class TrialReadings : public QWidget {
   void clear();
 
  private:
+  void set_of_expert(bool of_expert);
+  void show_clock();
+  void show_tube_of(const engine::Snapshot& snapshot);
   std::optional<curricula::Mouth> mouth_;
   double attempt_start_s_ = -1.0, attempt_s_ = 0.0, last_in_s_ = 0.0;
   bool led_ = false;
-  QLabel *clock_caption_, *clock_, *limit_, *seen_, *state_, *computer_, *drawing_, *tube_, *tube_caption_;
+  QLabel *clock_caption_, *clock_, *limit_, *seen_caption_, *seen_, *state_, *computer_, *drawing_, *tube_,
+      *tube_caption_;
   Pace pace_;
   class SightBar* sight_;
   double sight_percent_ = 25.0, best_percent_ = 0.0, attempt_limit_s_ = 30.0;
-  bool force_shown_ = true;
+  bool force_shown_ = true, of_expert_ = false;
 };
 
 }  // namespace vallecula::gui

@@ -323,6 +323,7 @@ TEST_F(WindowInstructor, BeforeTheStartItShowsToolsAndMonitorAsTheyAreAtTheBlade
   auto* monitor = second().findChild<MonitorPanel*>();
   MonitorPanel says(&second()), silent(&second());
   for (MonitorPanel* one : {&says, &silent}) one->resize(monitor->size());
+  says.set_breathes(tube->breathes);
   says.show_snapshot(session.at_start());
   const auto off = [&](MonitorPanel& one) {
     return picture_difference(one.grab().toImage(), says.grab().toImage()).mean_grey;

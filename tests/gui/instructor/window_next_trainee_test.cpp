@@ -144,6 +144,49 @@ TEST_F(WindowInstructor, WhereThereIsAnInstructorOnlyOneOpensItAndTheTraineeStay
   EXPECT_TRUE(second().desk().instructor());
 }
 
+TEST_F(WindowInstructor, OpenedWithNobodySignedInOneSignsInRightThere) {
+  open_with_course();
+  open_second();
+  ASSERT_TRUE(wait_for([&] { return second_is_open(); }, 10000)) << "nobody is registered: nobody is asked for";
+  auto* sign_in = second().findChild<QPushButton*>("sign_in_here");
+  ASSERT_NE(sign_in, nullptr);
+  EXPECT_TRUE(sign_in->isVisible());
+  const auto asked = [&] {
+    SignInDialog* found = nullptr;
+    EXPECT_TRUE(wait_for(
+        [&] {
+          for (auto* one : second().findChildren<SignInDialog*>())
+            if (one->isVisible()) found = one;
+          return found != nullptr;
+        },
+        10000));
+    return found;
+  };
+  // There is no instructor yet: it is said how there comes to be one.
+  QTest::mouseClick(sign_in, Qt::LeftButton);
+  auto* nobody = asked();
+  ASSERT_NE(nobody, nullptr);
+  auto* message = nobody->findChild<QLabel*>("dialog_message");
+  ASSERT_TRUE(wait_for([&] { return message->text().contains("No instructor is registered"); }, 10000))
+      << message->text().toStdString();
+  EXPECT_TRUE(message->text().contains("Records"));
+  QApplication::processEvents();
+  EXPECT_GE(message->height(), message->heightForWidth(message->width())) << "all of it";
+  keep_picture(*nobody, "instructor-sign-in-nobody.png");
+  nobody->reject();
+  register_people();
+  QTest::mouseClick(sign_in, Qt::LeftButton);
+  auto* asks = asked();
+  ASSERT_NE(asks, nullptr);
+  ASSERT_TRUE(wait_for([&] { return asks->findChild<QComboBox*>()->count() == 1; }, 10000)) << "instructors only";
+  auto* pin = asks->findChild<QLineEdit*>();
+  QTest::keyClicks(pin, "4321");
+  QTest::keyClick(pin, Qt::Key_Return);
+  ASSERT_TRUE(wait_for([&] { return second().desk().instructor(); }, 10000));
+  EXPECT_FALSE(desk().who()) << "at the blade nobody is";
+  EXPECT_FALSE(sign_in->isVisible()) << "somebody is signed in";
+}
+
 TEST_F(WindowInstructor, InAnAssessmentNothingHelpsOrHoldsTheTraineeUp) {
   open_with_course();
   open_second();

@@ -166,6 +166,33 @@ TEST_F(WindowPanels, WhatCannotBeHadSaysWhy) {
   ASSERT_TRUE(wait_for([&] { return finished; }));
 }
 
+TEST_F(WindowPanels, TheKeyThatOpensTheListOfKeysClosesItAndTheTrialGoesOn) {
+  MainWindow window;
+  open(window, "helped");
+  TrialPage& page = window.trial_page();
+  page.start();
+  drawn(page, 3);
+  const auto list = [&]() -> QDialog* {
+    for (auto* one : page.findChildren<QDialog*>("key_list"))
+      if (one->isVisible()) return one;
+    return nullptr;
+  };
+  for (const bool at_the_page : {false, true}) {  // the keys go to the list, or still to the page behind it
+    key(page, Qt::Key_F1);
+    ASSERT_NE(list(), nullptr);
+    EXPECT_TRUE(page.session()->frozen_by(Holder::reader));
+    QApplication::setActiveWindow(list());
+    QApplication::processEvents();
+    auto* text = list()->findChild<QTextBrowser*>();
+    QTest::keyClick(at_the_page ? static_cast<QWidget*>(&page) : text, Qt::Key_F1);
+    EXPECT_EQ(list(), nullptr) << at_the_page;
+    EXPECT_TRUE(page.running());
+    EXPECT_FALSE(page.session()->frozen_by(Holder::reader));
+  }
+  page.end("ended by trainee");
+  ASSERT_TRUE(wait_for([&] { return window.page_name() == "result"; }));
+}
+
 TEST_F(WindowPanels, TheListOfKeysIsTheTableTheyAreTakenBy) {
   MainWindow window;
   open(window, "helped");

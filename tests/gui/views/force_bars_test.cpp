@@ -24,8 +24,8 @@ BladeForces of(const engine::TickRecord& tick) { return blade_forces(tick.loads,
 
 TEST(BladeForces, LiftIsWhatTheJawDoesNotBear) {
   // 3 N of tongue and 0.5 N of epiglottis press the blade down, the gum holds 1.2 N of it up: 2.3 N are lifted.
-  const BladeForces f = of(loaded({{Structure::tongue, {0, 0, -3}}, {Structure::epiglottis, {0, 0, -0.5}},
-                                   {Structure::gum, {0, 0, 1.2}}}));
+  const BladeForces f = of(
+      loaded({{Structure::tongue, {0, 0, -3}}, {Structure::epiglottis, {0, 0, -0.5}}, {Structure::gum, {0, 0, 1.2}}}));
   EXPECT_NEAR(f.tongue_n, 3.0, 1e-12);
   EXPECT_NEAR(f.gum_n, 1.2, 1e-12);
   EXPECT_NEAR(f.lifted_n, 2.3, 1e-12);
@@ -33,8 +33,10 @@ TEST(BladeForces, LiftIsWhatTheJawDoesNotBear) {
 }
 
 TEST(BladeForces, TheJawBearsNoMoreThanThereIs) {
-  const BladeForces f = of(loaded({{Structure::tongue, {0, 0, -1}}, {Structure::gum, {0, 0, 2}},
-                                   {Structure::palate, {0, 0, 1}}, {Structure::teeth, {0, 0, -4}}}));
+  const BladeForces f = of(loaded({{Structure::tongue, {0, 0, -1}},
+                                   {Structure::gum, {0, 0, 2}},
+                                   {Structure::palate, {0, 0, 1}},
+                                   {Structure::teeth, {0, 0, -4}}}));
   EXPECT_NEAR(f.lifted_n, 0.0, 1e-12);
   EXPECT_NEAR(f.levered_n, 1.0, 1e-12);
 }
@@ -56,10 +58,13 @@ class Bars : public Screen {
   }
   /// Pixels of this colour in a row across the middle of `in`.
   int pixels(const QColor& colour) {
-    return find_pixels(bars_.grab().toImage(), [&](QRgb c, int, int) {
-             return std::abs(qRed(c) - colour.red()) + std::abs(qGreen(c) - colour.green()) +
-                        std::abs(qBlue(c) - colour.blue()) < 12;
-           }).pixels;
+    return find_pixels(bars_.grab().toImage(),
+                       [&](QRgb c, int, int) {
+                         return std::abs(qRed(c) - colour.red()) + std::abs(qGreen(c) - colour.green()) +
+                                    std::abs(qBlue(c) - colour.blue()) <
+                                12;
+                       })
+        .pixels;
   }
   ForceBars bars_;
 };
@@ -94,6 +99,8 @@ TEST_F(Bars, SayWhatTheirMarksAreByTheScenariosOwnFigures) {
     EXPECT_TRUE(bars_.toolTip().contains(figure)) << figure << " in " << bars_.toolTip().toStdString();
   for (const char* word : {"Target: ", "Pass limit: ", "Device limit: "})
     EXPECT_TRUE(bars_.toolTip().contains(word)) << word;
+  for (const char* look : {"yellow line", "red line", "blue dashed line, hatched beyond it", "White line"})
+    EXPECT_TRUE(bars_.toolTip().contains(look)) << "who wonders what it is looks for how it looks: " << look;
   bars_.show_forces({4.4, 1.0, 4.0, 0.4});
   keep_picture(bars_, "bars-marks.png");
   bars_.resize(280, 140);
@@ -128,7 +135,8 @@ TEST_F(Bars, PatternsTellThePartsApartWithoutColour) {
     int changes_left = 0, changes_right = 0;
     const double from = 64.0, track = grey.width() - 64.0 - 72.0;
     for (int x = 2; x < static_cast<int>(0.18 * track); ++x) {
-      const int left = static_cast<int>(from) + x, right = static_cast<int>(from + bars_.share_of_track(2.0) * track) + x;
+      const int left = static_cast<int>(from) + x,
+                right = static_cast<int>(from + bars_.share_of_track(2.0) * track) + x;
       changes_left += std::abs(qGray(grey.pixel(left, y)) - qGray(grey.pixel(left + 1, y))) > 30;
       changes_right += std::abs(qGray(grey.pixel(right, y)) - qGray(grey.pixel(right + 1, y))) > 30;
     }

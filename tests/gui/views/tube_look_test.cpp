@@ -2,14 +2,17 @@
 #include "gui/views/tube_look.h"
 
 #include <vtkMapper.h>
+#include <vtkTextProperty.h>
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "gui/views/airway_marks.h"
 #include "gui/views/larynx_look.h"
 #include "gui/views/operator_view.h"
 #include "gui/views/sagittal_view.h"
+#include "gui/views/theme.h"
 #include "tests/gui/placed_tube.h"
 #include "tests/gui/window_patient.h"
 #include "tests/gui/window_screen.h"
@@ -174,7 +177,30 @@ TEST(CordsLook, OpensAsTheEngineHasItAndPartsAroundATube) {
 TEST(AirwayMarks, NeedCords) {
   const engine::AirwayCourse none;
   EXPECT_THROW(airway_marks(none, 0.0, 0.0, 1.0), std::runtime_error);
-  EXPECT_FALSE(airway_marks(plain_intubation(patient()).course, 0.0, 0.0, 1.0).empty());
+  EXPECT_FALSE(airway_marks(plain_intubation(patient()).course, 0.0, 0.0, 1.0).props.empty());
+}
+
+TEST(AirwayMarks, FollowTheTextsSizeAndLeaveOutNumbersThatHaveNoRoom) {
+  const AirwayMarks marks = airway_marks(plain_intubation(patient()).course, 0.0, 0.0, 1.0);
+  ASSERT_GE(marks.centimetres.size(), 3u);
+  const auto points = [](vtkBillboardTextActor3D& word) { return word.GetTextProperty()->GetFontSize(); };
+  const auto seen = [&] {
+    std::string numbers;
+    for (const auto& one : marks.centimetres)
+      if (one->GetVisibility()) numbers += one->GetInput();
+    return numbers;
+  };
+  marks.set_type(1.0, 20.0);
+  EXPECT_EQ(points(*marks.good_depth), 14);
+  EXPECT_EQ(points(*marks.centimetres[0]), 11);
+  EXPECT_EQ(seen().substr(0, 3), "123");
+  marks.set_type(1.35, 20.0);
+  EXPECT_EQ(points(*marks.good_depth), 19);
+  EXPECT_EQ(points(*marks.centimetres[0]), 15);
+  EXPECT_EQ(seen().substr(0, 3), "123");
+  marks.set_type(1.35, 12.0);  // a low panel: a digit is taller than a centimetre
+  EXPECT_EQ(seen().substr(0, 1), "2");
+  EXPECT_EQ(seen().find('3'), std::string::npos);
 }
 
 class TubeViews : public Screen {
@@ -232,6 +258,27 @@ TEST_F(TubeViews, TheCutReachesTheCarinaAndHasTheTubeInTheTrachea) {
   EXPECT_GT(difference(without, with).pixels, 300);
   EXPECT_LT(find_pixels(with, blue).pixels, trachea.pixels) << "it lies before the trachea's cut";
   EXPECT_LT(mark.y, good.y) << "the mark is above the good depth";
+}
+
+TEST_F(TubeViews, TheCutsWordsFollowTheTextsSizeWhileItIsOpen) {
+  SagittalView view;
+  view.resize(400, 480);
+  view.show_patient(make_patient_look(patient()), plain_blade(), &intubation_);
+  view.show();
+  QApplication::processEvents();
+  ASSERT_TRUE(view.isValid());
+  const auto white = [&](double scale) {
+    theme::apply(*qApp, {theme::Ground::dark, scale});
+    view.update_from(rest(), 25.0);
+    const QImage picture = view.picture();
+    keep_picture(view, "cut-words-" + std::to_string(static_cast<int>(100 * scale + 0.5)) + ".png");
+    return find_pixels(picture, [](QRgb c, int, int) { return qRed(c) > 200 && qGreen(c) > 200 && qBlue(c) > 200; })
+        .pixels;
+  };
+  const int usual = white(1.0), large = white(1.35);
+  theme::apply(*qApp, {});
+  ASSERT_GT(usual, 100);
+  EXPECT_GT(large, 1.3 * usual) << "ink grows with the square of the type's size, lines between the marks stay";
 }
 
 TEST_F(TubeViews, SecretionsCoverAndSuctionClears) {
