@@ -33,14 +33,13 @@ class ScriptedPairs : public ::testing::Test {
     for (const auto& [id, more] : std::map<std::string, std::string>{
              {"usual", "tube: \"3.5\"\n      stylet: true"},
              {"large", "tube: \"4.0\"\n      stylet: true"},
-             {"brief", "tube: \"3.5\"\n      stylet: true"},
              {"spasm",
               "tube: \"3.5\"\n      stylet: true\n      laryngospasm_s: 60\n      laryngospasm_from_start: true"}})
       text += "  - id: " + id + R"(
     title: Tube
     briefing: In.
     debriefing: Out.
-)" + usual_demands(id == "brief" ? 15 : 40) +
+)" + usual_demands() +
               R"(    intubation:
       course: term
       gestation_weeks: 40
@@ -92,8 +91,7 @@ TEST_F(ScriptedPairs, TooDeep) { EXPECT_EQ(outcome("usual", "deep"), "too-deep")
 TEST_F(ScriptedPairs, Mainstem) { EXPECT_EQ(outcome("usual", "mainstem"), "mainstem"); }
 TEST_F(ScriptedPairs, Oesophagus) { EXPECT_EQ(outcome("usual", "oesophagus"), "oesophagus"); }
 TEST_F(ScriptedPairs, Abandoned) { EXPECT_EQ(outcome("usual", "abandon"), "abandoned"); }
-// Late is late after 15 s as after 40.
-TEST_F(ScriptedPairs, OutOfTime) { EXPECT_EQ(outcome("brief", "late"), "out-of-time"); }
+TEST_F(ScriptedPairs, OutOfTime) { EXPECT_EQ(outcome("usual", "late"), "out-of-time"); }
 TEST_F(ScriptedPairs, ATubeTooLargeIsStoppedByTheCricoid) {
   EXPECT_EQ(outcome("large", "expert"), "cricoid-too-narrow");
 }
