@@ -82,6 +82,13 @@ const std::vector<Figure>& figures() {
        "cords "
        "to the carina; positive: too deep",
        kOwn, false, 0, [](const Score& s) { return s.intubation ? in_mm(s.intubation->depth_error_m()) : Value(); }},
+      {"tube_at_lips_cm", "Tube's mark at the lips", "cm",
+       "the tube's length inside the front of the mouth (the plane through both gum midlines; the lips stand some 6 mm "
+       "before it at term) at the end; by the rule, which is a help and judges nothing, the weight in kg and 6 cm",
+       kOwn, false, 0,
+       [](const Score& s) {
+         return s.intubation && s.intubation->at_lips_m ? Value(100.0 * *s.intubation->at_lips_m) : std::nullopt;
+       }},
       {"mean_tongue_force_n", "Mean tongue force", "N",
        "mean of the model force on the tongue over the time in which there was any", "PMID 1519691", false, -1,
        [](const Score& s) { return s.force.mean_tongue_n; }},

@@ -23,6 +23,9 @@ constexpr double kClosedOpening = 0.25;  ///< cords nearer together let no tube 
 /// The head's flexion moves the tip down by this, for one degree (assumed: 5 mm for the 25 degrees of sniffing; it is
 /// less in smaller infants).
 constexpr double kTipDownPerDegreeM = 0.0002;
+/// Mark at the lip by weight: kg and so many centimetres. It hits the middle of the trachea in 51 to 57 % of infants,
+/// so it is told and never judged.
+constexpr double kLipsCm = 6.0;
 constexpr double kAssistantDegrees = 10.0;  ///< that the assistant extends the head further (engine::kExtension)
 
 /// The tube stood against the cricoid, or against closed cords.
@@ -193,6 +196,7 @@ IntubationScore measure_intubation(const TrialLog& log, const Scenario& scenario
   IntubationScore score;
   const auto& settings = log.header.settings;
   score.cords_to_carina_m = settings.at(kCordsToCarina);
+  score.lips_rule_m = 0.01 * (scenario.manikin.weight_kg + kLipsCm);
   score.attempts = measure_attempts(log, scenario);
   const Course course = follow(log, score.attempts, score);
   measure_oesophagus(log, scenario.intubation->breaths_to_confirm, score);
@@ -202,7 +206,10 @@ IntubationScore measure_intubation(const TrialLog& log, const Scenario& scenario
     score.breaths_given = last.breaths_given;
     score.secretions_start_ml = log.ticks.front().intubation.secretions_ml;
     score.secretions_end_ml = last.secretions_ml;
-    if (last.in_hand != LoggedInHand::catheter) score.bronchus_side = last.side;
+    if (last.in_hand != LoggedInHand::catheter) {
+      score.bronchus_side = last.side;
+      if (last.at_mouth_m > 0.0) score.at_lips_m = last.at_mouth_m;
+    }
     if (tube_past_cords(*course.last) && last.place != LoggedPlace::main_bronchus) {
       score.depth_m = last.past_cords_m;
       const auto extension = settings.find(kHeadExtension);

@@ -51,10 +51,12 @@ QJsonObject intubation_to_json(const IntubationScore& score) {
   o["depth_error_m"] = number_or_null(score.depth_error_m());
   o["depth_percent"] = curricula::number_or_null(100.0 * score.depth_share().value_or(0.0), score.depth_m.has_value());
   o["depth_neutral_m"] = number_or_null(score.depth_neutral_m);
-  o["depth_neutral_percent"] = curricula::number_or_null(100.0 * score.depth_neutral_share().value_or(0.0),
-                                                         score.depth_neutral_m.has_value());
-  o["main_bronchus"] = score.bronchus_side < 0 ? QJsonValue(QJsonValue::Null)
-                                               : QJsonValue(score.bronchus_side == 0 ? "right" : "left");
+  o["depth_neutral_percent"] =
+      curricula::number_or_null(100.0 * score.depth_neutral_share().value_or(0.0), score.depth_neutral_m.has_value());
+  o["at_lips_m"] = number_or_null(score.at_lips_m);
+  o["at_lips_by_weight_m"] = score.lips_rule_m;
+  o["main_bronchus"] =
+      score.bronchus_side < 0 ? QJsonValue(QJsonValue::Null) : QJsonValue(score.bronchus_side == 0 ? "right" : "left");
   o["deepest_m"] = score.deepest_m;
   o["lowest_spo2_percent"] = number_or_null(score.lowest_spo2_percent);
   o["lowest_spo2_at_s"] = curricula::number_or_null(score.lowest_spo2_at_s, score.lowest_spo2_at_s >= 0.0);

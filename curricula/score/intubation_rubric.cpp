@@ -64,9 +64,9 @@ Criterion depth_neutral(const IntubationScore& score) {
   return fact("depth_neutral", met, -1.0,
               "With the head neutral the tube's tip lies about " + millimetres(*score.depth_neutral_m) +
                   " past the cords, " + fixed(100.0 * share, 0) + " % of the way to the carina: " +
-                  (met              ? "in the middle third"
+                  (met           ? "in the middle third"
                    : share > 0.5 ? "to be drawn back"
-                                    : "to be advanced"));
+                                 : "to be advanced"));
 }
 
 Criterion oesophagus_in_time(const IntubationScore& score, int breaths_to_confirm) {
@@ -128,7 +128,7 @@ std::string outcome_in_words(const IntubationScore& score) {
 }
 
 std::string bronchus_in_words(const IntubationScore& score) {
-  return score.bronchus_side == 0 ? "the right main bronchus"
+  return score.bronchus_side == 0   ? "the right main bronchus"
          : score.bronchus_side == 1 ? "the left main bronchus"
                                     : "a main bronchus";
 }
@@ -186,7 +186,7 @@ void judge_intubation(const Scenario& scenario, bool timed, const IntubationScor
     criteria.push_back(fact("time_to_pass_s", false, -1.0,
                             "The cords were passed before the blade was in the mouth, so not under sight"));
   }
-  if (pass.attempts) {
+  if (pass.attempts && !score.attempts.empty()) {  // without one "attempt_begun" says what is wrong: no limit was kept
     const auto count = static_cast<double>(score.attempts.size());
     const auto limit = static_cast<double>(*pass.attempts);
     criteria.push_back(
@@ -197,8 +197,7 @@ void judge_intubation(const Scenario& scenario, bool timed, const IntubationScor
   if (pass.co2_confirmed && lies_somewhere(score.outcome))
     criteria.push_back(co2(score, scenario.intubation->breaths_to_confirm));
   if (pass.depth_neutral && score.depth_neutral_m) criteria.push_back(depth_neutral(score));
-  if (pass.oesophagus_in_time)
-    criteria.push_back(oesophagus_in_time(score, scenario.intubation->breaths_to_confirm));
+  if (pass.oesophagus_in_time) criteria.push_back(oesophagus_in_time(score, scenario.intubation->breaths_to_confirm));
   if (pass.no_severe_desaturation) criteria.push_back(no_severe_desaturation(score));
 }
 

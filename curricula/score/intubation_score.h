@@ -41,21 +41,24 @@ struct IntubationScore {
   double cords_to_carina_m = 0.0;         ///< this infant's
   std::optional<double> depth_m;          ///< of the tip past the cords at the end, where it lies in larynx or trachea
   std::optional<double> depth_neutral_m;  ///< the same with the head neutral, where its extension is known
-  std::int8_t bronchus_side = -1;         ///< where the tip lies in a main bronchus at the end: 0 right, 1 left
-  double deepest_m = 0.0;                 ///< past the cords, ever
+  std::optional<double>
+      at_lips_m;             ///< the tube's mark at the mouth's front (the gums) at the end, where it is in the mouth
+  double lips_rule_m = 0.0;  ///< what that would be by the rule: the infant's weight in kg and 6 cm
+  std::int8_t bronchus_side = -1;  ///< where the tip lies in a main bronchus at the end: 0 right, 1 left
+  double deepest_m = 0.0;          ///< past the cords, ever
   std::optional<double> lowest_spo2_percent, lowest_heart_per_min;  ///< from the first attempt on
   double lowest_spo2_at_s = -1.0, lowest_heart_at_s = -1.0;
   std::optional<double> first_spo2_percent, first_heart_per_min;  ///< as the first attempt began
-  int breaths_given = 0;           ///< in the whole trial, by mask and tube
-  bool co2_confirmed = false;      ///< the detector turned yellow while the tube lay where it lies at the end
-  std::optional<int> co2_breaths;  ///< breaths through it until then
-  int breaths_in_place = 0;        ///< breaths through it altogether
-  int oesophagus_entries = 0;      ///< times the tube's tip went in
-  int oesophagus_breaths = 0;      ///< given while it lay there
-  double oesophagus_s = 0.0;       ///< from the first of them in each stay until withdrawn, together
-  bool recognised_late = false;    ///< more than breaths_to_confirm in one stay
+  int breaths_given = 0;                                          ///< in the whole trial, by mask and tube
+  bool co2_confirmed = false;          ///< the detector turned yellow while the tube lay where it lies at the end
+  std::optional<int> co2_breaths;      ///< breaths through it until then
+  int breaths_in_place = 0;            ///< breaths through it altogether
+  int oesophagus_entries = 0;          ///< times the tube's tip went in
+  int oesophagus_breaths = 0;          ///< given while it lay there
+  double oesophagus_s = 0.0;           ///< from the first of them in each stay until withdrawn, together
+  bool recognised_late = false;        ///< more than breaths_to_confirm in one stay
   double recognised_late_at_s = -1.0;  ///< second of the trial of the first breath too many
-  Peak tip_load_n;                 ///< along the tube, of what stood before its tip
+  Peak tip_load_n;                     ///< along the tube, of what stood before its tip
   std::uint8_t tip_against = kNothingAgainstTip;  ///< what that was, a LoggedTubeLoad
   std::array<Peak, kTubeLoads> loads_n{};         ///< by what the tube touched, sums of magnitudes
   Peak hand_force_n;                              ///< model force on the hand that holds the tube
@@ -69,7 +72,7 @@ struct IntubationScore {
   /// Depth as a share of the way from the cords to the carina.
   std::optional<double> depth_share() const;
   std::optional<double> depth_neutral_share() const;  ///< the same with the head neutral
-  std::optional<double> depth_error_m() const;  ///< from the middle of the good third; positive: too deep
+  std::optional<double> depth_error_m() const;        ///< from the middle of the good third; positive: too deep
   /// The cords were passed, but before the blade was first in the mouth: no attempt has a time of it.
   bool passed_untimed() const;
 };

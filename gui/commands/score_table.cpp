@@ -15,7 +15,7 @@ namespace {
 void print_rows(std::ostream& out, const std::vector<Row>& rows) {
   for (const Row& row : rows) {
     out << "  " << std::left << std::setw(48) << row.name << row.value;
-    if (!row.limit.empty()) out << " (" << row.verdict << ": " << row.limit << ")";
+    if (!row.limit.empty()) out << " (" << row.verdict << (row.verdict.empty() ? "" : ": ") << row.limit << ")";
     out << "\n";
   }
 }

@@ -16,6 +16,7 @@
 #include "gui/commands/number_options.h"
 #include "gui/commands/score_table.h"
 #include "gui/lab/number_text.h"
+#include "gui/session/curricula_files.h"
 #include "gui/session/device_choice.h"
 #include "gui/session/files.h"
 #include "gui/session/patient_fit.h"
@@ -29,12 +30,36 @@ namespace fs = std::filesystem;
 namespace {
 
 struct TrialOptions {
-  std::string patient, scenario, curriculum, device, second, out, tool, tool_unit = "mm", tool_tip, tool_handle, tool_face, blade,
-      tube;
+  std::string patient, scenario, curriculum, device, second, out, tool, tool_unit = "mm", tool_tip, tool_handle,
+                                                                        tool_face, blade, tube;
   std::uint32_t attempt_seed = 0;
   bool assessment = false;
   bool headless = false, as_fast_as_possible = false, json = false;
 };
+
+/// The course that has this scenario: the default one, else the only other one, shipped or the user's own. Of several
+/// none is chosen; where none has it the default one is given, whose refusal lists what it has.
+fs::path course_of(const std::string& scenario) {
+  const fs::path first = default_curriculum();
+  std::vector<fs::path> having;
+  for (const fs::path& file : curriculum_files()) try {
+      if (curricula::load_curriculum(file).find(scenario) == nullptr) continue;
+      if (file == first) return file;
+      having.push_back(file);
+    } catch (const std::exception&) {
+      if (file == first) throw;
+      continue;  // one that cannot be read has nothing to offer
+    }
+  if (having.empty()) return first;
+  if (having.size() == 1) {
+    spdlog::info("scenario {} is of {}", scenario, having.front().filename().string());
+    return having.front();
+  }
+  std::string files;
+  for (const fs::path& file : having) files += (files.empty() ? "" : " and ") + file.filename().string();
+  throw CLI::ValidationError("--scenario",
+                             "'" + scenario + "' is in " + files + "; name one of them with --curriculum");
+}
 
 /// ID, or FILE.yaml:ID.
 void name_scenario(const TrialOptions& options, TrialSetup& setup) {
@@ -46,7 +71,7 @@ void name_scenario(const TrialOptions& options, TrialSetup& setup) {
     setup.scenario = options.scenario.substr(colon + 1);
     return;
   }
-  setup.curriculum = options.curriculum.empty() ? default_curriculum() : fs::path(options.curriculum);
+  setup.curriculum = options.curriculum.empty() ? course_of(options.scenario) : fs::path(options.curriculum);
   setup.scenario = options.scenario;
 }
 
@@ -138,27 +163,33 @@ void add_trial_command(CLI::App& app, int& exit_code) {
   command->add_option("--patient", options->patient, "Patient package (NAME.patient)")->required();
   command->add_option("--scenario", options->scenario, "Scenario: its id in the curriculum, or FILE.yaml:ID")
       ->required();
-  command->add_option("--curriculum", options->curriculum, "Curriculum file (the shipped one if left out)");
-  command->add_flag("--assessment", options->assessment,
-                    "As an assessment: the scenario as written, without helps on the screen, and in the window the own rating "
-                    "before the score");
+  command->add_option("--curriculum", options->curriculum,
+                      "Curriculum file (left out: the one, shipped or your own, that has the scenario)");
+  command->add_flag(
+      "--assessment", options->assessment,
+      "As an assessment: the scenario as written, without helps on the screen, and in the window the own rating "
+      "before the score");
   command
-      ->add_option("--attempt-seed", options->attempt_seed,
-                   "What the scenario's variation is drawn with; the same seed gives the same attempt, 0 what is written")
+      ->add_option(
+          "--attempt-seed", options->attempt_seed,
+          "What the scenario's variation is drawn with; the same seed gives the same attempt, 0 what is written")
       ->check(whole_number_within(0, kLargestSeed));
-  command->add_option("--blade", options->blade, "Of the blades that the scenario offers; left out: the right one, unasked");
+  command->add_option("--blade", options->blade,
+                      "Of the blades that the scenario offers; left out: the right one, unasked");
   command->add_option("--tube", options->tube, "Of the tubes that it offers, likewise");
   command->add_option("--device", options->device, device_names() + " (t,x,y,z[,qw,qx,qy,qz]; s, m)")->required();
   command->add_option("--second", options->second,
                       std::string("In a scenario with a tube, the device of the hand that has it: as --device, or ") +
-                          kSameDevice + " (the one device takes blade and tube in turn; so if left out, unless the "
+                          kSameDevice +
+                          " (the one device takes blade and tube in turn; so if left out, unless the "
                           "script or record of --device has two hands)");
   command->add_flag("--headless", options->headless, "No window; scripted and recorded hands only");
   command->add_flag("--asap", options->as_fast_as_possible, "Headless only: as fast as it goes instead of 1 kHz");
   command
-      ->add_option("--out", options->out,
-                   "Folder for trial.vtrial, tool.ply (with --tool), score.json, report.html, force.png, and fault.csv after "
-                   "a fault")
+      ->add_option(
+          "--out", options->out,
+          "Folder for trial.vtrial, tool.ply (with --tool), score.json, report.html, force.png, and fault.csv after "
+          "a fault")
       ->required();
   command->add_option("--tool", options->tool,
                       "A laryngoscope of your own instead of the scenario's blade: a closed mesh .stl, .obj or .ply");
@@ -189,7 +220,8 @@ void add_trial_command(CLI::App& app, int& exit_code) {
     TrialSetup setup;
     name_scenario(*options, setup);
     if (options->assessment && options->attempt_seed != 0)
-      throw CLI::ValidationError("--attempt-seed", "an assessment takes the scenario as written; leave out one of the two");
+      throw CLI::ValidationError("--attempt-seed",
+                                 "an assessment takes the scenario as written; leave out one of the two");
     setup.mode = options->assessment ? curricula::Mode::assessment : curricula::Mode::practice;
     setup.attempt_seed = options->attempt_seed;
     setup.taken = {options->blade, options->tube};

@@ -107,7 +107,7 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent), ready_(std::make_
   });
   connect(import_, &ImportWizard::left, this, &MainWindow::back_to_start);
   connect(import_, &ImportWizard::finished, this, [this](const QString& package) {
-    start_->add_patient(package.toStdString(), true);
+    start_->take_patient(package.toStdString());
     remember(package.toStdString());
     back_to_start();
   });

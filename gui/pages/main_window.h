@@ -68,7 +68,8 @@ class MainWindow : public QMainWindow {
   /// Tells of what an earlier program that ended too early left: trials, a course that was being written.
   void look_back();
   bool looking_back() const { return looking_back_; }  ///< until looked_back()
-  /// Nothing would be lost with it: nobody is signed in, nothing is under way or unsaved, no instructor's window is open.
+  /// Nothing would be lost with it: nobody is signed in, nothing is under way or unsaved, no instructor's window is
+  /// open.
   bool may_be_made_anew() const;
   /// This window takes the other's place: as large, maximised where it is, with what it has told of.
   void take_over(MainWindow& before);
@@ -117,6 +118,7 @@ class MainWindow : public QMainWindow {
   void page_changed();
   /// Begins the next trial by one click; where something is missing, the course is shown.
   void practise();
+  void fit_scenario(const QString& package);  ///< to the size of a patient that was just chosen
   /// What the first page says of patient and recent files is asked of the disk on a thread of its own.
   void look_around();
   void remember(const std::filesystem::path& path);

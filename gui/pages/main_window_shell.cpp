@@ -12,6 +12,7 @@
 #include "gui/import/import_wizard.h"
 #include "gui/pages/background.h"
 #include "gui/pages/devices_page.h"
+#include "gui/pages/fitting_scenario.h"
 #include "gui/pages/home_page.h"
 #include "gui/pages/look_settings.h"
 #include "gui/pages/main_menu.h"
@@ -97,7 +98,19 @@ void MainWindow::connect_home() {
     home_->set_next(start_->next_trial());
     if (pages_->currentWidget() == home_) look_around();
   });
+  connect(start_, &StartPage::patient_taken, this, &MainWindow::fit_scenario);
   home_->set_next(start_->next_trial());
+}
+
+void MainWindow::fit_scenario(const QString& package) {
+  const std::filesystem::path path = package.toStdString();
+  run_in_background<double>(
+      this, [path] { return weight_as_large(pipeline::read_package(path)); },
+      [this, path](double weight_kg) {
+        const QString told = start_->fit_scenario(path, weight_kg);
+        if (!told.isEmpty()) tell_first(told);
+      },
+      [](const QString&) {});  // one that cannot be read is told when a trial with it is asked for
 }
 
 void MainWindow::connect_menu() {
@@ -250,7 +263,7 @@ void MainWindow::open_found(const Dropped& found) {
     case DroppedKind::ct:
       return import_series(QString::fromStdString(found.path.string()));
     case DroppedKind::patient:
-      start_->add_patient(found.path, true);
+      start_->take_patient(found.path);
       remember(found.path);
       return show_page(first_);
     case DroppedKind::course:

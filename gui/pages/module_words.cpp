@@ -56,8 +56,7 @@ QString mastery_rule(const curricula::Module& module) {
   text += within(rule.attempts);
   text +=
       rule.assessments_only ? QCoreApplication::translate("ModuleWords", "; only assessments count. ") : QString(". ");
-  return text + QCoreApplication::translate("ModuleWords", "Source: %1. Not validated.")
-                    .arg(QString::fromStdString(rule.source));
+  return text + QCoreApplication::translate("ModuleWords", "Source: %1. Not validated.").arg(course_words(rule.source));
 }
 
 QString why_closed(const curricula::Curriculum& curriculum, const std::vector<curricula::ModuleProgress>& progress,

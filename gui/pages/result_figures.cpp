@@ -20,7 +20,8 @@ std::vector<Row> tube_figures(const curricula::Score& score) {
   std::vector<Row> rows = {
       {"Tip past the cords", tube.depth_m ? number(1e3 * *tube.depth_m, 0) + " mm" : std::string("not there"),
        tube.depth_m ? number(100.0 * *tube.depth_share(), 0) + " % of the way; good: 33 to 67 %" : std::string(), ""},
-      row(score, "Attempts", std::to_string(tube.attempts.size()), "attempts", "at most"),
+      lips_row(tube),
+      attempts_row(score),
       lowest("Lowest SpO2", tube.lowest_spo2_percent, " %", "lowest_spo2_percent"),
       lowest("Lowest heart rate", tube.lowest_heart_per_min, " /min", "lowest_heart_per_min"),
   };

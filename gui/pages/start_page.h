@@ -48,6 +48,12 @@ class StartPage : public QWidget {
   void set_past(PastResults past, bool all_open = false);
   void show_course(const std::string& id);  ///< nothing happens where there is none of this id
   void add_patient(const std::filesystem::path& package, bool choose);
+  /// The same for a person who wants to practise on it: patient_taken() follows, also where one of the list is chosen.
+  void take_patient(const std::filesystem::path& package);
+  /// Where the chosen scenario is for an infant of another size than this patient, who is as large as one of so many
+  /// kg, one that is nearer is chosen. Returns what was done, for a person; empty: nothing needed to be, or another
+  /// patient was chosen in the meantime.
+  QString fit_scenario(const std::filesystem::path& package, double weight_kg);
   /// Offers what is plugged in beside what is always there; what is gone is no longer offered, unless it is chosen.
   void set_found_devices(const std::vector<device::FoundDevice>& devices);
   /// Offers this device and chooses it.
@@ -73,7 +79,8 @@ class StartPage : public QWidget {
   void devices_wanted();
   void courses_wanted();
   void home_wanted();
-  void changed();  ///< next_trial() may be another
+  void changed();                              ///< next_trial() may be another
+  void patient_taken(const QString& package);  ///< never of the built-in manikin, which is made for the scenario
 
  private:
   static constexpr const char *kWatchExpert = "scripted:expert", *kWatchNovice = "scripted:novice";

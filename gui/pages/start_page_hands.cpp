@@ -5,10 +5,13 @@
 
 #include "gui/pages/device_dialog.h"
 #include "gui/pages/devices_page.h"
+#include "gui/pages/fitting_scenario.h"
+#include "gui/pages/module_tree.h"
 #include "gui/pages/start_page.h"
 #include "gui/session/device_choice.h"
 #include "gui/session/device_rows.h"
 #include "gui/session/recent_files.h"
+#include "gui/session/words_from_below.h"
 
 namespace vallecula::gui {
 namespace {
@@ -27,6 +30,43 @@ void StartPage::add_patient(const std::filesystem::path& package, bool choose) {
     patient_->setItemData(index, path, Qt::ToolTipRole);
   }
   if (choose) patient_->setCurrentIndex(index);
+}
+
+void StartPage::take_patient(const std::filesystem::path& package) {
+  add_patient(package, true);
+  emit patient_taken(patient_->currentData().toString());
+}
+
+QString StartPage::fit_scenario(const std::filesystem::path& package, double weight_kg) {
+  if (hands().patient != package) return {};
+  const curricula::Scenario* chosen = tree_->scenario();
+  if (chosen != nullptr && fits(*chosen, weight_kg)) return {};
+  std::vector<OpenScenarios> open;
+  const auto add = [&](const curricula::Curriculum& course) {
+    open.push_back({&course, {}});
+    const auto past = with_hands(past_[course.id], course, kinds());
+    for (const curricula::ModuleProgress& module : curricula::progress_of(course, past, kinds()))
+      open.back().ids.insert(open.back().ids.end(), module.open_scenarios.begin(), module.open_scenarios.end());
+    if (!all_open_ && !watching()) return;
+    open.back().ids.clear();
+    for (const curricula::Scenario& one : course.scenarios) open.back().ids.push_back(one.id);
+  };
+  if (curriculum() != nullptr) add(*curriculum());
+  for (const curricula::Curriculum& course : curricula_)
+    if (&course != curriculum()) add(course);
+  const QString patient_kg = decimal(weight_kg, 1);
+  const FittingScenario found = fitting_scenario(open, chosen, weight_kg);
+  if (found.scenario == nullptr)
+    return chosen == nullptr
+               ? QString()
+               : tr("This patient is as large as an infant of %1 kg; the chosen scenario is for one of %2 kg. "
+                    "None that is open is nearer: blade, tube and targets do not fit.")
+                     .arg(patient_kg, decimal(chosen->manikin.weight_kg, 1));
+  show_course(found.course->id);
+  tree_->choose(found.scenario->id);
+  return tr("This patient is as large as an infant of %1 kg: \"%2\" was chosen, with blade, tube and targets for %3 "
+            "kg.")
+      .arg(patient_kg, course_words(found.scenario->title), short_decimal(found.scenario->manikin.weight_kg, 3));
 }
 
 void StartPage::set_found_devices(const std::vector<device::FoundDevice>& devices) {
@@ -79,8 +119,8 @@ std::unique_ptr<QDialog> StartPage::device_settings() {
 }
 
 void StartPage::browse() {
-  const QString folder = QFileDialog::getExistingDirectory(
-      this, tr("Choose a patient package (a folder NAME.patient)"), folder_to_open());
+  const QString folder =
+      QFileDialog::getExistingDirectory(this, tr("Choose a patient package (a folder NAME.patient)"), folder_to_open());
   if (folder.isEmpty()) return;
   keep_opened(folder);
   if (!std::filesystem::exists(std::filesystem::path(folder.toStdString()) / "patient.yaml")) {
@@ -89,7 +129,7 @@ void StartPage::browse() {
     return;
   }
   set_message("");
-  add_patient(folder.toStdString(), true);
+  take_patient(folder.toStdString());
 }
 
 }  // namespace vallecula::gui

@@ -195,6 +195,9 @@ void StartPage::connect_choices() {
   connect(go_, &QPushButton::clicked, this, [this] {
     if (tree_->scenario() != nullptr && go_->isEnabled()) emit chosen(choice());
   });
+  connect(patient_, qOverload<int>(&QComboBox::activated), this, [this] {
+    if (patient_->currentIndex() > 0) emit patient_taken(patient_->currentData().toString());
+  });
   for (QComboBox* box : {patient_, device_, second_, mode_})
     connect(box, qOverload<int>(&QComboBox::currentIndexChanged), this, &StartPage::changed);
 }

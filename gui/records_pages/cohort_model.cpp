@@ -58,7 +58,7 @@ QVariant CohortModel::data(const QModelIndex& index, int role) const {
     case kScenario:
       return courses_.title(one.key.curriculum_id, one.key.scenario_id);
     case kDevice:
-      return QString::fromStdString(one.key.device_kind);
+      return hands_in_words(one.key.device_kind);
     case kTrials:
       return one.trials;
     case kPassed:

@@ -55,7 +55,7 @@ CurveReading read_curve(const std::vector<curricula::RecordRow>& rows, const cur
                    "By the rule of the module \"%1\" (%2), on this scenario alone, and on assessments alone.")
              : QCoreApplication::translate("CurveReading",
                                            "By the rule of the module \"%1\" (%2), on this scenario alone."))
-            .arg(QString::fromStdString(module->title), QString::fromStdString(module->mastery.source))
+            .arg(course_words(module->title), course_words(module->mastery.source))
             .toStdString();
   } else {
     reading.rule_in_words =

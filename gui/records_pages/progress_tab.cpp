@@ -184,7 +184,7 @@ ProgressTab::Subject ProgressTab::ask_subject(curricula::Records& records, const
       if (curricula::procedure_succeeded(row)) --curve.passed;
     }
   for (auto row = rows.rbegin(); row != rows.rend(); ++row) {  // the newest is the first
-    const std::string date = for_people(row->finished_utc).left(10).toStdString();
+    const std::string date = local_day(row->finished_utc).toString(Qt::ISODate).toStdString();
     if (subject.days.empty() || subject.days.back().date != date) subject.days.push_back({date, 0, 0});
     ++subject.days.back().trials;
     subject.days.back().passed += curricula::procedure_succeeded(*row) ? 1 : 0;
@@ -222,14 +222,12 @@ void ProgressTab::show_subject(Subject subject) {
     list_->clear();
     for (std::size_t i = 0; i < curves_.size(); ++i) {
       const CurveSummary& curve = curves_[i];
-      list_->addItem(courses_.title(curve.key.curriculum_id, curve.key.scenario_id) + "\n" +
-                     tr("%1 · %2 of %3 passed")
-                         .arg(QString::fromStdString(curve.key.device_kind))
-                         .arg(curve.passed)
-                         .arg(curve.trials) +
-                     (curve.interrupted > 0 ? tr(" · %1 cut off").arg(curve.interrupted) : QString()) +
-                     (curve.set_aside > 0 ? tr(" · %1 not counted").arg(curve.set_aside) : QString()) +
-                     (subject.to_rate[i] > 0 ? tr(" · %1 to rate").arg(subject.to_rate[i]) : QString()));
+      list_->addItem(
+          courses_.title(curve.key.curriculum_id, curve.key.scenario_id) + "\n" +
+          tr("%1 · %2 of %3 passed").arg(hands_in_words(curve.key.device_kind)).arg(curve.passed).arg(curve.trials) +
+          (curve.interrupted > 0 ? tr(" · %1 cut off").arg(curve.interrupted) : QString()) +
+          (curve.set_aside > 0 ? tr(" · %1 not counted").arg(curve.set_aside) : QString()) +
+          (subject.to_rate[i] > 0 ? tr(" · %1 to rate").arg(subject.to_rate[i]) : QString()));
       list_->item(static_cast<int>(i))->setToolTip(courses_.title(curve.key.curriculum_id));
       if (same(curve.key, wanted_)) row = static_cast<int>(i);
     }

@@ -48,6 +48,20 @@ Row attempt_row(const curricula::Score& score, const curricula::Scenario& scenar
 
 Row no_attempt(const std::string& name) { return {name, "no attempt", "the blade did not enter the mouth", ""}; }
 
+Row attempts_row(const curricula::Score& score) {
+  const std::string name = "Attempts";
+  if (score.mouth_unknown) return {name, "not counted", "where the mouth begins is not known", ""};
+  const std::size_t attempts = score.intubation->attempts.size();
+  return attempts == 0 ? no_attempt(name) : row(score, name, std::to_string(attempts), "attempts", "at most");
+}
+
+Row lips_row(const curricula::IntubationScore& tube) {
+  const std::string name = "Tube's mark at the lips",
+                    rule = "weight + 6: " + number(100.0 * tube.lips_rule_m, 1) + " cm, a help";
+  return {name, tube.at_lips_m ? number(100.0 * *tube.at_lips_m, 1) + " cm" : std::string("not in the mouth"), rule,
+          ""};
+}
+
 std::string force(double peak_n, double at_s) {
   return number(peak_n, 2) + " N" + (peak_n > 0.0 ? ", at " + number(at_s, 1) + " s" : "");
 }

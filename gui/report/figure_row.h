@@ -21,6 +21,10 @@ Row attempt_row(const curricula::Score& score, const curricula::Scenario& scenar
 
 /// Of a figure that only an attempt has, where there was none.
 Row no_attempt(const std::string& name);
+/// Of a trial with an intubation: how many, judged as the rubric does; of none it says so, and no limit is kept.
+Row attempts_row(const curricula::Score& score);
+/// The centimetres that a team is told, beside what the rule by weight says: a help, no limit.
+Row lips_row(const curricula::IntubationScore& tube);
 
 /// "Passed", "Not passed"; of a trial that was set aside that it is not counted, and why in a word or two.
 const char* verdict(const curricula::Score& score);

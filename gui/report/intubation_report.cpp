@@ -90,7 +90,8 @@ std::vector<Row> intubation_rows(const curricula::Score& score, const curricula:
   std::vector<Row> rows = {
       outcome(score, scenario),
       {"Tip's depth", depth(i), "", ""},
-      row(score, "Attempts", std::to_string(i.attempts.size()), "attempts", "at most"),
+      lips_row(i),
+      attempts_row(score),
   };
   if (!score.at_vallecula) {
     rows.push_back({"Time to view, blade in to glottis in sight",

@@ -8,6 +8,7 @@
 #include "curricula/score/points.h"
 #include "gui/records_pages/curve_reading.h"
 #include "gui/records_pages/known_courses.h"
+#include "gui/records_pages/tables.h"
 #include "gui/report/advice.h"
 #include "gui/report/curve_chart.h"
 #include "gui/report/force_chart.h"
@@ -103,7 +104,7 @@ void write_trial_pdf(const std::filesystem::path& file, const curricula::TrialLo
                      "</h1><p style=\"color:#555\">" +
                      QCoreApplication::translate("Report", "Scenario %1, %2, seed %3, device %4, patient %5")
                          .arg(QString::fromStdString(scenario.id), in_words(name_of(scenario.attempt.mode)),
-                              QString::number(scenario.attempt.seed), QString::fromStdString(log.header.device_kind),
+                              QString::number(scenario.attempt.seed), hands_in_words(log.header.device_kind),
                               QString::fromStdString(log.header.package_name))
                          .toHtmlEscaped()
                          .toStdString() +
@@ -128,7 +129,7 @@ void write_trial_pdf(const std::filesystem::path& file, const curricula::TrialLo
   }
   html += heading("How it was recorded") +
           table({"", ""},
-                {{in_page("Device"), escaped(log.header.device_kind) + ", " +
+                {{in_page("Device"), escaped(hands_in_words(log.header.device_kind).toStdString()) + ", " +
                                          in_page("limit " + number(log.header.device_limit_n, 1) + " N")},
                  {in_page("Ticks"),
                   in_page(std::to_string(score.ticks) + ", " + std::to_string(score.deadline_misses) +
@@ -168,26 +169,27 @@ void write_trainee_pdf(const std::filesystem::path& file, long long trainee_id, 
       return row.score.counts() && succeeded(row, reading);
     });
     summary.push_back(
-        {title_of(courses, curriculum), title_of(courses, curriculum, scenario), escaped(device), std::to_string(whole),
-         std::to_string(reading.interrupted), std::to_string(reading.set_aside), std::to_string(passed),
+        {title_of(courses, curriculum), title_of(courses, curriculum, scenario),
+         escaped(hands_in_words(device).toStdString()), std::to_string(whole), std::to_string(reading.interrupted),
+         std::to_string(reading.set_aside), std::to_string(passed),
          in_page(reading.to_competent < 0 ? "not yet" : "at trial " + std::to_string(reading.to_competent))});
     if (whole == 0) continue;
     const std::string picture_name = "curve-" + std::to_string(++number_of_chart) + ".png";
     pages.pictures[QString::fromStdString(picture_name)] = draw_curve_chart(rows, reading);
-    charts += "<p><b>" + title_of(courses, curriculum, scenario) + "</b>, " + escaped(device) + "<br>" +
-              escaped(reading.rule_in_words) + "<br><img src=\"" + picture_name + "\" width=\"" +
-              std::to_string(kPdfWidthPx) + "\"></p>";
+    charts += "<p><b>" + title_of(courses, curriculum, scenario) + "</b>, " +
+              escaped(hands_in_words(device).toStdString()) + "<br>" + escaped(reading.rule_in_words) +
+              "<br><img src=\"" + picture_name + "\" width=\"" + std::to_string(kPdfWidthPx) + "\"></p>";
   }
   std::vector<Cells> all;
   for (const curricula::ExportTrial& trial : trials) {
     const curricula::RecordRow& row = trial.row;
-    const std::string result = !row.score.complete ? in_page("cut off")
+    const std::string result = !row.score.complete   ? in_page("cut off")
                                : !row.score.counts() ? in_page("not counted")
-                               : row.score.passed  ? in_page("passed")
-                                                   : "<b>" + in_page("not passed") + "</b>";
+                               : row.score.passed    ? in_page("passed")
+                                                     : "<b>" + in_page("not passed") + "</b>";
     all.push_back({minute(row.finished_utc), title_of(courses, row.curriculum_id, row.scenario_id),
-                   escaped(row.device_kind), in_page(name_of(row.mode)), result, outcome(row),
-                   row.points ? number(*row.points, 0) : "", number(row.score.attempt_time_s, 1),
+                   escaped(hands_in_words(row.device_kind).toStdString()), in_page(name_of(row.mode)), result,
+                   outcome(row), row.points ? number(*row.points, 0) : "", number(row.score.attempt_time_s, 1),
                    number(row.score.peak_tongue_force_n, 1)});
   }
   pages.html = QString::fromStdString(

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "engine/physiology/infant.h"
 #include "engine/tube/intubation_record.h"
 #include "engine/tube/rod.h"
 #include "gui/session/operator_frame.h"
@@ -34,7 +35,12 @@ constexpr double kStyletUntil = 0.020;
 constexpr double kStyletTakes = 0.6;    // s
 constexpr double kBladeOutAfter = 0.6;  // s that the tube is held before the blade goes
 constexpr double kWithdrawal = 4.5;     // s that the blade takes (expert_laryngoscopy)
-constexpr double kVentilated = 30.0;    // s by mask where the heart begins slow
+// s by mask where the heart begins slow: until it is above 100, and as long as one ventilates between attempts.
+constexpr double kLeastVentilated = 30.0, kMostVentilated = 60.0;
+constexpr double kHeartEnough = 100.0;  // 1/min
+constexpr double kHeartHeld = 2.0;      // s that it is watched to stay above
+constexpr double kBreathEvery = 1.5;    // s: 40 a minute, as a key that is held gives them
+constexpr double kMaskAway = 1.0;       // s
 constexpr double kBreaths = 12.2;       // s of breaths, 40 a minute: the detector needs up to 6
 constexpr double kLarynxLifted = 1.5;   // mm term: the way of the larynx under the expert's lift
 
@@ -247,14 +253,35 @@ device::Trajectory later(const device::Trajectory& hand, double by_s) {
   return device::Trajectory(std::move(keys));
 }
 
-/// Breaths by mask first, then the pair.
+/// Seconds of breaths by mask until this infant's heart is above 100: as the scene will have it, for the infant is
+/// drawn from its seed, and its cords let all of a breath through.
+double until_heart_enough_s(const engine::IntubationDescription& intubation) {
+  constexpr double kDt = 0.01;
+  const engine::Infant infant = engine::build_infant(intubation.infant);
+  engine::InfantState state = engine::start(infant);
+  double held_s = 0.0, until_breath_s = 0.0, now_s = 0.0;
+  for (; now_s < kMostVentilated && (now_s < kLeastVentilated || held_s < kHeartHeld); now_s += kDt) {
+    engine::InfantInput in;
+    in.breathing = intubation.breathes;
+    if (until_breath_s < kDt / 2) {
+      in.breath = engine::Breath::mask;
+      until_breath_s += kBreathEvery;
+    }
+    until_breath_s -= kDt;
+    held_s = engine::step(infant, state, in, kDt).heart_per_min > kHeartEnough ? held_s + kDt : 0.0;
+  }
+  return now_s;
+}
+
+/// Breaths by mask for so long first, then the pair.
 ScriptedPair ventilated_first(const ScriptedPair& pair, double for_s) {
-  std::vector<device::TimedActions> actions{{0.0, engine::kActionBreath}, {for_s - 1.0, 0}};
+  const double begin_s = for_s + kMaskAway;
+  std::vector<device::TimedActions> actions{{0.0, engine::kActionBreath}, {for_s, 0}};
   for (device::TimedActions change : pair.actions.changes()) {
-    change.time_s += for_s;
+    change.time_s += begin_s;
     actions.push_back(change);
   }
-  return {later(pair.blade, for_s), later(pair.tube, for_s), device::ActionPlan(std::move(actions))};
+  return {later(pair.blade, begin_s), later(pair.tube, begin_s), device::ActionPlan(std::move(actions))};
 }
 
 ScriptedPair planned(const std::string& kind, const pipeline::PatientPackage& package,
@@ -276,7 +303,7 @@ ScriptedPair scripted_pair(const std::string& kind, const pipeline::PatientPacka
                            const curricula::Scenario& scenario, const engine::IntubationDescription& intubation) {
   ScriptedPair pair = planned(kind, package, scenario, intubation);
   const bool slow_heart = intubation.infant.course == engine::Course::delivery_room;
-  return slow_heart ? ventilated_first(pair, kVentilated) : pair;
+  return slow_heart ? ventilated_first(pair, until_heart_enough_s(intubation)) : pair;
 }
 
 }  // namespace vallecula::gui

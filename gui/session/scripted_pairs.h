@@ -18,9 +18,9 @@ struct ScriptedPair {
 };
 
 /// "expert": laryngoscopy, lift held, tube from the right corner along the blade's right side between the cords to the
-/// middle of the trachea, stylet out, blade out, breaths. The others go as it does but for what their name says: tube too
-/// shallow, too deep, into a main bronchus, into the oesophagus; given up after the view; never given up. In the delivery
-/// room, where the heart is slow, all begin with breaths by mask.
+/// middle of the trachea, stylet out, blade out, breaths. The others go as it does but for what their name says: tube
+/// too shallow, too deep, into a main bronchus, into the oesophagus; given up after the view; never given up. In the
+/// delivery room, where the heart is slow, all begin with breaths by mask until this infant's is above 100, 30 to 60 s.
 constexpr std::array<const char*, 7> kScriptedPairs = {"expert",     "shallow", "deep", "mainstem",
                                                        "oesophagus", "abandon", "late"};
 

@@ -569,8 +569,8 @@
         <translation>Eine steife Zunge verleitet die Hand, weiterzudrücken und zu hebeln. Ging die Kraft über ihr Ziel, bevor etwas zu sehen war, dann lag die Spitze nicht tief genug in der Vallecula, oder das Anheben folgte nicht dem Griff.</translation>
     </message>
     <message>
-        <source>A term newborn of 3.2 kg that breathes by itself and is to be ventilated. Give breaths by mask first. Then bring the blade in at the right corner, lift, and see at least 50 % of the glottis. Take the tube in your right hand, enter beside the blade, and watch its tip pass the cords when they open with a breath, until the black mark stands between them. Take the blade out within 30 seconds. Give breaths through the tube and look at the detector.</source>
-        <translation>Ein reifes Neugeborenes von 3,2 kg, das selbst atmet und beatmet werden soll. Beatmen Sie zuerst mit der Maske. Führen Sie dann den Spatel am rechten Mundwinkel ein, heben Sie an und stellen Sie mindestens 50 % der Glottis ein. Nehmen Sie den Tubus in die rechte Hand, gehen Sie neben dem Spatel hinein und sehen Sie zu, wie seine Spitze die Stimmlippen passiert, wenn sie sich mit einem Atemzug öffnen, bis die schwarze Marke zwischen ihnen steht. Nehmen Sie den Spatel innerhalb von 30 Sekunden heraus. Beatmen Sie durch den Tubus und sehen Sie auf den Detektor.</translation>
+        <source>A term newborn of 3.2 kg that breathes by itself and is to be ventilated. Its saturation and heart rate are good: it needs no breaths by mask first, but between two attempts. Bring the blade in at the right corner, lift, and see at least 50 % of the glottis. Take the tube in your right hand, enter beside the blade, and watch its tip pass the cords when they open with a breath, until the black mark stands between them. Take the blade out within 30 seconds. Give breaths through the tube and look at the detector.</source>
+        <translation>Ein reifes Neugeborenes von 3,2 kg, das selbst atmet und beatmet werden soll. Sättigung und Herzfrequenz sind gut: Es braucht vorher keine Beatmung mit der Maske, wohl aber zwischen zwei Intubationsversuchen. Führen Sie den Spatel am rechten Mundwinkel ein, heben Sie an und stellen Sie mindestens 50 % der Glottis ein. Nehmen Sie den Tubus in die rechte Hand, gehen Sie neben dem Spatel hinein und sehen Sie zu, wie seine Spitze die Stimmlippen passiert, wenn sie sich mit einem Atemzug öffnen, bis die schwarze Marke zwischen ihnen steht. Nehmen Sie den Spatel innerhalb von 30 Sekunden heraus. Beatmen Sie durch den Tubus und sehen Sie auf den Detektor.</translation>
     </message>
     <message>
         <source>Saturation on the monitor is ten seconds old: the number you see belongs to the past. A rising heart rate is the first sign of success, a detector that turns yellow the second. If the tube met something hard, it was turned or drawn back, not pushed. Is the tip in the middle third between cords and carina? The mark at the lip is a help, no proof.</source>
@@ -693,11 +693,11 @@ kurzer Versuch ist mehr wert als die volle Sicht: Prämedizierte Frühgeborene l
 Atemzug unter 90 % (Median).</translation>
     </message>
     <message>
-        <source>A term newborn of 3.2 kg that breathes by itself and is to be ventilated. Give breaths by mask first. See at least
-50 % of the glottis, take the tube in the right hand, enter **beside** the blade, and watch its tip pass the cords
-until the black mark stands between them. Blade out within 30 seconds; then breaths through the tube, and look at
-the detector.</source>
-        <translation>Ein reifes Neugeborenes von 3,2 kg, das selbst atmet und beatmet werden soll. Beatmen Sie zuerst mit der Maske. Stellen Sie
+        <source>A term newborn of 3.2 kg that breathes by itself and is to be ventilated. Its saturation and heart rate are good:
+it needs no breaths by mask first, but between two attempts. See at least 50 % of the glottis, take the tube in
+the right hand, enter **beside** the blade, and watch its tip pass the cords until the black mark stands between
+them. Blade out within 30 seconds; then breaths through the tube, and look at the detector.</source>
+        <translation>Ein reifes Neugeborenes von 3,2 kg, das selbst atmet und beatmet werden soll. Sättigung und Herzfrequenz sind gut: Es braucht vorher keine Beatmung mit der Maske, wohl aber zwischen zwei Intubationsversuchen. Stellen Sie
 mindestens 50 % der Glottis ein, nehmen Sie den Tubus in die rechte Hand, gehen Sie **neben** dem Spatel hinein und sehen Sie zu, wie seine
 Spitze die Stimmlippen passiert, bis die schwarze Marke zwischen ihnen steht. Spatel innerhalb von 30 Sekunden heraus; dann durch den Tubus
 beatmen und auf den Detektor sehen.</translation>
@@ -919,6 +919,22 @@ Sekunden sind eine Obergrenze, kein Ziel.</translation>
     <message>
         <source>&quot;Two minutes. Does anybody have the heart rate?&quot;</source>
         <translation>„Zwei Minuten. Hat jemand die Herzfrequenz?“</translation>
+    </message>
+    <message>
+        <source>80 % success within two attempts (PMC8290971); unacceptable rate 40 % and both risks 10 % assumed</source>
+        <translation>80 % Erfolg innerhalb von zwei Intubationsversuchen (PMC8290971); nicht annehmbare Rate 40 % und beide Risiken 10 % angenommen</translation>
+    </message>
+    <message>
+        <source>assumed: twice running, so that it was no chance</source>
+        <translation>angenommen: zweimal hintereinander, damit es kein Zufall war</translation>
+    </message>
+    <message>
+        <source>assumed: three infants running</source>
+        <translation>angenommen: drei Kinder hintereinander</translation>
+    </message>
+    <message>
+        <source>assumed: the curriculum names no rule</source>
+        <translation>angenommen: der Kurs nennt keine Regel</translation>
     </message>
 </context>
 <context>
@@ -4814,6 +4830,34 @@ Sekunden sind eine Obergrenze, kein Ziel.</translation>
         <source>The tip stood in the larynx for more than %1 s before it passed, and hid it from the log</source>
         <translation>Die Spitze stand länger als %1 s im Larynx, bevor sie hindurchging, und verdeckte es dem Protokoll</translation>
     </message>
+    <message>
+        <source>mouse</source>
+        <translation>Maus</translation>
+    </message>
+    <message>
+        <source>scripted</source>
+        <translation>Skript</translation>
+    </message>
+    <message>
+        <source>recorded</source>
+        <translation>Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>Tube&apos;s mark at the lips</source>
+        <translation>Tubusmarke an den Lippen</translation>
+    </message>
+    <message>
+        <source>the tube&apos;s length inside the front of the mouth (the plane through both gum midlines; the lips stand some 6 mm before it at term) at the end; by the rule, which is a help and judges nothing, the weight in kg and 6 cm</source>
+        <translation>Länge des Tubus hinter der Vorderseite des Mundes (Ebene durch die Mitten beider Zahnleisten; die Lippen stehen beim Reifgeborenen etwa 6 mm davor) am Ende; nach der Regel, die eine Hilfe ist und nichts bewertet, das Gewicht in kg und 6 cm</translation>
+    </message>
+    <message>
+        <source>weight + %1: %2 cm, a help</source>
+        <translation>Gewicht + %1: %2 cm, als Hilfe</translation>
+    </message>
+    <message>
+        <source>not in the mouth</source>
+        <translation>nicht im Mund</translation>
+    </message>
 </context>
 <context>
     <name>GivenLabels</name>
@@ -5439,6 +5483,14 @@ Sekunden sind eine Obergrenze, kein Ziel.</translation>
             <numerusform>%n Durchgang abgelehnt (%1)</numerusform>
             <numerusform>%n Durchgänge abgelehnt (%1)</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>Tables</name>
+    <message>
+        <source>yyyy-MM-dd HH:mm</source>
+        <extracomment>A moment in a table, as QDateTime::toString() takes it: all four figures of the year, for trials are kept for years</extracomment>
+        <translation>dd.MM.yyyy HH:mm</translation>
     </message>
 </context>
 <context>
@@ -9806,6 +9858,14 @@ Gerät: %3</translation>
     <message>
         <source>It can only be taken as an assessment.</source>
         <translation>Es lässt sich nur als Prüfung nehmen.</translation>
+    </message>
+    <message>
+        <source>This patient is as large as an infant of %1 kg; the chosen scenario is for one of %2 kg. None that is open is nearer: blade, tube and targets do not fit.</source>
+        <translation>Dieser Patient ist so groß wie ein Kind von %1 kg; das gewählte Szenario ist für eines von %2 kg. Kein offenes liegt näher: Spatel, Tubus und Ziele passen nicht.</translation>
+    </message>
+    <message>
+        <source>This patient is as large as an infant of %1 kg: &quot;%2&quot; was chosen, with blade, tube and targets for %3 kg.</source>
+        <translation>Dieser Patient ist so groß wie ein Kind von %1 kg: Gewählt wurde „%2“, mit Spatel, Tubus und Zielen für %3 kg.</translation>
     </message>
 </context>
 <context>

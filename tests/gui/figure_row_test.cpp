@@ -96,6 +96,37 @@ TEST(FigureRow, ATrialBegunAtTheValleculaHasNoTimesAndOneLineThatSaysSo) {
   EXPECT_EQ(summary_sentence(score, scenario).find("52"), std::string::npos) << summary_sentence(score, scenario);
 }
 
+TEST(FigureRow, AnAbortedTrialHasNoAttemptsThatAreMetAndTheTubesMarkStandsBesideItsRule) {
+  TrialOutcome outcome;
+  curricula::Score& score = outcome.score;
+  curricula::IntubationScore& tube = score.intubation.emplace();
+  tube.lips_rule_m = 0.092;
+  curricula::Scenario scenario;
+  scenario.intubation.emplace().pass.attempts = 2;
+  const auto line = [&](bool page, const std::string& name) {
+    const std::vector<Row> all = page ? result_figures(outcome, scenario) : report_rows(score, {}, scenario);
+    const auto found = std::find_if(all.begin(), all.end(), [&](const Row& row) { return row.name == name; });
+    return found == all.end() ? Row{} : *found;
+  };
+  for (const bool page : {true, false}) {
+    tube.attempts.clear();
+    tube.at_lips_m.reset();
+    score.criteria = {{"attempt_begun", "", 0, 1, -1, false, "The attempt never began"}};
+    EXPECT_EQ(line(page, "Attempts").value, "no attempt");
+    EXPECT_EQ(line(page, "Attempts").verdict, "");
+    EXPECT_EQ(line(page, "Tube's mark at the lips").value, "not in the mouth");
+    tube.attempts.resize(2);
+    tube.at_lips_m = 0.0906;
+    score.criteria = {{"attempts", "", 2, 2, 1, true, "2 attempts"}};
+    EXPECT_EQ(line(page, "Attempts").value, "2");
+    EXPECT_EQ(line(page, "Attempts").verdict, "met");
+    EXPECT_EQ(line(page, "Tube's mark at the lips").value, "9.1 cm");
+    EXPECT_EQ(line(page, "Tube's mark at the lips").limit, "weight + 6: 9.2 cm, a help");
+    EXPECT_EQ(line(page, "Tube's mark at the lips").verdict, "")
+        << "a rule that hits half of all infants judges nobody";
+  }
+}
+
 TEST(FigureRow, AFigureIsRoundedAsTheLiveFiguresAndTheSentencesAre) {
   // 29 of 40 points of the glottis: printf has 72, and half to even is nobody's rule at the bedside.
   for (const auto& [percent, said] : {std::pair{72.5, "73"}, {71.5, "72"}, {72.4999, "72"}, {0.5, "1"}}) {

@@ -48,6 +48,25 @@ class TrialCommandsRealTime : public TrialCommands {};
 
 double length_of(const std::array<double, 3>& v) { return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]); }
 
+TEST_F(TrialCommands, AScenarioIsFoundInTheOnlyShippedCourseThatHasIt) {
+  const auto with = [&](const std::string& scenario, const std::string& out) {
+    return box_.run({"trial", "--patient", patient_.string(), "--scenario", scenario, "--device",
+                     "scripted:" + press_.string(), "--headless", "--asap", "--out", (box_ / out).string()});
+  };
+  const Outcome found = with("light-hand", "found");  // of neonatal-intubation alone
+  ASSERT_EQ(found.exit_code, 0) << found.err;
+  EXPECT_EQ(curricula::parse_scenario(curricula::read_trial_log(box_ / "found").header.scenario_yaml, "log").id,
+            "light-hand");
+  const Outcome several = with("delivery-room", "several");
+  EXPECT_EQ(several.exit_code, 2);
+  for (const char* file : {"first-intubation.yaml", "neonatal-intubation.yaml", "--curriculum"})
+    EXPECT_NE(several.err.find(file), std::string::npos) << several.err;
+  EXPECT_EQ(with("preterm", "default").exit_code, 0) << "the default course's comes first";
+  const Outcome none = with("no-such", "none");
+  EXPECT_EQ(none.exit_code, 1);
+  EXPECT_NE(none.err.find("has no scenario 'no-such'"), std::string::npos) << none.err;
+}
+
 TEST_F(TrialCommands, ATrialLeavesItsResultsAndVerifiesAndScores) {
   const Outcome trial = box_.run(trial_arguments("out"));
   ASSERT_EQ(trial.exit_code, 0) << trial.err;

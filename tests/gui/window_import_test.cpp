@@ -127,6 +127,12 @@ TEST_F(WindowImport, FromAFolderToAPatientThatIsChosenOnTheFirstPage) {
   button(wizard().build_page(), "&Practise with this patient")->click();
   EXPECT_EQ(window_->page_name(), "start");
   EXPECT_EQ(window_->start_page().choice().patient, package);
+  // The course's nearest to 0.8 kg instead of its first, which is made for 3.2 kg; and the page says so.
+  ASSERT_TRUE(wait_for([&] { return window_->start_page().choice().scenario.id == "preterm"; }, 20000));
+  const QList<QLabel*> words = window_->start_page().findChildren<QLabel*>();
+  EXPECT_TRUE(std::any_of(words.begin(), words.end(), [](const QLabel* one) {
+    return one->isVisible() && one->text().contains("\"Preterm infant, 1.2 kg\" was chosen");
+  }));
   picture("5-start");
 }
 

@@ -10,7 +10,9 @@
 #include "curricula/score/points.h"
 #include "curricula/score/rubric.h"
 #include "device/haptic_device.h"
+#include "gui/pages/module_words.h"
 #include "gui/pages/result_figures.h"
+#include "gui/records_pages/tables.h"
 #include "gui/report/force_chart.h"
 #include "gui/report/report.h"
 #include "gui/session/fault_report.h"
@@ -383,6 +385,30 @@ TEST_F(WordsFromBelow, TheShippedCoursesAreTitledInGermanAndNobodysOwnIs) {
   EXPECT_EQ(course_words("Preterm infant, 1.2 kg").toStdString(), u8"Fr\u00fchgeborenes, 1,2 kg");
   for (const char* own : {"Term infant, 3.4 kg", "finished", "2 trials", "Our ward's first steps"})
     EXPECT_EQ(course_words(own).toStdString(), own);
+}
+
+TEST_F(WordsFromBelow, TheRecordsTellMomentsHandsAndSourcesInGerman) {
+  const char* before = std::getenv("TZ");
+  const std::string kept = before == nullptr ? "" : before;
+  setenv("TZ", "XYZ-5:30", 1);  // 5 h 30 min before UTC's
+  tzset();
+  EXPECT_EQ(for_people("2026-05-03T20:00:00Z").toStdString(), "04.05.2026 01:30");
+  EXPECT_EQ(local_day("2026-05-03T20:00:00Z"), QDate(2026, 5, 4)) << "which the calendar goes by, in any language";
+  before == nullptr ? unsetenv("TZ") : setenv("TZ", kept.c_str(), 1);
+  tzset();
+  EXPECT_EQ(hands_in_words("mouse").toStdString(), "Maus");
+  EXPECT_EQ(hands_in_words("touch+mouse").toStdString(), "touch+Maus") << "a product's name stays";
+  int rules = 0;
+  for (const auto& file :
+       std::filesystem::directory_iterator(std::filesystem::path(VALLECULA_SOURCE_DIR) / "curricula/courses"))
+    for (const curricula::Module& module : curricula::load_curriculum(file.path()).modules) {
+      const QString rule = mastery_rule(module);
+      EXPECT_FALSE(english_in(rule).hasMatch() || rule.contains("assumed")) << rule.toStdString();
+      EXPECT_EQ(rule.contains("PMC8290971"), module.mastery.source.find("PMC8290971") != std::string::npos)
+          << "a citation stays";
+      ++rules;
+    }
+  EXPECT_GE(rules, 7);
 }
 
 TEST_F(WordsFromBelow, WhatNobodyListedStaysAsItIs) {

@@ -7,6 +7,10 @@ namespace vallecula::gui::from_below {
 namespace {
 
 constexpr const char* kSentences[] = {
+    // Kinds, as the records have them: names of products stay
+    QT_TRANSLATE_NOOP("FromBelow", "mouse"),
+    QT_TRANSLATE_NOOP("FromBelow", "scripted"),
+    QT_TRANSLATE_NOOP("FromBelow", "recorded"),
     // Devices: what is found, what is wrong and what to do
     QT_TRANSLATE_NOOP("FromBelow", "name"),
     QT_TRANSLATE_NOOP("FromBelow", "model"),

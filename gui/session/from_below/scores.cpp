@@ -43,6 +43,12 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("FromBelow",
                       "of the tip in larynx or trachea at the end, from the middle of the good third of this infant's "
                       "way from the cords to the carina; positive: too deep"),
+    QT_TRANSLATE_NOOP("FromBelow", "Tube's mark at the lips"),
+    QT_TRANSLATE_NOOP(
+        "FromBelow",
+        "the tube's length inside the front of the mouth (the plane through both gum midlines; the lips stand some 6 "
+        "mm "
+        "before it at term) at the end; by the rule, which is a help and judges nothing, the weight in kg and 6 cm"),
     QT_TRANSLATE_NOOP("FromBelow", "Mean tongue force"),
     QT_TRANSLATE_NOOP("FromBelow", "mean of the model force on the tongue over the time in which there was any"),
     QT_TRANSLATE_NOOP("FromBelow", "Tongue force over time"),
@@ -236,8 +242,8 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("FromBelow", "In sight at %1 s, passed at %2 s"),
     QT_TRANSLATE_NOOP("FromBelow", "Passed at %1 s without a view before"),
     QT_TRANSLATE_NOOP("FromBelow", "%1 % of the glottis in sight beside it before the cords, passed at %2 s"),
-    QT_TRANSLATE_NOOP(
-        "FromBelow", "The tip stood in the larynx for more than %1 s before it passed, and hid it from the log"),
+    QT_TRANSLATE_NOOP("FromBelow",
+                      "The tip stood in the larynx for more than %1 s before it passed, and hid it from the log"),
     QT_TRANSLATE_NOOP("FromBelow", "Passed at %1 s with the blade out"),
     QT_TRANSLATE_NOOP("FromBelow", "The first breath at %1 s"),
     QT_TRANSLATE_NOOP("FromBelow", "Still in at the first breath at %1 s"),

@@ -31,7 +31,7 @@ TEST(Figures, WhatATrialDoesNotHaveIsNothing) {
   const Score none;
   for (const char* name : {"attempt_time_s", "time_to_trachea_visible_s", "attempts", "time_to_pass_s",
                            "lowest_spo2_percent", "lowest_heart_per_min", "desaturated", "bradycardia",
-                           "depth_error_mm", "mean_tongue_force_n", "peak_tongue_pressure_kpa", "lift_share_percent", "time_to_stable_view_s",
+                           "depth_error_mm", "tube_at_lips_cm", "mean_tongue_force_n", "peak_tongue_pressure_kpa", "lift_share_percent", "time_to_stable_view_s",
                            "mean_glottis_visible_percent", "cormack_lehane", "entry_left_mm", "blade_from_midline_mm",
                            "tip_to_vallecula_mm", "vallecula_reached", "past_vallecula_mm", "tip_path_mm",
                            "smoothness_sparc", "tremor_mm", "dual_task_reaction_s", "dual_task_errors",

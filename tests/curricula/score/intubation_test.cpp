@@ -1,6 +1,11 @@
 // Outcomes, attempts and figures of hand-made intubations.
 #include <gtest/gtest.h>
 
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <algorithm>
+
+#include "curricula/score/figures.h"
 #include "tests/curricula/score/hand_made_intubation.h"
 
 namespace vallecula::curricula {
@@ -360,10 +365,38 @@ TEST(IntubationScore, AYellowDetectorOfAnEarlierPlaceConfirmsNothing) {
       << joined(s.reasons);
 }
 
+TEST(IntubationScore, TheMarkAtTheLipsIsTheTubesAtTheEndAndItsRuleIsTheWeightAndSix) {
+  const auto at_end = [](LoggedInHand held, double mark_m) {
+    return score_of([=](LogTick& t) {
+      t.intubation.at_mouth_m = t.time_s < 39.0 ? 0.11 : mark_m;
+      t.intubation.in_hand = held;
+    });
+  };
+  const Score s = at_end(LoggedInHand::tube, 0.091);
+  ASSERT_TRUE(s.intubation->at_lips_m);
+  EXPECT_DOUBLE_EQ(*s.intubation->at_lips_m, 0.091);
+  EXPECT_NEAR(s.intubation->lips_rule_m, 0.092, 1e-12) << "3.2 kg";
+  Scenario small = scenario();
+  small.manikin.weight_kg = 1.2;
+  EXPECT_NEAR(score_of({}, small).intubation->lips_rule_m, 0.072, 1e-12);
+  EXPECT_FALSE(at_end(LoggedInHand::catheter, 0.091).intubation->at_lips_m) << "that is no tube";
+  EXPECT_FALSE(at_end(LoggedInHand::tube, 0.0).intubation->at_lips_m) << "it is out";
+  const auto json = QJsonDocument::fromJson(QByteArray::fromStdString(score_to_json(s, log_of(), scenario())))
+                        .object()["intubation"]
+                        .toObject();
+  EXPECT_DOUBLE_EQ(json["at_lips_m"].toDouble(), 0.091);
+  EXPECT_NEAR(json["at_lips_by_weight_m"].toDouble(), 0.092, 1e-12);
+  EXPECT_NEAR(find_figure("tube_at_lips_cm")->value(s).value(), 9.1, 1e-9);
+}
+
 TEST(IntubationScore, ATrialThatNeverBeganHasNoAttempts) {
   const Score s = score_of(never_in([](LogTick& t) { t.proxy_pose.position_m = kOutside; }));
   EXPECT_FALSE(s.passed);
   EXPECT_TRUE(s.intubation->attempts.empty());
+  // What was not begun has kept no limit of attempts: beside "the attempt never began" there is no line that is met.
+  EXPECT_TRUE(std::none_of(s.criteria.begin(), s.criteria.end(), [](const Criterion& c) {
+    return c.name == "attempts";
+  })) << joined(s.reasons);
   EXPECT_EQ(s.intubation->decisive(), nullptr);
   EXPECT_FALSE(s.intubation->lowest_spo2_percent);
   TrialLog empty = log_of({}, 0.0);

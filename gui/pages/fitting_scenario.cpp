@@ -1,0 +1,45 @@
+#include "gui/pages/fitting_scenario.h"
+
+#include <cmath>
+
+#include "gui/session/anatomy_motion.h"
+
+namespace vallecula::gui {
+namespace {
+
+constexpr double kTermWeight_kg = 3.2;  ///< of the manikin whose size is 1
+constexpr double kOtherSize = 0.15;     ///< as misfits() has it
+
+/// How far apart two weights are; the same for twice and for half.
+double apart(double one_kg, double other_kg) { return std::abs(std::log(one_kg / other_kg)); }
+
+}  // namespace
+
+double weight_as_large(const pipeline::PatientPackage& package) {
+  return kTermWeight_kg * std::pow(size_of(package), 3.0);
+}
+
+bool fits(const curricula::Scenario& scenario, double weight_kg) {
+  return std::abs(std::cbrt(weight_kg / scenario.manikin.weight_kg) - 1.0) <= kOtherSize;
+}
+
+FittingScenario fitting_scenario(const std::vector<OpenScenarios>& courses, const curricula::Scenario* chosen,
+                                 double weight_kg) {
+  FittingScenario first;
+  for (const OpenScenarios& open : courses) {
+    FittingScenario best;
+    for (const std::string& id : open.ids) {
+      const curricula::Scenario* one = open.course->find(id);
+      if (one == nullptr || (chosen != nullptr && one->intubation.has_value() != chosen->intubation.has_value()))
+        continue;
+      const curricula::Scenario* nearest = best.scenario != nullptr ? best.scenario : chosen;
+      if (nearest == nullptr || apart(one->manikin.weight_kg, weight_kg) < apart(nearest->manikin.weight_kg, weight_kg))
+        best = {open.course, one};
+    }
+    if (best.scenario != nullptr && fits(*best.scenario, weight_kg)) return best;
+    if (&open == &courses.front()) first = best;
+  }
+  return first;
+}
+
+}  // namespace vallecula::gui
