@@ -24,8 +24,8 @@ struct LogPose {
 };
 
 struct LogLoad {
-  std::array<double, 3> force_n{};    ///< on the tool, world axes
-  std::array<double, 3> centre_m{};   ///< of the contacts, world
+  std::array<double, 3> force_n{};   ///< on the tool, world axes
+  std::array<double, 3> centre_m{};  ///< of the contacts, world
   std::int32_t contacts = 0;
   double area_m2 = 0.0;  ///< of the tissue's surface at rest that they stand for; 0: none, or not known (rigid anatomy)
 };
@@ -61,7 +61,7 @@ struct LogIntubation {
   LoggedPlace place = LoggedPlace::outside;
   std::int8_t side = -1;      ///< main bronchus that the tip is in: 0 right, 1 left; -1: in none
   double past_cords_m = 0.0;  ///< of the tip along the airway, at most 0 above; in the oesophagus from its mouth
-  double at_mouth_m = 0.0;    ///< the tube's mark at the mouth's front; 0: outside
+  double at_mouth_m = 0.0;    ///< the tube's mark at the upper lip; 0: outside
   double buckled_m = 0.0;
   std::array<double, 3> model_force_n{};  ///< on the second hand, world axes
   std::array<double, 3> displayed_force_n{};
@@ -84,8 +84,8 @@ struct LogEvent {
   enum class Kind : std::uint8_t { shown = 0, answered, silenced };
   std::int64_t tick = 0;  ///< of the tick that was the newest then
   Kind kind = Kind::shown;
-  int distraction = 0;    ///< of the scenario, counted from 1
-  int answer = 0;         ///< that was chosen, counted from 1; 0 where none was
+  int distraction = 0;  ///< of the scenario, counted from 1
+  int answer = 0;       ///< that was chosen, counted from 1; 0 where none was
 };
 
 /// One servo tick. The same fields as engine::TickRecord; curricula knows no engine, so they are written out here.
@@ -147,27 +147,27 @@ enum LoggedAction : std::uint32_t {
 
 /// Everything that must be known to understand and to repeat the trial. No identity of patient or trainee.
 struct LogHeader {
-  int schema = 1;  ///< as read; written: 4 with events or contact areas, 3 with an intubation, 2 with a tool of its own, which
-                   ///< older readers must not miss
+  int schema = 1;  ///< as read; written: 4 with events or contact areas, 3 with an intubation, 2 with a tool of its
+                   ///< own, which older readers must not miss
   std::string software_version;
-  std::string build_hash;              ///< of the program that wrote it
-  std::string instruction_set;         ///< kernels' level, for instance "x86-64"
+  std::string build_hash;       ///< of the program that wrote it
+  std::string instruction_set;  ///< kernels' level, for instance "x86-64"
   std::string package_name;
-  std::string package_path;            ///< from the log's folder, or the bare name: never a person's folders
-  std::string package_sha256;          ///< of patient.yaml
-  std::string curriculum_path;         ///< likewise
+  std::string package_path;     ///< from the log's folder, or the bare name: never a person's folders
+  std::string package_sha256;   ///< of patient.yaml
+  std::string curriculum_path;  ///< likewise
   std::string scenario_id;
-  std::string scenario_yaml;           ///< the scenario's text: scoring needs no other file
+  std::string scenario_yaml;  ///< the scenario's text: scoring needs no other file
   std::string scenario_sha256;
-  std::string tool_sha256;             ///< of tool.ply beside the log; empty: the scenario's blade
-  bool has_events = false;             ///< of the scenario's distractions; without it there can be none
-  bool has_contact_areas = false;      ///< its ticks have the areas of their loads
-  bool has_intubation = false;         ///< its ticks have the second half; settings then hold kCordsToCarina
-  std::string device_kind;             ///< scores are never pooled across kinds
+  std::string tool_sha256;         ///< of tool.ply beside the log; empty: the scenario's blade
+  bool has_events = false;         ///< of the scenario's distractions; without it there can be none
+  bool has_contact_areas = false;  ///< its ticks have the areas of their loads
+  bool has_intubation = false;     ///< its ticks have the second half; settings then hold kCordsToCarina
+  std::string device_kind;         ///< scores are never pooled across kinds
   double servo_period_s = 0.001;
   double device_limit_n = 7.9;
   bool realtime = false;
-  std::map<std::string, double> settings;  ///< engine settings by name
+  std::map<std::string, double> settings;                    ///< engine settings by name
   std::map<std::string, std::array<double, 3>> landmarks_m;  ///< patient landmarks in metres
 };
 
@@ -177,12 +177,12 @@ constexpr const char* kEndedByTrainee = "ended by trainee";
 
 /// What is known only at the end.
 struct LogFooter {
-  bool complete = false;               ///< false: the trial was cut off; the ticks are up to the last whole block
-  std::string ended;                   ///< one of the two below, "finished", ...
+  bool complete = false;  ///< false: the trial was cut off; the ticks are up to the last whole block
+  std::string ended;      ///< one of the two below, "finished", ...
   double loop_rate_hz = 0.0;
   std::int64_t deadline_misses = 0;
-  std::int64_t overruns = 0;           ///< ticks whose simulation step was not finished in time
-  std::string real_time_setup;         ///< what priority the threads were granted, in words; empty in older logs
+  std::int64_t overruns = 0;              ///< ticks whose simulation step was not finished in time
+  std::string real_time_setup;            ///< what priority the threads were granted, in words; empty in older logs
   std::vector<std::string> pause_faults;  ///< the device's fault of each pause in order, "" where it is not known; none
                                           ///< in older logs
 };
@@ -232,9 +232,9 @@ enum class CutLog {
 };
 /// Makes the log of a writer that was cut off (killed, power cut) a whole one: PATH.part is cut after its last whole
 /// block and gets a footer that says so (complete is false, ended "interrupted"), then the name PATH. What is recorded
-/// before stays as it is, to the byte; where what follows is damage and not a cut, PATH.damaged keeps the file as it was.
-/// May be cut off itself and done again. Throws TrialLogError: the header or the first ticks are damaged (PATH.part
-/// stays), the disk is full.
+/// before stays as it is, to the byte; where what follows is damage and not a cut, PATH.damaged keeps the file as it
+/// was. May be cut off itself and done again. Throws TrialLogError: the header or the first ticks are damaged
+/// (PATH.part stays), the disk is full.
 CutLog close_cut_log(const std::filesystem::path& path);
 
 }  // namespace vallecula::curricula

@@ -35,8 +35,9 @@ void add_pose(std::vector<Column>& columns, const std::string& name, const std::
   add_vector(columns, name, "m", definition + ": the blade's or tube's tip",
              [get](const LogTick& t) { return get(t).position_m; });
   for (int i = 0; i < 4; ++i)
-    columns.push_back({{name + "_q" + "wxyz"[i], "", i == 0 ? "its rotation, tool to world, as a quaternion" : "likewise", ""},
-                       [get, i](const LogTick& t) { return number(get(t).rotation_wxyz[static_cast<std::size_t>(i)]); }});
+    columns.push_back(
+        {{name + "_q" + "wxyz"[i], "", i == 0 ? "its rotation, tool to world, as a quaternion" : "likewise", ""},
+         [get, i](const LogTick& t) { return number(get(t).rotation_wxyz[static_cast<std::size_t>(i)]); }});
 }
 
 const char* word(LoggedState state) {
@@ -76,7 +77,8 @@ std::vector<Column> blade_columns() {
   };
   add_pose(c, "device", "where the hand really is, world axes (LPS)", [](const LogTick& t) { return t.device_pose; });
   add_pose(c, "proxy", "where the scene holds the blade", [](const LogTick& t) { return t.proxy_pose; });
-  add_vector(c, "model_force", "n", "of the tissue on the blade, world axes", [](const LogTick& t) { return t.model_force_n; });
+  add_vector(c, "model_force", "n", "of the tissue on the blade, world axes",
+             [](const LogTick& t) { return t.model_force_n; });
   add_vector(c, "model_torque", "nm", "about the blade's tip", [](const LogTick& t) { return t.model_torque_nm; });
   add_vector(c, "displayed_force", "n",
              "what the device was told; where the blade was led to the vallecula it was told none",
@@ -84,8 +86,10 @@ std::vector<Column> blade_columns() {
   constexpr const char* kNames[kStructures] = {"tongue", "epiglottis", "gum", "palate", "teeth", "larynx"};
   for (std::size_t i = 0; i < kStructures; ++i) {
     const std::string name = kNames[i];
-    add_vector(c, name + "_force", "n", "model force of the " + name, [i](const LogTick& t) { return t.loads[i].force_n; });
-    add_vector(c, name + "_centre", "m", "centre of its contacts", [i](const LogTick& t) { return t.loads[i].centre_m; });
+    add_vector(c, name + "_force", "n", "model force of the " + name,
+               [i](const LogTick& t) { return t.loads[i].force_n; });
+    add_vector(c, name + "_centre", "m", "centre of its contacts",
+               [i](const LogTick& t) { return t.loads[i].centre_m; });
     c.push_back({{name + "_contacts", "", "their count", ""},
                  [i](const LogTick& t) { return std::to_string(t.loads[i].contacts); }});
     c.push_back({{name + "_area_m2", "m2", "of its surface at rest that they stand for; empty: not known", ""},
@@ -105,14 +109,20 @@ std::vector<Column> tube_columns() {
       [](I i) { return std::string(word(i.place)); });
   add("bronchus_side", "", "0 right, 1 left; empty: in none",
       [](I i) { return i.side < 0 ? std::string() : std::to_string(i.side); });
-  add("past_cords_m", "m", "of the tip along the airway, at most 0 above them", [](I i) { return number(i.past_cords_m); });
-  add("at_mouth_m", "m", "the tube's mark at the mouth's front; 0: outside", [](I i) { return number(i.at_mouth_m); });
+  add("past_cords_m", "m", "of the tip along the airway, at most 0 above them",
+      [](I i) { return number(i.past_cords_m); });
+  add("at_mouth_m", "m",
+      "the tube's mark at the upper lip (a package that tells no lips: at the gums); 0: the tip is before the gums",
+      [](I i) { return number(i.at_mouth_m); });
   add("buckled_m", "m", "how far the tube is bent aside", [](I i) { return number(i.buckled_m); });
-  add_pose(c, "second_hand", "where the hand that has the tube is", [](const LogTick& t) { return t.intubation.hand_pose; });
+  add_pose(c, "second_hand", "where the hand that has the tube is",
+           [](const LogTick& t) { return t.intubation.hand_pose; });
   add_vector(c, "tip", "m", "the tip's place, world axes", [](const LogTick& t) { return t.intubation.tip_m; });
   add_vector(c, "tip_direction", "", "where it points", [](const LogTick& t) { return t.intubation.tip_direction; });
-  add_vector(c, "second_model_force", "n", "on the hand that has the tube", [](const LogTick& t) { return t.intubation.model_force_n; });
-  add_vector(c, "second_displayed_force", "n", "what its device was told", [](const LogTick& t) { return t.intubation.displayed_force_n; });
+  add_vector(c, "second_model_force", "n", "on the hand that has the tube",
+             [](const LogTick& t) { return t.intubation.model_force_n; });
+  add_vector(c, "second_displayed_force", "n", "what its device was told",
+             [](const LogTick& t) { return t.intubation.displayed_force_n; });
   for (std::size_t k = 0; k < kTubeLoads; ++k)
     c.push_back({{std::string("tube_on_") + name_of(static_cast<LoggedTubeLoad>(k)) + "_n", "N",
                   k == 0 ? "sum of the magnitudes of the tube's forces there" : "likewise", ""},

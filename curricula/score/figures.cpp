@@ -83,8 +83,8 @@ const std::vector<Figure>& figures() {
        "to the carina; positive: too deep",
        kOwn, false, 0, [](const Score& s) { return s.intubation ? in_mm(s.intubation->depth_error_m()) : Value(); }},
       {"tube_at_lips_cm", "Tube's mark at the lips", "cm",
-       "the tube's length inside the front of the mouth (the plane through both gum midlines; the lips stand some 6 mm "
-       "before it at term) at the end; by the rule, which is a help and judges nothing, the weight in kg and 6 cm",
+       "the tube's length inside the upper lip at the end; by the rule, which is a help and judges nothing, the weight "
+       "in kg and 6 cm",
        kOwn, false, 0,
        [](const Score& s) {
          return s.intubation && s.intubation->at_lips_m ? Value(100.0 * *s.intubation->at_lips_m) : std::nullopt;

@@ -41,11 +41,10 @@ struct IntubationScore {
   double cords_to_carina_m = 0.0;         ///< this infant's
   std::optional<double> depth_m;          ///< of the tip past the cords at the end, where it lies in larynx or trachea
   std::optional<double> depth_neutral_m;  ///< the same with the head neutral, where its extension is known
-  std::optional<double>
-      at_lips_m;             ///< the tube's mark at the mouth's front (the gums) at the end, where it is in the mouth
-  double lips_rule_m = 0.0;  ///< what that would be by the rule: the infant's weight in kg and 6 cm
-  std::int8_t bronchus_side = -1;  ///< where the tip lies in a main bronchus at the end: 0 right, 1 left
-  double deepest_m = 0.0;          ///< past the cords, ever
+  std::optional<double> at_lips_m;        ///< the tube's mark at the upper lip at the end, where it is in the mouth
+  double lips_rule_m = 0.0;               ///< what that would be by the rule: the infant's weight in kg and 6 cm
+  std::int8_t bronchus_side = -1;         ///< where the tip lies in a main bronchus at the end: 0 right, 1 left
+  double deepest_m = 0.0;                 ///< past the cords, ever
   std::optional<double> lowest_spo2_percent, lowest_heart_per_min;  ///< from the first attempt on
   double lowest_spo2_at_s = -1.0, lowest_heart_at_s = -1.0;
   std::optional<double> first_spo2_percent, first_heart_per_min;  ///< as the first attempt began

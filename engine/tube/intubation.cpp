@@ -41,6 +41,9 @@ const IntubationDescription& checked(const IntubationDescription& d, const std::
     refuse("the limit of the second hand's device is " + std::to_string(d.device_limit_n) + " N; it must be above 0");
   if (!(d.mouth_gap_m >= 0) || !std::isfinite(d.mouth_gap_m))
     refuse("the gap between the gums is " + mm(d.mouth_gap_m) + "; it must be above 0, or 0 where it is not known");
+  if (!(d.lips_before_gums_m >= 0) || !std::isfinite(d.lips_before_gums_m))
+    refuse("the lips stand " + mm(d.lips_before_gums_m) +
+           " before the gums; it must be above 0, or 0 where it is not known");
   if (d.mouth_gap_m > 0 && !(d.tube.outer_diameter < d.mouth_gap_m))
     refuse("a tube of " + mm(d.tube.outer_diameter) + " outside does not go between gums that are " +
            mm(d.mouth_gap_m) + " apart");

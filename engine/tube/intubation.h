@@ -38,6 +38,7 @@ struct IntubationDescription {
   Vec3 mouth_axis = -Vec3::UnitZ();      ///< from `mouth` back to the vallecula, unit
   double mouth_radius_m = 0.0;           ///< about that axis: what lies farther aside is not in the mouth; 0: no bound
   double mouth_gap_m = 0.0;              ///< between the gums at rest; 0: not known
+  double lips_before_gums_m = 0.0;       ///< the lips, before that plane: where the tube's mark is read; 0: not known
   double press_n = 0.0;                  ///< of the assistant on the larynx, up to kMostPress
   Vec3 press_direction = Vec3::UnitY();  ///< unit
   double device_limit_n = 7.9;           ///< of the second hand's device

@@ -32,8 +32,8 @@ enum Action : std::uint32_t {
 };
 constexpr std::uint32_t kAllActions = 0x7fffu << 16;  ///< that the engine acts on
 constexpr std::uint32_t kEyeActions = kActionEyeRight | kActionEyeLeft | kActionEyeUp | kActionEyeDown;
-constexpr std::uint32_t kInstructorActions = kInstructorSaturationDown | kInstructorSaturationUp |
-                                             kInstructorHeartDown | kInstructorHeartUp | kInstructorSpasm;
+constexpr std::uint32_t kInstructorActions =
+    kInstructorSaturationDown | kInstructorSaturationUp | kInstructorHeartDown | kInstructorHeartUp | kInstructorSpasm;
 
 /// Where the tip of what the second hand holds is. `larynx`: from the inlet to the cricoid.
 enum class TipPlace : std::uint8_t { outside, mouth, larynx, trachea, main_bronchus, oesophagus };
@@ -63,7 +63,7 @@ struct IntubationRecord {
   std::int8_t side = -1;  ///< main bronchus that the tip is in: 0 right, 1 left; -1: in none
   /// Of the tip along the airway from the cords, at most 0 above them; in the oesophagus from its mouth.
   double past_cords_m = 0.0;
-  double at_mouth_m = 0.0;            ///< the tube's mark at the mouth's front: its length inside; 0: outside
+  double at_mouth_m = 0.0;            ///< the tube's mark at the lips: its length inside of them; 0: outside
   double buckled_m = 0.0;             ///< farthest of its axis from where it would be undeformed in the hand
   Vec3 model_force_n = Vec3::Zero();  ///< on the second hand, world
   Vec3 displayed_force_n = Vec3::Zero();

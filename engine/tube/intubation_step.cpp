@@ -266,7 +266,8 @@ PassageLoads step_tool(const Scene& scene, const SceneState& state, const Pose& 
   r.place = place(in.passage, s.passage, s.rod);
   r.side = r.place == TipPlace::main_bronchus ? static_cast<std::int8_t>(s.passage.side) : std::int8_t{-1};
   r.past_cords_m = past_cords_m(in.passage, s.passage, s.rod, about.larynx_way);
-  r.at_mouth_m = r.place == TipPlace::outside ? 0.0 : at_mouth_m(in.passage, rod, s.rod);
+  r.at_mouth_m =
+      r.place == TipPlace::outside ? 0.0 : at_mouth_m(in.passage, rod, s.rod, in.description.lips_before_gums_m);
   r.buckled_m = buckled(rod, s.rod);
   return loads;
 }

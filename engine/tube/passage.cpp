@@ -301,9 +301,9 @@ double past_cords_m(const Passage& passage, const PassageState& state, const Rod
   return state.canal == Canal::oesophagus ? way : way - cords;
 }
 
-double at_mouth_m(const Passage& passage, const Rod& rod, const RodState& tube) noexcept {
+double at_mouth_m(const Passage& passage, const Rod& rod, const RodState& tube, double lips_m) noexcept {
   const auto within = [&](int node) {
-    return passage.mouth_inward().dot(tube.position[static_cast<std::size_t>(node)] - passage.mouth());
+    return passage.mouth_inward().dot(tube.position[static_cast<std::size_t>(node)] - passage.mouth()) + lips_m;
   };
   double before = within(0);
   if (!(before > 0)) return 0.0;

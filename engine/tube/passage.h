@@ -227,8 +227,8 @@ TipPlace place(const Passage& passage, const PassageState& state, const RodState
 double past_cords_m(const Passage& passage, const PassageState& state, const RodState& tube,
                     const Vec3& larynx_way) noexcept;
 
-/// As IntubationRecord::at_mouth_m: m along the tube from the tip to where it first crosses the mouth's front; 0: the
-/// tip is outside.
-double at_mouth_m(const Passage& passage, const Rod& rod, const RodState& tube) noexcept;
+/// As IntubationRecord::at_mouth_m: m along the tube from the tip to where it first crosses the plane `lips_m` before
+/// the mouth's front; 0: the tip is before that.
+double at_mouth_m(const Passage& passage, const Rod& rod, const RodState& tube, double lips_m) noexcept;
 
 }  // namespace vallecula::engine

@@ -16,17 +16,21 @@ namespace {
 using curricula::InfantCourse;
 using engine::Vec3;
 
-constexpr double kFrench = 0.001 / 3;          // m
-constexpr double kThroatArea = 250e-6;         // m2, term: what secretions spread over (assumed)
+constexpr double kFrench = 0.001 / 3;   // m
+constexpr double kThroatArea = 250e-6;  // m2, term: what secretions spread over (assumed)
 // Of the throat's floor, mm term: from the cords' level up, to either side of the middle.
 constexpr double kFloorBelow = 2.0, kFloorAbove = 8.0, kFloorAside = 3.0;
 
 engine::Course course_of(InfantCourse course) {
   switch (course) {
-    case InfantCourse::premedicated_preterm: return engine::Course::premedicated_preterm;
-    case InfantCourse::term: return engine::Course::term;
-    case InfantCourse::preoxygenated: return engine::Course::preoxygenated;
-    case InfantCourse::delivery_room: return engine::Course::delivery_room;
+    case InfantCourse::premedicated_preterm:
+      return engine::Course::premedicated_preterm;
+    case InfantCourse::term:
+      return engine::Course::term;
+    case InfantCourse::preoxygenated:
+      return engine::Course::preoxygenated;
+    case InfantCourse::delivery_room:
+      return engine::Course::delivery_room;
   }
   throw std::logic_error("a course that has no name");
 }
@@ -37,7 +41,8 @@ Vec3 throat_floor(const pipeline::PatientPackage& package, double size) {
   Vec3 floor(glottis[0], glottis[1], glottis[2]);
   for (const pipeline::Point& p : package.surfaces.at("airway").points) {
     const double up = p[2] - glottis[2];
-    if (up < -kFloorBelow * size || up > kFloorAbove * size || std::abs(p[0] - glottis[0]) > kFloorAside * size) continue;
+    if (up < -kFloorBelow * size || up > kFloorAbove * size || std::abs(p[0] - glottis[0]) > kFloorAside * size)
+      continue;
     if (p[1] > floor.y()) floor = Vec3(p[0], p[1], p[2]);
   }
   return kMetres * floor;
@@ -50,17 +55,30 @@ double gap_between_gums(const pipeline::PatientPackage& package) {
   return kMetres * std::hypot(std::hypot(upper[0] - lower[0], upper[1] - lower[1]), upper[2] - lower[2]);
 }
 
-/// From the middle to the side, to the farthest of the lips, m; 0: the package tells no lips.
-double half_width_of_lips(const pipeline::PatientPackage& package, double middle) {
+/// The lips' corners, m; none: the package tells no lips.
+std::vector<Vec3> lips_of(const pipeline::PatientPackage& package) {
   const pipeline::Surface& face = surface(package, "face");
-  double half_width = 0.0;
+  std::vector<Vec3> lips;
   for (std::size_t t = 0; t < std::min(face.tissue.size(), face.triangles.size()); ++t) {
     if (static_cast<pipeline::Tissue>(face.tissue[t]) != pipeline::Tissue::lip) continue;
     for (const int v : face.triangles[t]) {
-      half_width = std::max(half_width, std::abs(kMetres * face.points[static_cast<std::size_t>(v)][0] - middle));
+      const pipeline::Point& p = face.points[static_cast<std::size_t>(v)];
+      lips.push_back(kMetres * Vec3(p[0], p[1], p[2]));
     }
   }
-  return half_width;
+  return lips;
+}
+
+/// What the lips tell about the mouth: how far they reach to the side, and how far the upper one, at which a tube's
+/// mark is read, stands before the gums.
+void set_lips(const std::vector<Vec3>& lips, const Vec3& upwards, engine::IntubationDescription& d) {
+  double half_width = 0.0;
+  for (const Vec3& p : lips) {
+    half_width = std::max(half_width, std::abs(p.x() - d.mouth.x()));
+    if (upwards.dot(p - d.mouth) > 0.0)
+      d.lips_before_gums_m = std::max(d.lips_before_gums_m, -d.mouth_inward.dot(p - d.mouth));
+  }
+  d.mouth_half_width_m = static_cast<float>(half_width);
 }
 
 void set_mouth(const pipeline::PatientPackage& package, engine::IntubationDescription& d) {
@@ -71,7 +89,9 @@ void set_mouth(const pipeline::PatientPackage& package, engine::IntubationDescri
   d.mouth_inward = Vec3(mouth->inward[0], mouth->inward[1], mouth->inward[2]);
   d.mouth_axis = Vec3(mouth->axis[0], mouth->axis[1], mouth->axis[2]);
   d.mouth_radius_m = mouth->radius_m;
-  d.mouth_half_width_m = static_cast<float>(half_width_of_lips(package, d.mouth.x()));
+  const pipeline::Point &upper = package.landmarks.at("upper_gum_midline"),
+                        &lower = package.landmarks.at("lower_gum_midline");
+  set_lips(lips_of(package), Vec3(upper[0] - lower[0], upper[1] - lower[1], upper[2] - lower[2]), d);
   d.mouth_gap_m = gap_between_gums(package);
   if (d.tube.outer_diameter < d.mouth_gap_m) return;
   char text[256];

@@ -4847,8 +4847,8 @@ Sekunden sind eine Obergrenze, kein Ziel.</translation>
         <translation>Tubusmarke an den Lippen</translation>
     </message>
     <message>
-        <source>the tube&apos;s length inside the front of the mouth (the plane through both gum midlines; the lips stand some 6 mm before it at term) at the end; by the rule, which is a help and judges nothing, the weight in kg and 6 cm</source>
-        <translation>Länge des Tubus hinter der Vorderseite des Mundes (Ebene durch die Mitten beider Zahnleisten; die Lippen stehen beim Reifgeborenen etwa 6 mm davor) am Ende; nach der Regel, die eine Hilfe ist und nichts bewertet, das Gewicht in kg und 6 cm</translation>
+        <source>the tube&apos;s length inside the upper lip at the end; by the rule, which is a help and judges nothing, the weight in kg and 6 cm</source>
+        <translation>Länge des Tubus innerhalb der Oberlippe am Ende; nach der Regel, die eine Hilfe ist und nichts bewertet, das Gewicht in kg und 6 cm</translation>
     </message>
     <message>
         <source>weight + %1: %2 cm, a help</source>

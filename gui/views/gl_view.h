@@ -5,6 +5,7 @@
 
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkProp.h>
+#include <vtkRenderPass.h>
 #include <vtkRenderer.h>
 #include <vtkSmartPointer.h>
 #include <vtkWeakPointer.h>
@@ -93,6 +94,7 @@ class GlView : public QWidget {
   std::unique_ptr<QOpenGLContext> context_;
   vtkSmartPointer<vtkGenericOpenGLRenderWindow> window_;
   vtkSmartPointer<vtkRenderer> renderer_;
+  vtkSmartPointer<vtkRenderPass> passes_;
   vtkSmartPointer<QVTKInteractor> interactor_;
   std::unique_ptr<QVTKInteractorAdapter> adapter_;
   std::vector<vtkWeakPointer<vtkProp>> known_;  ///< have been drawn

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "curricula/scenario.h"
@@ -76,7 +78,8 @@ TEST(AirwayCourse, FollowsAnArcOfEllipsesToWithinATenthOfAMillimetre) {
   const AirwayRing& cricoid = ring_of(found.course, AirwayPart::cricoid);
   for (const AirwayRing& r : found.course.airway) {
     if (r.part == AirwayPart::vestibule || r.part == AirwayPart::cords) continue;
-    const double s = ArcAirway::kRadius * std::atan2(-40 - 1e3 * r.centre.z(), 50 + ArcAirway::kRadius - 1e3 * r.centre.y());
+    const double s =
+        ArcAirway::kRadius * std::atan2(-40 - 1e3 * r.centre.z(), 50 + ArcAirway::kRadius - 1e3 * r.centre.y());
     EXPECT_LT((1e3 * r.centre - truth.at(s)).norm(), 0.1) << s;
     EXPECT_GT(r.along.dot(truth.along(s)), std::cos(3 * M_PI / 180)) << s;
     EXPECT_EQ(r.to_left_m, r.to_right_m);
@@ -212,9 +215,8 @@ TEST_F(AirwayCourseManikin, ItsAxisIsTheTracheasAndItEndsAtTheCarina) {
     if (below) length += 1e3 * (found_->course.airway[i + 1].centre - found_->course.airway[i].centre).norm();
   }
   using pipeline::manikin::kGlottisCentre;
-  const double true_length =
-      scale_ * (std::hypot(kSubglottis.u - kGlottisCentre.u, kSubglottis.v - kGlottisCentre.v) +
-                pipeline::manikin::kTracheaLength * variation_.trachea_length);
+  const double true_length = scale_ * (std::hypot(kSubglottis.u - kGlottisCentre.u, kSubglottis.v - kGlottisCentre.v) +
+                                       pipeline::manikin::kTracheaLength * variation_.trachea_length);
   EXPECT_NEAR(length, true_length, 2.0) << "cords to carina";
   // The narrow front of the slit is thinner than a voxel.
   EXPECT_NEAR(1e3 * found_->glottis_length_m, 7.034 * scale_, 1.5);
@@ -235,10 +237,26 @@ TEST_F(AirwayCourseManikin, BronchiAreImagedAndTheOesophagusBeginsAtTheThroatsEn
   EXPECT_NEAR(mouth.x(), 0.0, 0.3);
 }
 
+// ANATOMY.md gives the profile of a term infant in (y, z), mm: the gums' midlines and the upper lip's two foremost
+// points.
+TEST_F(AirwayCourseManikin, ATubesMarkIsReadAtTheUpperLipAndNotAtTheGums) {
+  const curricula::Curriculum course = curricula::load_curriculum(std::filesystem::path(VALLECULA_SOURCE_DIR) /
+                                                                  "curricula/courses/first-intubation.yaml");
+  const engine::IntubationDescription d = intubation_of(*package_, *course.find("term-tube"));
+  const auto sagittal = [](const Vec3& p) { return std::array<double, 2>{p.y(), p.z()}; };
+  const auto inward = sagittal(d.mouth_inward);
+  const std::array<double, 2> middle{1.6, -10.4};  // between (0, 0) and (3.2, -20.8)
+  double before = 0.0;
+  for (const auto& lip : {std::array<double, 2>{-5.3, 4.1}, std::array<double, 2>{-5.8, 7.7}})
+    before = std::max(before, inward[0] * (middle[0] - lip[0]) + inward[1] * (middle[1] - lip[1]));
+  EXPECT_NEAR(1e3 * d.lips_before_gums_m, scale_ * before, 1.5) << "the skin is rounded outwards over these points";
+  EXPECT_GT(1e3 * d.lips_before_gums_m, 3.0);
+}
+
 // The shipped scenarios tell a hand to wait for the cords to open with a breath.
 TEST_F(AirwayCourseManikin, AScenariosInfantBreathesAndItsCordsMoveWithIt) {
-  const curricula::Curriculum course = curricula::load_curriculum(
-      std::filesystem::path(VALLECULA_SOURCE_DIR) / "curricula/courses/first-intubation.yaml");
+  const curricula::Curriculum course = curricula::load_curriculum(std::filesystem::path(VALLECULA_SOURCE_DIR) /
+                                                                  "curricula/courses/first-intubation.yaml");
   for (const auto& [id, breathes] : {std::pair{"term-tube", true}, std::pair{"laryngospasm", true},
                                      std::pair{"preterm-premedicated", false}, std::pair{"delivery-room", false}}) {
     const engine::IntubationDescription d = intubation_of(*package_, *course.find(id));

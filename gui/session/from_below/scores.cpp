@@ -44,11 +44,10 @@ constexpr const char* kSentences[] = {
                       "of the tip in larynx or trachea at the end, from the middle of the good third of this infant's "
                       "way from the cords to the carina; positive: too deep"),
     QT_TRANSLATE_NOOP("FromBelow", "Tube's mark at the lips"),
-    QT_TRANSLATE_NOOP(
-        "FromBelow",
-        "the tube's length inside the front of the mouth (the plane through both gum midlines; the lips stand some 6 "
-        "mm "
-        "before it at term) at the end; by the rule, which is a help and judges nothing, the weight in kg and 6 cm"),
+    QT_TRANSLATE_NOOP("FromBelow",
+                      "the tube's length inside the upper lip at the end; by the rule, which is a help and judges "
+                      "nothing, the weight "
+                      "in kg and 6 cm"),
     QT_TRANSLATE_NOOP("FromBelow", "Mean tongue force"),
     QT_TRANSLATE_NOOP("FromBelow", "mean of the model force on the tongue over the time in which there was any"),
     QT_TRANSLATE_NOOP("FromBelow", "Tongue force over time"),

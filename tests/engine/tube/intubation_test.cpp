@@ -40,6 +40,7 @@ TEST(Intubation, WhatContradictsItselfIsRefusedWithItsNumber) {
   expect(refusal([](auto& d) { d.mouth_half_width_m = -0.003f; }), "-3.0");
   expect(refusal([](auto& d) { d.device_limit_n = 0; }), "0.0");
   expect(refusal([](auto& d) { d.mouth_gap_m = 0.0048; }), "4.8");
+  expect(refusal([](auto& d) { d.lips_before_gums_m = -0.002; }), "-2.0");
   expect(refusal([](auto& d) { d.catheter_outer_m = 0.02; }), "20.0");
   expect(refusal([](auto& d) { d.secretions.volume_m3 = -1e-6; }), "-1.0");
   expect(refusal([](auto& d) { d.secretions.area_m2 = 0; }), "0.0");

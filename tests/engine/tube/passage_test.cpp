@@ -208,8 +208,9 @@ TEST(Passage, KnowsHowDeepItIs) {
   for (double z = kStart; z > -0.05; z -= 0.0003) {
     a.step(hand_above(Vec3(0, 0, z), d.length_m));
     const double tip = a.state.position[0].z();
-    EXPECT_NEAR(at_mouth_m(a.passage, a.rod, a.state), 0.06 - tip, 2e-5);  // the mouth's front is at z = 60 mm
-    if (a.in.inside == 0) continue;                                        // it is let in with the next tick
+    EXPECT_NEAR(at_mouth_m(a.passage, a.rod, a.state, 0.0), 0.06 - tip, 2e-5);  // the mouth's front is at z = 60 mm
+    EXPECT_NEAR(at_mouth_m(a.passage, a.rod, a.state, 0.006), 0.066 - tip, 2e-5) << "lips 6 mm before the gums";
+    if (a.in.inside == 0) continue;  // it is let in with the next tick
     EXPECT_NEAR(a.past_cords(), -tip - 0.007, 1e-9);
     EXPECT_NEAR(inside_canal_m(a.passage, a.in, a.rod, a.state, Vec3::Zero()), -tip, 2e-5);
   }
