@@ -123,6 +123,9 @@ inline bool tube_in_oesophagus(const LogTick& tick) noexcept {
 
 /// The setting a depth is judged by: this infant's way from the cords to the carina, m.
 constexpr char kCordsToCarina[] = "cords_to_carina_m";
+/// How far the upper lip stands before the gums' plane, m: at_mouth_m is read there. A log without it was recorded when
+/// at_mouth_m was read at the gums, and has no mark at the lips.
+constexpr char kLipsBeforeGums[] = "lips_before_gums_m";
 /// The head's extension on the neck, degrees; where it is known, depth is told for the neutral head as well.
 constexpr char kHeadExtension[] = "head_extension_deg";
 

@@ -208,7 +208,7 @@ IntubationScore measure_intubation(const TrialLog& log, const Scenario& scenario
     score.secretions_end_ml = last.secretions_ml;
     if (last.in_hand != LoggedInHand::catheter) {
       score.bronchus_side = last.side;
-      if (last.at_mouth_m > 0.0) score.at_lips_m = last.at_mouth_m;
+      if (last.at_mouth_m > 0.0 && settings.count(kLipsBeforeGums) > 0) score.at_lips_m = last.at_mouth_m;
     }
     if (tube_past_cords(*course.last) && last.place != LoggedPlace::main_bronchus) {
       score.depth_m = last.past_cords_m;

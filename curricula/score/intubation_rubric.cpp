@@ -189,10 +189,10 @@ void judge_intubation(const Scenario& scenario, bool timed, const IntubationScor
   if (pass.attempts && !score.attempts.empty()) {  // without one "attempt_begun" says what is wrong: no limit was kept
     const auto count = static_cast<double>(score.attempts.size());
     const auto limit = static_cast<double>(*pass.attempts);
-    criteria.push_back(
-        {"attempts", "", count, limit, score.attempts.empty() ? -1.0 : score.attempts.back().start_s, count <= limit,
-         std::to_string(score.attempts.size()) + (score.attempts.size() == 1 ? " attempt, " : " attempts, ") +
-             (count <= limit ? "within the " : "more than the ") + limit_text(limit) + " allowed"});
+    criteria.push_back({"attempts", "", count, limit, score.attempts.back().start_s, count <= limit,
+                        std::to_string(score.attempts.size()) +
+                            (score.attempts.size() == 1 ? " attempt, " : " attempts, ") +
+                            (count <= limit ? "within the " : "more than the ") + limit_text(limit) + " allowed"});
   }
   if (pass.co2_confirmed && lies_somewhere(score.outcome))
     criteria.push_back(co2(score, scenario.intubation->breaths_to_confirm));

@@ -2,26 +2,15 @@
 
 #include <cmath>
 
-#include "gui/session/anatomy_motion.h"
+#include "gui/session/patient_fit.h"
 
 namespace vallecula::gui {
 namespace {
-
-constexpr double kTermWeight_kg = 3.2;  ///< of the manikin whose size is 1
-constexpr double kOtherSize = 0.15;     ///< as misfits() has it
 
 /// How far apart two weights are; the same for twice and for half.
 double apart(double one_kg, double other_kg) { return std::abs(std::log(one_kg / other_kg)); }
 
 }  // namespace
-
-double weight_as_large(const pipeline::PatientPackage& package) {
-  return kTermWeight_kg * std::pow(size_of(package), 3.0);
-}
-
-bool fits(const curricula::Scenario& scenario, double weight_kg) {
-  return std::abs(std::cbrt(weight_kg / scenario.manikin.weight_kg) - 1.0) <= kOtherSize;
-}
 
 FittingScenario fitting_scenario(const std::vector<OpenScenarios>& courses, const curricula::Scenario* chosen,
                                  double weight_kg) {

@@ -5,17 +5,8 @@
 #include <vector>
 
 #include "curricula/scenario.h"
-#include "pipeline/package/patient_package.h"
 
 namespace vallecula::gui {
-
-/// Weight (kg) of the manikin that is as large as this patient, from upper gum to vallecula; lengths go with the
-/// weight's cube root. A package holds no weight of its own.
-double weight_as_large(const pipeline::PatientPackage& package);
-
-/// A patient as large as an infant of this weight (kg) is no more than 15 % larger or smaller than the scenario's: then
-/// misfits() has nothing to say of its size.
-bool fits(const curricula::Scenario& scenario, double weight_kg);
 
 /// Of a course, those that may be begun.
 struct OpenScenarios {

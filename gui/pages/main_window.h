@@ -127,6 +127,7 @@ class MainWindow : public QMainWindow {
   bool may_put_aside();   ///< asks what still waits for an answer: an unsaved course, an assessment's own rating
   bool may_open() const;  ///< nothing is under way that would be lost
   void tell(const QString& message);        ///< on the page that is seen, or before it
+  bool told_of_fit_ = false;                ///< what stands on the page one goes back to is fit_scenario()'s
   void tell_first(const QString& message);  ///< on the page one goes back to; empty: nothing is wrong any more
   /// `seed`: of an attempt to be repeated; 0: a new one is drawn.
   void prepare_choice(const Choice& choice, std::uint32_t seed = 0);

@@ -12,7 +12,6 @@
 #include "gui/import/import_wizard.h"
 #include "gui/pages/background.h"
 #include "gui/pages/devices_page.h"
-#include "gui/pages/fitting_scenario.h"
 #include "gui/pages/home_page.h"
 #include "gui/pages/look_settings.h"
 #include "gui/pages/main_menu.h"
@@ -26,6 +25,7 @@
 #include "gui/records_pages/records_page.h"
 #include "gui/session/builtin_patient.h"
 #include "gui/session/low_priority.h"
+#include "gui/session/patient_fit.h"
 #include "gui/session/program_log.h"
 #include "gui/session/recent_files.h"
 #include "gui/session/scene_from_package.h"
@@ -97,6 +97,7 @@ void MainWindow::connect_home() {
   connect(start_, &StartPage::changed, this, [this] {
     home_->set_next(start_->next_trial());
     if (pages_->currentWidget() == home_) look_around();
+    if (told_of_fit_) tell_first("");  // of another choice
   });
   connect(start_, &StartPage::patient_taken, this, &MainWindow::fit_scenario);
   home_->set_next(start_->next_trial());
@@ -104,11 +105,15 @@ void MainWindow::connect_home() {
 
 void MainWindow::fit_scenario(const QString& package) {
   const std::filesystem::path path = package.toStdString();
+  const std::string before = start_->chosen_scenario();
   run_in_background<double>(
       this, [path] { return weight_as_large(pipeline::read_package(path)); },
-      [this, path](double weight_kg) {
+      [this, path, before](double weight_kg) {
+        if (start_->chosen_scenario() != before) return;  // chosen meanwhile, by a person: stays
         const QString told = start_->fit_scenario(path, weight_kg);
-        if (!told.isEmpty()) tell_first(told);
+        if (told.isEmpty()) return;
+        tell_first(told);
+        told_of_fit_ = true;
       },
       [](const QString&) {});  // one that cannot be read is told when a trial with it is asked for
 }
@@ -301,6 +306,7 @@ void MainWindow::open_course(const std::filesystem::path& file) {
 }
 
 void MainWindow::tell_first(const QString& message) {
+  told_of_fit_ = false;
   for (QWidget* page : {static_cast<QWidget*>(home_), static_cast<QWidget*>(start_)}) {
     const QString here = page == first_ ? message : QString();
     page == home_ ? home_->set_message(here) : start_->set_message(here);

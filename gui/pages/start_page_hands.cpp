@@ -10,6 +10,7 @@
 #include "gui/pages/start_page.h"
 #include "gui/session/device_choice.h"
 #include "gui/session/device_rows.h"
+#include "gui/session/patient_fit.h"
 #include "gui/session/recent_files.h"
 #include "gui/session/words_from_below.h"
 
@@ -35,6 +36,11 @@ void StartPage::add_patient(const std::filesystem::path& package, bool choose) {
 void StartPage::take_patient(const std::filesystem::path& package) {
   add_patient(package, true);
   emit patient_taken(patient_->currentData().toString());
+}
+
+std::string StartPage::chosen_scenario() const {
+  const curricula::Scenario* chosen = tree_->scenario();
+  return chosen == nullptr ? std::string() : chosen->id;
 }
 
 QString StartPage::fit_scenario(const std::filesystem::path& package, double weight_kg) {

@@ -5,8 +5,27 @@
 namespace vallecula::gui {
 namespace {
 
-/// Of an intubation, the infant first; empty: the laryngoscopy is what to look at. `timed`: its times are judged.
-std::string tube_advice(const curricula::IntubationScore& tube, const curricula::IntubationPass& pass, bool timed) {
+/// Of the infant's heart and saturation; empty: they stayed within their limits.
+std::string infant_advice(const curricula::IntubationScore& tube, const curricula::IntubationPass& pass) {
+  if (pass.lowest_heart_per_min && tube.lowest_heart_per_min && *tube.lowest_heart_per_min < *pass.lowest_heart_per_min)
+    return QCoreApplication::translate("Advice",
+                                       "Stop the attempt earlier: the heart slowed down. Blade and tube out, ventilate "
+                                       "until it is above 100, then "
+                                       "again.")
+        .toStdString();
+  if (pass.lowest_spo2_percent && tube.lowest_spo2_percent && *tube.lowest_spo2_percent < *pass.lowest_spo2_percent)
+    return QCoreApplication::translate(
+               "Advice",
+               "Give breaths until the saturation is back before each attempt: the display is late, and it goes on "
+               "falling.")
+        .toStdString();
+  return "";
+}
+
+/// Of an intubation, the infant first; empty: the laryngoscopy is what to look at. `timed`: its times are judged;
+/// `seen`: the glottis came into sight.
+std::string tube_advice(const curricula::IntubationScore& tube, const curricula::IntubationPass& pass, bool timed,
+                        bool seen) {
   using curricula::Outcome;
   if (tube.recognised_late)
     return QCoreApplication::translate("Advice",
@@ -48,6 +67,13 @@ std::string tube_advice(const curricula::IntubationScore& tube, const curricula:
           .toStdString();
     case Outcome::abandoned:
     case Outcome::out_of_time:
+      if (const std::string of_infant = infant_advice(tube, pass); !of_infant.empty()) return of_infant;
+      if (seen)
+        return QCoreApplication::translate(
+                   "Advice",
+                   "The glottis was in sight: take the tube at once then, keep looking at the cords, and bring its tip "
+                   "through them.")
+            .toStdString();
       return QCoreApplication::translate(
                  "Advice",
                  "See the glottis first, then take the tube in beside the blade without losing sight of the cords.")
@@ -55,18 +81,7 @@ std::string tube_advice(const curricula::IntubationScore& tube, const curricula:
     case Outcome::good_depth:
       break;
   }
-  if (pass.lowest_heart_per_min && tube.lowest_heart_per_min && *tube.lowest_heart_per_min < *pass.lowest_heart_per_min)
-    return QCoreApplication::translate("Advice",
-                                       "Stop the attempt earlier: the heart slowed down. Blade and tube out, ventilate "
-                                       "until it is above 100, then "
-                                       "again.")
-        .toStdString();
-  if (pass.lowest_spo2_percent && tube.lowest_spo2_percent && *tube.lowest_spo2_percent < *pass.lowest_spo2_percent)
-    return QCoreApplication::translate(
-               "Advice",
-               "Give breaths until the saturation is back before each attempt: the display is late, and it goes on "
-               "falling.")
-        .toStdString();
+  if (const std::string of_infant = infant_advice(tube, pass); !of_infant.empty()) return of_infant;
   if (pass.co2_confirmed && !tube.co2_confirmed)
     return QCoreApplication::translate(
                "Advice",
@@ -105,7 +120,8 @@ std::string what_to_change(const curricula::Score& score, const curricula::Scena
                "The blade never entered the mouth: bring its tip in at the right corner, then follow the tongue down.")
         .toStdString();
   if (score.intubation && scenario.intubation) {
-    const std::string tube = tube_advice(*score.intubation, scenario.intubation->pass, !score.at_vallecula);
+    const std::string tube = tube_advice(*score.intubation, scenario.intubation->pass, !score.at_vallecula,
+                                         score.time_of_first_sight_s >= 0.0);
     if (!tube.empty()) return tube;
   }
   if (score.peak_gum_force_n > pass.peak_gum_force_n)

@@ -57,7 +57,7 @@ Row attempts_row(const curricula::Score& score) {
 
 Row lips_row(const curricula::IntubationScore& tube) {
   const std::string name = "Tube's mark at the lips",
-                    rule = "weight + 6: " + number(100.0 * tube.lips_rule_m, 1) + " cm, a help";
+                    rule = "scenario's weight + 6: " + number(100.0 * tube.lips_rule_m, 1) + " cm, a help";
   return {name, tube.at_lips_m ? number(100.0 * *tube.at_lips_m, 1) + " cm" : std::string("not in the mouth"), rule,
           ""};
 }

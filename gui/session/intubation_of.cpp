@@ -20,6 +20,7 @@ constexpr double kFrench = 0.001 / 3;   // m
 constexpr double kThroatArea = 250e-6;  // m2, term: what secretions spread over (assumed)
 // Of the throat's floor, mm term: from the cords' level up, to either side of the middle.
 constexpr double kFloorBelow = 2.0, kFloorAbove = 8.0, kFloorAside = 3.0;
+constexpr double kMiddleOfLip = 5e-3;  // m term, to either side
 
 engine::Course course_of(InfantCourse course) {
   switch (course) {
@@ -55,7 +56,7 @@ double gap_between_gums(const pipeline::PatientPackage& package) {
   return kMetres * std::hypot(std::hypot(upper[0] - lower[0], upper[1] - lower[1]), upper[2] - lower[2]);
 }
 
-/// The lips' corners, m; none: the package tells no lips.
+/// Points of the lips' surface, m; none: the package tells no lips.
 std::vector<Vec3> lips_of(const pipeline::PatientPackage& package) {
   const pipeline::Surface& face = surface(package, "face");
   std::vector<Vec3> lips;
@@ -70,12 +71,13 @@ std::vector<Vec3> lips_of(const pipeline::PatientPackage& package) {
 }
 
 /// What the lips tell about the mouth: how far they reach to the side, and how far the upper one, at which a tube's
-/// mark is read, stands before the gums.
-void set_lips(const std::vector<Vec3>& lips, const Vec3& upwards, engine::IntubationDescription& d) {
+/// mark is read, stands before the gums in its middle.
+void set_lips(const std::vector<Vec3>& lips, const Vec3& upwards, double size, engine::IntubationDescription& d) {
   double half_width = 0.0;
   for (const Vec3& p : lips) {
-    half_width = std::max(half_width, std::abs(p.x() - d.mouth.x()));
-    if (upwards.dot(p - d.mouth) > 0.0)
+    const double aside = std::abs(p.x() - d.mouth.x());
+    half_width = std::max(half_width, aside);
+    if (aside < kMiddleOfLip * size && upwards.dot(p - d.mouth) > 0.0)
       d.lips_before_gums_m = std::max(d.lips_before_gums_m, -d.mouth_inward.dot(p - d.mouth));
   }
   d.mouth_half_width_m = static_cast<float>(half_width);
@@ -91,7 +93,7 @@ void set_mouth(const pipeline::PatientPackage& package, engine::IntubationDescri
   d.mouth_radius_m = mouth->radius_m;
   const pipeline::Point &upper = package.landmarks.at("upper_gum_midline"),
                         &lower = package.landmarks.at("lower_gum_midline");
-  set_lips(lips_of(package), Vec3(upper[0] - lower[0], upper[1] - lower[1], upper[2] - lower[2]), d);
+  set_lips(lips_of(package), Vec3(upper[0] - lower[0], upper[1] - lower[1], upper[2] - lower[2]), size_of(package), d);
   d.mouth_gap_m = gap_between_gums(package);
   if (d.tube.outer_diameter < d.mouth_gap_m) return;
   char text[256];

@@ -22,7 +22,10 @@ curricula::LogHeader header_of(const pipeline::PatientPackage& package, const cu
   header.has_intubation = scene.intubation.has_value();
   header.device_limit_n = scene.haptics.device_limit_n;
   header.settings = settings_of(scene);
-  if (scene.intubation) header.settings[curricula::kHeadExtension] = pipeline::kHeadExtendedDeg;
+  if (scene.intubation) {
+    header.settings[curricula::kHeadExtension] = pipeline::kHeadExtendedDeg;
+    header.settings[curricula::kLipsBeforeGums] = scene.intubation->lips_before_gums_m;
+  }
   header.landmarks_m = landmarks_in_metres(package);
   return header;
 }

@@ -118,6 +118,10 @@
         <source>Well done. Do it the same way again.</source>
         <translation>Gut gemacht. Machen Sie es wieder genauso.</translation>
     </message>
+    <message>
+        <source>The glottis was in sight: take the tube at once then, keep looking at the cords, and bring its tip through them.</source>
+        <translation>Die Glottis war zu sehen: Nehmen Sie dann sofort den Tubus, sehen Sie weiter auf die Stimmlippen und führen Sie seine Spitze zwischen ihnen hindurch.</translation>
+    </message>
 </context>
 <context>
     <name>AirwayMarks</name>
@@ -569,8 +573,8 @@
         <translation>Eine steife Zunge verleitet die Hand, weiterzudrücken und zu hebeln. Ging die Kraft über ihr Ziel, bevor etwas zu sehen war, dann lag die Spitze nicht tief genug in der Vallecula, oder das Anheben folgte nicht dem Griff.</translation>
     </message>
     <message>
-        <source>A term newborn of 3.2 kg that breathes by itself and is to be ventilated. Its saturation and heart rate are good: it needs no breaths by mask first, but between two attempts. Bring the blade in at the right corner, lift, and see at least 50 % of the glottis. Take the tube in your right hand, enter beside the blade, and watch its tip pass the cords when they open with a breath, until the black mark stands between them. Take the blade out within 30 seconds. Give breaths through the tube and look at the detector.</source>
-        <translation>Ein reifes Neugeborenes von 3,2 kg, das selbst atmet und beatmet werden soll. Sättigung und Herzfrequenz sind gut: Es braucht vorher keine Beatmung mit der Maske, wohl aber zwischen zwei Intubationsversuchen. Führen Sie den Spatel am rechten Mundwinkel ein, heben Sie an und stellen Sie mindestens 50 % der Glottis ein. Nehmen Sie den Tubus in die rechte Hand, gehen Sie neben dem Spatel hinein und sehen Sie zu, wie seine Spitze die Stimmlippen passiert, wenn sie sich mit einem Atemzug öffnen, bis die schwarze Marke zwischen ihnen steht. Nehmen Sie den Spatel innerhalb von 30 Sekunden heraus. Beatmen Sie durch den Tubus und sehen Sie auf den Detektor.</translation>
+        <source>A term newborn of 3.2 kg that breathes by itself and is to be ventilated. Its saturation and heart rate are good: it needs no breaths by mask first, but between two attempts; in life it would be given oxygen first. Bring the blade in at the right corner, lift, and see at least 50 % of the glottis. Take the tube in your right hand, enter beside the blade, and watch its tip pass the cords when they open with a breath, until the black mark stands between them. Take the blade out within 30 seconds. Give breaths through the tube and look at the detector.</source>
+        <translation>Ein reifes Neugeborenes von 3,2 kg, das selbst atmet und beatmet werden soll. Sättigung und Herzfrequenz sind gut: Es braucht vorher keine Beatmung mit der Maske, wohl aber zwischen zwei Intubationsversuchen; in Wirklichkeit bekäme es vorher Sauerstoff. Führen Sie den Spatel am rechten Mundwinkel ein, heben Sie an und stellen Sie mindestens 50 % der Glottis ein. Nehmen Sie den Tubus in die rechte Hand, gehen Sie neben dem Spatel hinein und sehen Sie zu, wie seine Spitze die Stimmlippen passiert, wenn sie sich mit einem Atemzug öffnen, bis die schwarze Marke zwischen ihnen steht. Nehmen Sie den Spatel innerhalb von 30 Sekunden heraus. Beatmen Sie durch den Tubus und sehen Sie auf den Detektor.</translation>
     </message>
     <message>
         <source>Saturation on the monitor is ten seconds old: the number you see belongs to the past. A rising heart rate is the first sign of success, a detector that turns yellow the second. If the tube met something hard, it was turned or drawn back, not pushed. Is the tip in the middle third between cords and carina? The mark at the lip is a help, no proof.</source>
@@ -694,11 +698,12 @@ Atemzug unter 90 % (Median).</translation>
     </message>
     <message>
         <source>A term newborn of 3.2 kg that breathes by itself and is to be ventilated. Its saturation and heart rate are good:
-it needs no breaths by mask first, but between two attempts. See at least 50 % of the glottis, take the tube in
+it needs no breaths by mask first, but between two attempts; in life it would be given oxygen first.
+See at least 50 % of the glottis, take the tube in
 the right hand, enter **beside** the blade, and watch its tip pass the cords until the black mark stands between
 them. Blade out within 30 seconds; then breaths through the tube, and look at the detector.</source>
-        <translation>Ein reifes Neugeborenes von 3,2 kg, das selbst atmet und beatmet werden soll. Sättigung und Herzfrequenz sind gut: Es braucht vorher keine Beatmung mit der Maske, wohl aber zwischen zwei Intubationsversuchen. Stellen Sie
-mindestens 50 % der Glottis ein, nehmen Sie den Tubus in die rechte Hand, gehen Sie **neben** dem Spatel hinein und sehen Sie zu, wie seine
+        <translation>Ein reifes Neugeborenes von 3,2 kg, das selbst atmet und beatmet werden soll. Sättigung und Herzfrequenz sind gut: Es braucht vorher keine Beatmung mit der Maske, wohl aber zwischen zwei Intubationsversuchen; in Wirklichkeit bekäme es vorher Sauerstoff.
+Stellen Sie mindestens 50 % der Glottis ein, nehmen Sie den Tubus in die rechte Hand, gehen Sie **neben** dem Spatel hinein und sehen Sie zu, wie seine
 Spitze die Stimmlippen passiert, bis die schwarze Marke zwischen ihnen steht. Spatel innerhalb von 30 Sekunden heraus; dann durch den Tubus
 beatmen und auf den Detektor sehen.</translation>
     </message>
@@ -4851,8 +4856,8 @@ Sekunden sind eine Obergrenze, kein Ziel.</translation>
         <translation>Länge des Tubus innerhalb der Oberlippe am Ende; nach der Regel, die eine Hilfe ist und nichts bewertet, das Gewicht in kg und 6 cm</translation>
     </message>
     <message>
-        <source>weight + %1: %2 cm, a help</source>
-        <translation>Gewicht + %1: %2 cm, als Hilfe</translation>
+        <source>scenario&apos;s weight + %1: %2 cm, a help</source>
+        <translation>Gewicht laut Szenario + %1: %2 cm, als Hilfe</translation>
     </message>
     <message>
         <source>not in the mouth</source>
@@ -8318,7 +8323,7 @@ Gerät: %3</translation>
     </message>
     <message>
         <source>Since breath</source>
-        <translation>Seit Hub</translation>
+        <translation>Seit Atemzug</translation>
     </message>
     <message>
         <source>Given %1/min</source>
@@ -8366,7 +8371,7 @@ Gerät: %3</translation>
     </message>
     <message>
         <source>%1 s since the last breath</source>
-        <translation>%1 s seit dem letzten Hub</translation>
+        <translation>%1 s seit dem letzten Atemzug</translation>
     </message>
     <message>
         <source>saturation %1 %</source>

@@ -57,7 +57,7 @@ FrameWatch& frame_watch() {
 }
 
 /// What is seen through is blended over what lies behind it, farthest first. VTK's own way needs no order, at the price
-/// of two more pictures to draw to: a seventh of a frame without a graphics card, for a tube and a ghost.
+/// of two more pictures to draw to: an eighth of a frame without a graphics card, for a tube and a ghost.
 vtkSmartPointer<vtkRenderPass> farthest_first(vtkRenderer& renderer) {
   auto* cullers = renderer.GetCullers();
   cullers->InitTraversal();

@@ -155,7 +155,7 @@ void MonitorPanel::count_breaths() {
   breaths_ = record_.breaths_given;
   // A closed cord or a tube elsewhere is what holds it off; through a tube in the airway it breathes as without.
   const bool tube_in = record_.place == engine::TipPlace::trachea || record_.place == engine::TipPlace::main_bronchus;
-  if (breathes_ && (tube_in || record_.glottis_opening > kShutCords)) own_breath_s_ = now_s_;
+  if (breathes_ && (!there_ || tube_in || record_.glottis_opening > kShutCords)) own_breath_s_ = now_s_;
   if (more == 0) return;
   last_breath_s_ = now_s_;
   // Of several at once nobody knows when they were: what was shown before was another moment.

@@ -234,6 +234,13 @@ void SagittalView::add_sight_line() {
   sight_->GetProperty()->SetLineWidth(2.0f);
 }
 
+/// What lies before or beside the mouth this far from the middle would be drawn through what the cut shows.
+bool SagittalView::beside_the_cut(const engine::Snapshot& snapshot) const {
+  constexpr double kAside_mm = 12.0;
+  return snapshot.has_intubation && snapshot.intubation.place == engine::TipPlace::outside &&
+         std::abs(1e3 * snapshot.intubation.tip_m.x() - look_->framing.midline_x_mm) > kAside_mm;
+}
+
 void SagittalView::update_from(const engine::Snapshot& snapshot, double sight_percent) {
   if (!look_ || snapshot.step < 0) return;
   const std::size_t nodes = look_->package.tongue.points.size();
@@ -248,6 +255,8 @@ void SagittalView::update_from(const engine::Snapshot& snapshot, double sight_pe
   if (words_scale_ != theme::look().text_scale) fit_words();
   for (MovingSurface& cut : moving_) cut.update(snapshot);
   if (tube_) tube_->update(snapshot);
+  if (tube_ && beside_the_cut(snapshot))
+    for (const auto& actor : tube_->actors()) actor->VisibilityOff();
   const auto in_front = [](const engine::Pose& pose) {
     auto matrix = tool_matrix(pose);
     matrix->SetElement(0, 3, matrix->GetElement(0, 3) + kTool);

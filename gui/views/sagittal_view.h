@@ -35,6 +35,7 @@ class SagittalView : public GlView {
   void add_anatomy_cuts();
   void add_soft_cut();
   void add_tool(const engine::TriangleMesh& tool);
+  bool beside_the_cut(const engine::Snapshot& snapshot) const;
   void add_sight_line();
   void add_intubation(const engine::IntubationDescription& intubation);
   void frame();

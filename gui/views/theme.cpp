@@ -125,10 +125,12 @@ class MeasuredWhenSeen : public QObject {
   bool eventFilter(QObject* watched, QEvent* event) override {
     if (event->type() != QEvent::StyleChange) return false;
     auto* scrolled = qobject_cast<QAbstractScrollArea*>(watched);
-    if (scrolled == nullptr || scrolled->isVisible()) return false;
+    const QWidget* around = scrolled == nullptr ? nullptr : scrolled->parentWidget();
+    // What is hidden on a page that is seen, as a table's numbers of rows, may never be shown and is measured all the
+    // same.
+    if (scrolled == nullptr || scrolled->isVisible() || (around != nullptr && around->isVisible())) return false;
     static OnceShown once_shown;
-    scrolled->removeEventFilter(&once_shown);  // waits once, however often the look changes meanwhile
-    scrolled->installEventFilter(&once_shown);
+    scrolled->installEventFilter(&once_shown);  // once, however often the look changes meanwhile
     return true;
   }
 

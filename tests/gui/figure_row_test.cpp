@@ -121,7 +121,7 @@ TEST(FigureRow, AnAbortedTrialHasNoAttemptsThatAreMetAndTheTubesMarkStandsBeside
     EXPECT_EQ(line(page, "Attempts").value, "2");
     EXPECT_EQ(line(page, "Attempts").verdict, "met");
     EXPECT_EQ(line(page, "Tube's mark at the lips").value, "9.1 cm");
-    EXPECT_EQ(line(page, "Tube's mark at the lips").limit, "weight + 6: 9.2 cm, a help");
+    EXPECT_EQ(line(page, "Tube's mark at the lips").limit, "scenario's weight + 6: 9.2 cm, a help");
     EXPECT_EQ(line(page, "Tube's mark at the lips").verdict, "")
         << "a rule that hits half of all infants judges nobody";
   }

@@ -148,6 +148,9 @@ TEST(Advice, OfAnIntubationPutsTheInfantAndTheTubeBeforeTheView) {
     tube.outcome = outcome;
     said.insert(what_to_change(score, scenario));
   }
+  score.time_of_first_sight_s = 5.0;
+  EXPECT_EQ(what_to_change(score, scenario).find("The glottis was in sight"), 0u) << "it need not be told to look";
+  score.time_of_first_sight_s = -1.0;
   tube.recognised_late = true;
   EXPECT_NE(what_to_change(score, scenario).find("oesophagus"), std::string::npos);
   said.insert(what_to_change(score, scenario));

@@ -33,6 +33,7 @@
 #include "gui/session/user_paths.h"
 #include "gui/session/user_settings.h"
 #include "tests/gui/block_patient.h"
+#include "tests/gui/coarse_infant.h"
 #include "tests/gui/program.h"
 #include "tests/gui/window_home.h"
 #include "tests/gui/window_screen.h"
@@ -382,6 +383,37 @@ TEST_F(WindowStart, WhatWasBeingPreparedForTheOneBeforeGivesWay) {
   wait_for([&] { return timer.elapsed() > 1500; });
   EXPECT_EQ(window_->page_name(), "records") << "what ended then takes nobody away from where he is";
   EXPECT_EQ(ready, 1);
+}
+
+// The manikin of 3.2 kg is no infant of 1.2 kg: its scenario is changed, and what was told of that is taken back.
+TEST_F(WindowStart, WhatIsToldOfAPatientsSizeGoesWithTheChoiceItSpeaksOf) {
+  const fs::path patient = test::coarse_infant();
+  window_ = std::make_unique<MainWindow>();
+  window_->show_start({curricula::load_curriculum(curricula_folder() / "first-intubation.yaml")});
+  window_->show();
+  StartPage& start = window_->start_page();
+  const auto told = [&] {
+    for (const QLabel* label : window_->findChildren<QLabel*>())
+      if (label->text().contains("as large as an infant of")) return true;
+    return false;
+  };
+  const auto take = [&] {
+    start.select("preterm-premedicated", "scripted:expert");
+    ASSERT_EQ(start.chosen_scenario(), "preterm-premedicated");
+    start.take_patient(patient);
+  };
+  take();
+  ASSERT_TRUE(wait_for([&] { return start.chosen_scenario() == "term-tube"; }));
+  EXPECT_TRUE(told());
+  start.select("delivery-room", "scripted:expert");
+  EXPECT_FALSE(told());
+  take();
+  start.select("laryngospasm", "scripted:expert");  // before the patient was looked at
+  QElapsedTimer timer;
+  timer.start();
+  wait_for([&] { return timer.elapsed() > 1500; });
+  EXPECT_EQ(start.chosen_scenario(), "laryngospasm");
+  EXPECT_FALSE(told());
 }
 
 TEST_F(WindowStart, AboutNamesEveryPartWithVersionAndLicence) {

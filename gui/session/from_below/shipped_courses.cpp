@@ -92,7 +92,8 @@ constexpr const char* kTexts[] = {
         "the handle."),
     QT_TRANSLATE_NOOP("Courses",
                       "A term newborn of 3.2 kg that breathes by itself and is to be ventilated. Its saturation and "
-                      "heart rate are good: it needs no breaths by mask first, but between two attempts. Bring the "
+                      "heart rate are good: it needs no breaths by mask first, but between two attempts; in life "
+                      "it would be given oxygen first. Bring the "
                       "blade in at the right corner, lift, and see at least 50 % of the glottis. Take the tube in your "
                       "right hand, enter beside the blade, and watch its tip pass the cords when "
                       "they open with a breath, until the black mark stands between them. Take the blade out within 30 "
@@ -197,7 +198,8 @@ constexpr const char* kTexts[] = {
     QT_TRANSLATE_NOOP(
         "Courses",
         "A term newborn of 3.2 kg that breathes by itself and is to be ventilated. Its saturation and heart "
-        "rate are good:\nit needs no breaths by mask first, but between two attempts. See at least 50 % of the "
+        "rate are good:\nit needs no breaths by mask first, but between two attempts; in life it would be given oxygen "
+        "first.\nSee at least 50 % of the "
         "glottis, take the tube in\nthe right hand, enter **beside** the blade, and watch its tip pass the cords "
         "until the black mark stands between\nthem. Blade out within 30 seconds; then breaths through the tube, and "
         "look at the detector."),

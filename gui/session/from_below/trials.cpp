@@ -92,7 +92,7 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("FromBelow", "attempt"),
     QT_TRANSLATE_NOOP("FromBelow", "Tip's depth"),
     QT_TRANSLATE_NOOP("FromBelow", "Tube's mark at the lips"),
-    QT_TRANSLATE_NOOP("FromBelow", "weight + %1: %2 cm, a help"),
+    QT_TRANSLATE_NOOP("FromBelow", "scenario's weight + %1: %2 cm, a help"),
     QT_TRANSLATE_NOOP("FromBelow", "not in the mouth"),
     QT_TRANSLATE_NOOP("FromBelow", "Time to view, blade in to glottis in sight"),
     QT_TRANSLATE_NOOP("FromBelow", "Time to pass, view to cords passed"),

@@ -47,6 +47,7 @@ inline TrialLog log_of(const Change& change = {}, double seconds = 40.0) {
   log.header.has_intubation = true;
   log.header.schema = 3;
   log.header.settings[kCordsToCarina] = 0.048;
+  log.header.settings[kLipsBeforeGums] = 0.0056;
   log.header.landmarks_m = {{"upper_gum_midline", {0, 0, 0}},
                             {"lower_gum_midline", {0, 0.0032, -0.0208}},
                             {"vallecula", {0, 0.0285, -0.0415}}};
@@ -81,7 +82,9 @@ inline TrialLog log_of(const Change& change = {}, double seconds = 40.0) {
   return log;
 }
 
-inline Score score_of(const Change& change = {}, const Scenario& s = scenario()) { return score_trial(log_of(change), s); }
+inline Score score_of(const Change& change = {}, const Scenario& s = scenario()) {
+  return score_trial(log_of(change), s);
+}
 
 /// The tube's tip goes nowhere of itself: outside for the whole trial, until `change` puts it somewhere.
 inline Change never_in(const Change& change = {}) {

@@ -381,6 +381,9 @@ TEST(IntubationScore, TheMarkAtTheLipsIsTheTubesAtTheEndAndItsRuleIsTheWeightAnd
   EXPECT_NEAR(score_of({}, small).intubation->lips_rule_m, 0.072, 1e-12);
   EXPECT_FALSE(at_end(LoggedInHand::catheter, 0.091).intubation->at_lips_m) << "that is no tube";
   EXPECT_FALSE(at_end(LoggedInHand::tube, 0.0).intubation->at_lips_m) << "it is out";
+  TrialLog old = log_of([](LogTick& t) { t.intubation.at_mouth_m = 0.091; });
+  old.header.settings.erase(kLipsBeforeGums);
+  EXPECT_FALSE(score_trial(old, scenario()).intubation->at_lips_m) << "it was read at the gums then";
   const auto json = QJsonDocument::fromJson(QByteArray::fromStdString(score_to_json(s, log_of(), scenario())))
                         .object()["intubation"]
                         .toObject();

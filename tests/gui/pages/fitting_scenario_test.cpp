@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "gui/session/patient_fit.h"
 #include "gui/session/user_paths.h"
 
 namespace vallecula::gui {

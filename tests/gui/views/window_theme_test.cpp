@@ -118,7 +118,6 @@ TEST_F(WindowTheme, ValuesOfTheResultStayLargerThanTheirLabels) {
   }
 }
 
-// The colours of the charts (Okabe and Ito), as drawn on white.
 /// How often anybody asks how large it has to be.
 class Measured : public QLabel {
  public:
@@ -164,6 +163,7 @@ TEST_F(WindowTheme, WhatNobodySeesIsMeasuredWhenItIsSeen) {
   EXPECT_EQ(area->verticalScrollBar()->maximum(), truth->verticalScrollBar()->maximum());
 }
 
+// The colours of the charts (Okabe and Ito), as drawn on white.
 TEST_F(WindowTheme, AChartForPaperIsReadOnADarkGroundInItsOwnHues) {
   QImage paper(9, 1, QImage::Format_RGB32);
   const std::vector<QColor> colours{Qt::white,
