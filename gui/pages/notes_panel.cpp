@@ -28,6 +28,7 @@ NotesPanel::NotesPanel(QWidget* parent) : QWidget(parent) {
   told_ = new QLabel(this);
   told_->setObjectName("faint");
   told_->setWordWrap(true);
+  told_->hide();
   auto* row = new QHBoxLayout;
   row->addWidget(text_, 1);
   row->addWidget(add_);
@@ -109,8 +110,7 @@ void NotesPanel::ask(std::function<void(curricula::Notes&, long long)> change) {
       [this, written, writing, of = opened_](const Answer& notes) {
         if (of != opened_) return;
         allow(notes.has_value());
-        told_->setText(notes ? QString()
-                             : tr("This trial is in no record of this station, so notes have no place to be kept."));
+        tell(notes ? QString() : tr("This trial is in no record of this station, so notes have no place to be kept."));
         show_notes(notes.value_or(std::vector<curricula::Note>()));
         if (written) text_->clear();
         if (writing) text_->setFocus();  // the next one
@@ -118,8 +118,13 @@ void NotesPanel::ask(std::function<void(curricula::Notes&, long long)> change) {
       [this, written, of = opened_](const QString& message) {
         if (of != opened_) return;
         allow(written);  // what could be read can be tried again
-        told_->setText(message);
+        tell(message);
       });
+}
+
+void NotesPanel::tell(const QString& message) {
+  told_->setText(message);
+  told_->setVisible(!message.isEmpty());  // with large text there is room for list and buttons alone
 }
 
 void NotesPanel::show_notes(const std::vector<curricula::Note>& notes) {

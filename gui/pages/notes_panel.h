@@ -37,6 +37,7 @@ class NotesPanel : public QWidget {
   void listed(const std::vector<double>& at_s);
 
  private:
+  void tell(const QString& message);  ///< what is wrong; empty: nothing is
   /// Asks the records on a thread of its own: they may be on a server.
   void ask(std::function<void(curricula::Notes&, long long trial)> change);
   void show_notes(const std::vector<curricula::Note>& notes);

@@ -121,6 +121,8 @@ TEST_F(WindowReplay, KeepsNotesAtTheirSecond) {
   ASSERT_TRUE(wait_for([&] { return list.count() == 1; }));
   EXPECT_DOUBLE_EQ(list.time_of(0), 0.5);
   EXPECT_EQ(text.text(), "");
+  EXPECT_LE(text.geometry().top() - list.geometry().bottom(), notes.layout()->spacing() + 8)
+      << "nothing empty takes room between list and line";
   key(text, Qt::Key_Escape);
   EXPECT_TRUE(page.is_open()) << "out of the note, not out of the replay";
   page.seek(0.0);
