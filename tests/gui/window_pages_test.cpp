@@ -150,6 +150,9 @@ TEST(Advice, OfAnIntubationPutsTheInfantAndTheTubeBeforeTheView) {
   }
   score.time_of_first_sight_s = 5.0;
   EXPECT_EQ(what_to_change(score, scenario).find("The glottis was in sight"), 0u) << "it need not be told to look";
+  tube.lowest_heart_per_min = 80.0;
+  EXPECT_NE(what_to_change(score, scenario).find("heart"), std::string::npos) << "given up or not, the infant first";
+  tube.lowest_heart_per_min.reset();
   score.time_of_first_sight_s = -1.0;
   tube.recognised_late = true;
   EXPECT_NE(what_to_change(score, scenario).find("oesophagus"), std::string::npos);

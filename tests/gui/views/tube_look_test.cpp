@@ -211,6 +211,12 @@ class TubeViews : public Screen {
     snapshot.proxy_pose.position = snapshot.device_pose.position = {0, -5, 0};
     return snapshot;
   }
+  void open(SagittalView& view) const {
+    view.resize(400, 480);
+    view.show_patient(make_patient_look(patient()), plain_blade(), &intubation_);
+    view.show();
+    QApplication::processEvents();
+  }
 };
 
 TEST_F(TubeViews, TheTubeIsSeenByTheOperatorOnTheRight) {
@@ -233,10 +239,7 @@ TEST_F(TubeViews, TheTubeIsSeenByTheOperatorOnTheRight) {
 
 TEST_F(TubeViews, TheCutReachesTheCarinaAndHasTheTubeInTheTrachea) {
   SagittalView view;
-  view.resize(400, 480);
-  view.show_patient(make_patient_look(patient()), plain_blade(), &intubation_);
-  view.show();
-  QApplication::processEvents();
+  open(view);
   ASSERT_TRUE(view.isValid());
   engine::Snapshot snapshot = rest();
   view.update_from(snapshot, 25.0);
@@ -260,12 +263,29 @@ TEST_F(TubeViews, TheCutReachesTheCarinaAndHasTheTubeInTheTrachea) {
   EXPECT_LT(mark.y, good.y) << "the mark is above the good depth";
 }
 
+// Out beside the cheek it would be drawn through windpipe and spine: a cut shows what lies about its plane.
+TEST_F(TubeViews, TheCutShowsNoTubeThatLiesBesideTheHead) {
+  SagittalView view;
+  open(view);
+  ASSERT_TRUE(view.isValid());
+  engine::Snapshot snapshot = rest();
+  view.update_from(snapshot, 25.0);
+  const QImage without = view.picture();
+  lay_tube(snapshot, intubation_, way_to_trachea(patient()), 1, 20.0);
+  snapshot.intubation.place = engine::TipPlace::outside;
+  const auto seen_at = [&](double aside_mm) {
+    snapshot.intubation.tip_m.x() = 1e-3 * (patient().landmarks.at("glottis_centre")[0] + aside_mm);
+    view.update_from(snapshot, 25.0);
+    return difference(without, view.picture()).pixels;
+  };
+  EXPECT_GT(seen_at(5.0), 300) << "before the mouth it is seen";
+  EXPECT_LT(seen_at(25.0), 30);
+  EXPECT_GT(seen_at(5.0), 300) << "and is there again";
+}
+
 TEST_F(TubeViews, TheCutsWordsFollowTheTextsSizeWhileItIsOpen) {
   SagittalView view;
-  view.resize(400, 480);
-  view.show_patient(make_patient_look(patient()), plain_blade(), &intubation_);
-  view.show();
-  QApplication::processEvents();
+  open(view);
   ASSERT_TRUE(view.isValid());
   const auto white = [&](double scale) {
     theme::apply(*qApp, {theme::Ground::dark, scale});
