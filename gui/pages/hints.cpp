@@ -12,39 +12,55 @@ constexpr double kResistanceN = 0.5;  // along the tube, at its tip
 constexpr double kClosed = 0.15;      // of the cords' opening
 constexpr int kBreathsToTell = 6;     // CLINICAL: the detector changes within 5 or 6
 
+/// Out of sight below the cords or behind the larynx a person knows only that the tube went in.
+bool passed(const engine::IntubationRecord& now) {
+  using engine::TipPlace;
+  return now.place == TipPlace::trachea || now.place == TipPlace::main_bronchus || now.place == TipPlace::oesophagus;
+}
+
 }  // namespace
 
 QString key_to_the_tube(bool takes_turns, Tool in_hand) {
   return takes_turns && in_hand != Tool::tube ? QString("X") : QString();
 }
 
-QString hint_for(const engine::Snapshot& snapshot, double sight_percent, bool blade_in, const QString& other_hand) {
-  using engine::InHand;
-  using engine::TipPlace;
+QString need_of(const engine::Snapshot& snapshot, bool blade_in) {
   const engine::IntubationRecord& now = snapshot.intubation;
-  // Out of sight below the cords or behind the larynx a person knows only that the tube went in.
-  const bool passed =
-      now.place == TipPlace::trachea || now.place == TipPlace::main_bronchus || now.place == TipPlace::oesophagus;
-  const bool something_in = blade_in || now.place != TipPlace::outside;
+  const bool something_in = blade_in || now.place != engine::TipPlace::outside;
   if (now.heart_per_min < kCompressions)
     return QCoreApplication::translate(
         "Hints",
         "Heart rate below 60. Stop the attempt: blade and tube out, ventilate by mask (hold B); in life, "
         "compressions.");
-  if ((now.heart_per_min < kSlowHeart || now.spo2 < kLowSpo2) && !(passed && now.detector_yellow)) {
-    if (something_in)
-      return QCoreApplication::translate(
-          "Hints",
-          "Stop this attempt: blade and tube out, then hold B to ventilate until the heart rate is above 100 and "
-          "SpO2 is back.");
+  if (now.heart_per_min >= kSlowHeart && now.spo2 >= kLowSpo2) return {};
+  if (passed(now) && now.detector_yellow) return {};  // it is being ventilated
+  if (something_in)
     return QCoreApplication::translate(
-        "Hints", "Hold B to ventilate by mask until the heart rate is above 100 and SpO2 is back. SpO2 lags behind.");
-  }
+        "Hints",
+        "Stop this attempt: blade and tube out, then hold B to ventilate until the heart rate is above 100 and "
+        "SpO2 is back.");
+  return QCoreApplication::translate(
+      "Hints", "Hold B to ventilate by mask until the heart rate is above 100 and SpO2 is back. SpO2 lags behind.");
+}
+
+Banner need_before(const engine::Snapshot& snapshot, const QString& need, const QString& alert) {
+  const QString hand =
+      snapshot.state == engine::HapticState::lost
+          ? ' ' + QCoreApplication::translate("Hints", "Bring the grey blade back to the steel one.")
+          : QString();
+  return {need + hand, !alert.isEmpty() || snapshot.intubation.heart_per_min < kCompressions};
+}
+
+QString hint_for(const engine::Snapshot& snapshot, double sight_percent, bool blade_in, const QString& other_hand) {
+  using engine::InHand;
+  using engine::TipPlace;
+  const engine::IntubationRecord& now = snapshot.intubation;
+  if (const QString need = need_of(snapshot, blade_in); !need.isEmpty()) return need;
   if (now.in_hand == InHand::catheter)
     return QCoreApplication::translate(
         "Hints",
         "Suction catheter: its tip into the secretions, then hold V. Out of the mouth, C gives the tube back.");
-  if (passed) {
+  if (passed(now)) {
     if (now.detector_yellow)
       return QCoreApplication::translate(
           "Hints",

@@ -8,6 +8,19 @@
 
 namespace vallecula::gui {
 
+/// What the infant needs before anything else is done; empty: nothing. Of a scene with an intubation, as hint_for,
+/// which says it first.
+QString need_of(const engine::Snapshot& snapshot, bool blade_in);
+
+/// As it stands under the view; loud: as an alarm.
+struct Banner {
+  QString words;
+  bool loud = false;
+};
+/// What the infant needs, before what the device wants, which says in few words what a hand that lost the blade does.
+/// `need` of need_of and not empty; `alert`: what the device wants, else empty.
+Banner need_before(const engine::Snapshot& snapshot, const QString& need, const QString& alert);
+
 /// Of a scene with an intubation. `sight_percent`: from where on the glottis counts as in sight; `blade_in`: the
 /// blade's tip is in the mouth; `other_hand`: the key that takes the tube, empty where a hand
 /// has it.

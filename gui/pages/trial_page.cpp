@@ -57,7 +57,7 @@ void TrialPage::open(std::shared_ptr<TrialSession> session, std::shared_ptr<Pati
   show_steered();
   QStringList warned;
   for (const auto& misfit : misfits(session_->package(), scenario)) warned << QString::fromStdString(misfit);
-  show_banner(warned.join("\n"), "");
+  show_banner({warned.join("\n"), !warned.isEmpty()});
   show_buttons();
   timer_.start();
   setFocus();
@@ -77,6 +77,8 @@ void TrialPage::start() {
   running_ = true;
   frames_ = 0;
   since_start_.start();
+  flow_.begin(run_s());
+  seen_again_s_ = -1.0;
   since_shown_.start();
   since_frame_.start();
   show_buttons();
@@ -142,11 +144,13 @@ void TrialPage::begin_anew(bool at_vallecula) {
     return;
   }
   if (running_) since_start_.restart();
+  flow_.begin(run_s());
+  seen_again_s_ = -1.0;
   since_shown_.restart();
   panels_->distractions().serve(&session_->dual_task(), session_->by_person());
   frames_ = 0;
   panels_->clear();
-  show_banner("", "");
+  show_banner({});
   steer();
   if (session_->scene().intubation) hands_->serve(&session_->actions(), session_->takes_turns());
   show_steered();
@@ -179,7 +183,7 @@ void TrialPage::end(const QString& how) {
   hands_->serve(nullptr, false);
   helps_->serve(nullptr);
   panels_->close_trial();
-  show_banner(tr("Scoring the trial ..."), "");
+  show_banner({tr("Scoring the trial ..."), true});
   show_buttons();
   scoring_ = run_in_background<TrialOutcome>(
       this,

@@ -11,7 +11,9 @@
 #include <memory>
 #include <vector>
 
+#include "gui/pages/hints.h"
 #include "gui/pages/key_list.h"
+#include "gui/pages/picture_flow.h"
 #include "gui/session/trial_session.h"
 #include "gui/views/patient_look.h"
 
@@ -136,8 +138,7 @@ class TrialPage : public QWidget {
   void end_reading();
   void expert_pressed();
   void vallecula_pressed();
-  /// An alert hides the hint.
-  void show_banner(const QString& alert, const QString& hint);
+  void show_banner(const Banner& banner);
   QWidget* make_centre();
   QLayout* make_head();
   QWidget* make_foot();
@@ -147,6 +148,11 @@ class TrialPage : public QWidget {
   void take_expert(std::shared_ptr<ExpertLoop> loop);
   void draw_expert();
   void show_running(const engine::Snapshot& snapshot);
+  void show_words(const engine::Snapshot& snapshot, const QString& pause);
+  double run_s() const;
+  void picture_came();
+  void let_go_of_what_is_seen_again();
+  QString waited_words() const;
 
   std::shared_ptr<TrialSession> session_;
   std::shared_ptr<PatientLook> look_;
@@ -173,6 +179,8 @@ class TrialPage : public QWidget {
   bool running_ = false, ending_ = false;
   bool end_refused_ = false;  ///< somebody wanted to end it while an instructor holds it
   int frames_ = 0;
+  PictureFlow flow_;
+  double seen_again_s_ = -1.0;  ///< when a trial that waited for its picture was let go; < 0: none was
 };
 
 }  // namespace vallecula::gui

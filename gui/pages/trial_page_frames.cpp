@@ -2,6 +2,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QRegularExpression>
+#include <algorithm>
 
 #include "device/drivers/mouse_device.h"
 #include "gui/pages/blade_control.h"
@@ -24,6 +25,8 @@ namespace vallecula::gui {
 namespace {
 
 constexpr int kRestMs = 500;
+constexpr double kLongestStepS = 0.1;  // of a held key: after a picture that stood, its way is not made up for
+constexpr double kWaitToldS = 8.0;
 
 /// For a device in the hand that is no mouse.
 QString device_help(const device::DeviceInfo& info) {
@@ -83,10 +86,30 @@ void TrialPage::show_steered() {
   show_help();
 }
 
-double TrialPage::frames_per_second() const {
-  return since_start_.isValid() && since_start_.elapsed() > 0
-             ? 1e3 * frames_ / static_cast<double>(since_start_.elapsed())
-             : 0.0;
+double TrialPage::run_s() const {
+  return since_start_.isValid() ? 1e-3 * static_cast<double>(since_start_.elapsed()) : 0.0;
+}
+
+double TrialPage::frames_per_second() const { return run_s() > 0.0 ? frames_ / run_s() : 0.0; }
+
+void TrialPage::picture_came() {
+  if (!session_ || !running_) return;
+  flow_.came(run_s());
+  session_->picture_shown();
+}
+
+/// A trial that waits for its picture is let go once pictures flow again; the hand takes hold as after any pause.
+void TrialPage::let_go_of_what_is_seen_again() {
+  if (!session_->frozen_by(Holder::picture) || !flow_.flows(run_s())) return;
+  hand_to_blade();
+  session_->freeze(Holder::picture, false);
+  seen_again_s_ = run_s();
+}
+
+QString TrialPage::waited_words() const {
+  if (seen_again_s_ < 0.0 || run_s() - seen_again_s_ > kWaitToldS) return {};
+  return tr("For %1 s no picture came to the screen; the trial waited. If it happens again, close other programs.")
+      .arg(flow_.last_gap_s(), 0, 'f', 0);
 }
 
 void TrialPage::draw_frame() {
@@ -100,11 +123,12 @@ void TrialPage::draw_frame() {
       show_ways_out();
       if (!held_by_instructor()) hand_to_blade();  // before a hand that holds still takes hold by itself
     }
+    let_go_of_what_is_seen_again();
     if (expert_wanted_) {
       draw_expert();
       emit waited();
     } else {
-      control_->advance(seconds);
+      control_->advance(std::min(seconds, kLongestStepS));
       const engine::Snapshot& snapshot = session_->latest();
       control_->feel(snapshot.model_force_n.norm(), session_->scene().haptics.device_limit_n);
       show_running(snapshot);
@@ -137,7 +161,7 @@ void TrialPage::show_running(const engine::Snapshot& snapshot) {
   operator_view_->draw();
   panels_->readings_panel().set_led(session_->led_in());
   panels_->show_snapshot(snapshot, session_->scenario().sight_percent, session_->paused_s(), session_->peaks());
-  panels_->readings_panel().show_drawing(frames_per_second(), GlView::governor().reduced());
+  panels_->readings_panel().show_drawing(flow_.per_second(), GlView::governor().reduced());
   hands_->show_snapshot(snapshot);
   helps_->refresh();
   const QString pause =
@@ -145,23 +169,33 @@ void TrialPage::show_running(const engine::Snapshot& snapshot) {
   const QString refused = end_refused_ ? " " + tr("Until then it is not ended here: ask your instructor.") : QString();
   sound_->hear(snapshot, !pause.isEmpty());
   if (session_->takes_turns() && session_->in_hand() != shown_in_hand_) show_steered();
-  const bool hinted = curricula::rules_of(session_->scenario().attempt.mode).assistance;  // a help like the others
-  show_banner(session_->led_in() && pause.isEmpty() ? tr("The blade is being led to the vallecula; then it is yours.")
-                                 : banner_for(snapshot, in_words(session_->fault()), pause + refused),
-              snapshot.has_intubation && hinted
-                  ? hint_for(snapshot, session_->scenario().sight_percent, operator_view_->blade_in(),
-                             key_to_the_tube(session_->takes_turns(), session_->in_hand()))
-                  : QString());
+  show_words(snapshot, pause.isEmpty() ? QString() : pause + refused);
 }
 
-void TrialPage::show_banner(const QString& alert, const QString& hint) {
-  const QString& text = alert.isEmpty() ? hint : alert;
-  if (banner_->text() == text && !banner_->styleSheet().isEmpty()) return;
-  banner_->setText(text);
-  banner_->setStyleSheet(
-      alert.isEmpty() ? QString("padding: 6px 10px; font-size: %1pt;").arg(theme::points(11.0))
-                      : QString("background: %1; color: %2; padding: 6px 10px; border-radius: 5px; font-weight: bold;")
-                            .arg(theme::device().name(), theme::ground().name()));
+/// The infant's need comes before what the device wants, a fault and a pause before both: in those nothing goes on.
+void TrialPage::show_words(const engine::Snapshot& snapshot, const QString& pause) {
+  const QString fault = in_words(session_->fault()), waited = waited_words();
+  const QString alert = banner_for(snapshot, fault, pause);
+  const bool hinted = snapshot.has_intubation && curricula::rules_of(session_->scenario().attempt.mode).assistance;
+  if (hinted && pause.isEmpty() && fault.isEmpty()) {
+    const QString need = need_of(snapshot, operator_view_->blade_in());
+    if (!need.isEmpty()) return show_banner(need_before(snapshot, need, alert));
+  }
+  if (session_->led_in() && pause.isEmpty())
+    return show_banner({tr("The blade is being led to the vallecula; then it is yours."), true});
+  if (!alert.isEmpty()) return show_banner({alert, true});
+  if (!waited.isEmpty() || !hinted) return show_banner({waited});
+  show_banner({hint_for(snapshot, session_->scenario().sight_percent, operator_view_->blade_in(),
+                        key_to_the_tube(session_->takes_turns(), session_->in_hand()))});
+}
+
+void TrialPage::show_banner(const Banner& banner) {
+  const QString style =
+      banner.loud ? QString("background: %1; color: %2; padding: 6px 10px; border-radius: 5px; font-weight: bold;")
+                        .arg(theme::device().name(), theme::ground().name())
+                  : QString("padding: 6px 10px; font-size: %1pt;").arg(theme::points(11.0));
+  if (banner_->styleSheet() != style) banner_->setStyleSheet(style);
+  if (banner_->text() != banner.words) banner_->setText(banner.words);
 }
 
 bool TrialPage::held_by_instructor() const { return session_ && running_ && session_->frozen_by(Holder::instructor); }

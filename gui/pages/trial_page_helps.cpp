@@ -38,7 +38,7 @@ void TrialPage::show_expert() {
   try {
     session_->freeze(Holder::expert, true);
   } catch (const std::exception& error) {
-    return show_banner(in_words(error.what()), "");
+    return show_banner({in_words(error.what()), true});
   }
   expert_wanted_ = true;
   control_->steer(nullptr);  // whatever the mouse does now is no steering
@@ -52,7 +52,7 @@ void TrialPage::show_expert() {
   expert_sign_->show();
   steered_->hide();  // nothing is steered meanwhile, and the sign stands there
   helps_->expert()->setText(tr("Back to my trial (G)"));
-  show_banner(tr("An expert's hands at this patient, computed for it. Esc or G: back to your trial."), "");
+  show_banner({tr("An expert's hands at this patient, computed for it. Esc or G: back to your trial."), true});
   since_expert_.invalidate();
   if (expert_ || expert_coming_) return;
   expert_coming_ = true;
@@ -69,7 +69,7 @@ void TrialPage::show_expert() {
         if (session_.get() != of) return;
         expert_coming_ = false;
         end_expert();
-        show_banner(tr("The expert cannot be shown: %1").arg(message), "");
+        show_banner({tr("The expert cannot be shown: %1").arg(message), true});
       });
 }
 

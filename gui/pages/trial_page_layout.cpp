@@ -43,7 +43,7 @@ TrialPage::TrialPage(QWidget* parent) : QWidget(parent) {
   hands_->hide();
   steered_->hide();
   sound_->hide();
-  show_banner("", "");
+  show_banner({});
   show_buttons();
 }
 
@@ -73,6 +73,7 @@ QWidget* TrialPage::make_centre() {
   auto* centre = new QWidget(this);
   operator_view_ = new OperatorView(centre);
   operator_view_->setMinimumSize(400, 240);
+  connect(operator_view_, &GlView::painted, this, &TrialPage::picture_came);
   control_ = new BladeControl(operator_view_);
   introduction_ = new MouseIntroduction(centre);
   connect(control_, &BladeControl::gain_changed, this, [this](double gain) {

@@ -165,6 +165,7 @@ void TrialAttempt::record_in_real_time() {
   engine::TickRecord tick;
   while (!stop_asked_ && ended_by_.empty()) {
     while (runner_.pop(tick)) record(tick);
+    hold_what_is_not_seen();
     std::this_thread::sleep_for(kRecorderPeriod);
   }
   {
@@ -172,6 +173,13 @@ void TrialAttempt::record_in_real_time() {
     runner_.stop();
   }
   while (runner_.pop(tick)) record(tick);
+}
+
+/// From this thread, since the window's may be what waits for the picture.
+void TrialAttempt::hold_what_is_not_seen() {
+  if (!frame_.picture.stands()) return;
+  const std::lock_guard<std::recursive_mutex> lock(gate_);
+  if (!stop_asked_ && !frame_.hands.frozen_by(Holder::picture)) frame_.hands.freeze(Holder::picture, true);
 }
 
 void TrialAttempt::run_at_full_speed() {

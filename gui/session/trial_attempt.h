@@ -19,6 +19,7 @@
 #include "engine/haptics/runner.h"
 #include "gui/session/dual_task.h"
 #include "gui/session/peaks_so_far.h"
+#include "gui/session/picture_watch.h"
 #include "gui/session/results_folder.h"
 #include "gui/session/trial_record.h"
 #include "gui/session/two_hands.h"
@@ -33,6 +34,7 @@ struct AttemptFrame {
   const std::filesystem::path& final_out;  ///< as TrialSetup's
   TwoHands& hands;
   DualTask& dual_task;
+  const PictureWatch& picture;
   bool realtime;
   bool answers_itself;  ///< its script answers what is asked beside the hands
 };
@@ -78,6 +80,7 @@ class TrialAttempt {
   void record(const engine::TickRecord& tick);
   void follow(const curricula::LogTick& logged, const engine::TickRecord& tick);
   void record_in_real_time();
+  void hold_what_is_not_seen();
   void run_at_full_speed();
   void join();
   std::string keep_fault(const std::filesystem::path& file) const;

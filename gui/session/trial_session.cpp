@@ -11,6 +11,7 @@
 #include "gui/session/files.h"
 #include "gui/session/hands_port.h"
 #include "gui/session/log_paths.h"
+#include "gui/session/picture_watch.h"
 #include "gui/session/placed_tool.h"
 #include "gui/session/results_folder.h"
 #include "gui/session/scene_from_package.h"
@@ -63,6 +64,7 @@ struct TrialSession::Impl {
   void must_be_practice(const char* what) const;
   curricula::LogHeader header(std::int64_t lead_in_ticks) const;
   bool by_person() const;
+  bool second_by_person() const;
   long long trainee() const;
   TrialOutcome finish(const std::string& how);
 
@@ -78,6 +80,7 @@ struct TrialSession::Impl {
   std::string tool_ply;  ///< of a tool of its own: the bytes of its file; else empty
   ResultsFolder results;
   std::unique_ptr<TwoHands> hands;
+  PictureWatch picture;
   std::unique_ptr<TrialAttempt> attempt;
   engine::Snapshot at_start;
   std::vector<std::string> notices;  ///< of what was cut off before
@@ -112,14 +115,19 @@ TrialSession::Impl::Impl(const TrialSetup& given)
 
 bool TrialSession::Impl::by_person() const { return is_of_person(hands->device()); }
 
+bool TrialSession::Impl::second_by_person() const {
+  device::HapticDevice* second = hands->second_device();
+  return second != nullptr && is_of_person(*second);
+}
+
 /// What scripts and records do, with one hand or both, is nobody's trial.
 long long TrialSession::Impl::trainee() const {
-  device::HapticDevice* second = hands->second_device();
-  return by_person() && (second == nullptr || is_of_person(*second)) ? setup.trainee_id : 0;
+  return by_person() && (hands->second_device() == nullptr || second_by_person()) ? setup.trainee_id : 0;
 }
 
 void TrialSession::Impl::make_attempt(bool at_vallecula) {
   attempt.reset();
+  picture.begin_anew();
   engine::HapticPort& port = hands->begin();
   std::int64_t lead_in_ticks = 0;
   if (at_vallecula) {
@@ -132,7 +140,7 @@ void TrialSession::Impl::make_attempt(bool at_vallecula) {
       mouse->place(there.position_m, there.rotation_wxyz);
   }
   attempt = std::make_unique<TrialAttempt>(
-      AttemptFrame{scenario, results, tool_ply, setup.final_out, *hands, dual_task, setup.realtime,
+      AttemptFrame{scenario, results, tool_ply, setup.final_out, *hands, dual_task, picture, setup.realtime,
                    answers_distractions(setup.device)},
       scene, port, header(lead_in_ticks),
       curricula::OpenTrial{"", "", curriculum.id, scenario.id, hands->kind(), results.log(), trainee(),
@@ -216,6 +224,9 @@ void TrialSession::confirm() { impl_->hands->confirm(); }
 void TrialSession::freeze(Holder holder, bool on) {
   if (on) impl_->must_be_practice("is not held up");
   impl_->hands->freeze(holder, on);
+}
+void TrialSession::picture_shown() {
+  if (impl_->by_person() || impl_->second_by_person()) impl_->picture.shown();
 }
 bool TrialSession::frozen() const { return impl_->hands->frozen(); }
 bool TrialSession::frozen_by(Holder holder) const { return impl_->hands->frozen_by(holder); }

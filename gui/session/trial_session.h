@@ -94,6 +94,10 @@ class TrialSession {
   /// after any pause, when the hand confirms. A reset lets nobody go. Logged as a pause that names who held it. Throws
   /// std::runtime_error in an assessment. Window's thread.
   void freeze(Holder holder, bool on);
+  /// A picture of the trial came to the screen. From the first one on a trial that a person steers is held by
+  /// Holder::picture, an assessment too, once none has come for PictureWatch::kLongest: it is the caller who lets it
+  /// go when pictures come again. Any thread.
+  void picture_shown();
   bool frozen() const;                  ///< by anybody; any thread
   bool frozen_by(Holder holder) const;  ///< any thread
   /// No tick comes any more, and the hands are nobody's: waits for neither disk nor records. What is left to do is the

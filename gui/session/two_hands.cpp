@@ -113,7 +113,12 @@ std::string TwoHands::pause() const {
     if (frozen_by(Holder::instructor)) return "The trial is held by the instructor: it goes on when they let it go.";
     if (frozen_by(Holder::expert)) return "The trial is held by you for as long as you look at the expert (G).";
     if (frozen_by(Holder::reader)) return "The trial is held by you for as long as the list of keys is open.";
+    if (frozen_by(Holder::picture)) return "No picture comes to the screen: the trial waits.";
   }
+  if (guard_->state() == device::GuardState::confirming && guard_->fault() == device::DeviceFault::frozen &&
+      last_held_ == static_cast<std::uint32_t>(Holder::picture))
+    return "The picture is back. To go on press Enter or a button of the device, or hold the grey blade on the steel "
+           "one for half a second.";
   const std::string words = pause_words(guard_->state(), guard_->fault(), device_->confirms_itself());
   if (!words.empty() || !second_guard_) return words;
   const std::string of_second =
@@ -128,6 +133,7 @@ void TwoHands::confirm() {
 
 void TwoHands::freeze(Holder holder, bool on) {
   const auto bit = static_cast<std::uint32_t>(holder);
+  const std::lock_guard<std::mutex> lock(holding_);
   on ? held_by_ |= bit : held_by_ &= ~bit;
   if (on) last_held_ = held_by_.load();
   guard_->freeze(frozen());
@@ -152,7 +158,8 @@ std::string TwoHands::pause_fault() const {
   if (fault != device::DeviceFault::frozen) return device.confirms_itself() ? "" : device::name_of(fault);
   const std::uint32_t held_by = last_held_;  // whoever it was may have let go again already
   const auto is = [&](Holder holder) { return (held_by & static_cast<std::uint32_t>(holder)) != 0; };
-  return is(Holder::instructor) ? device::name_of(fault) : is(Holder::expert) ? "expert_shown" : "list_of_keys";
+  if (is(Holder::instructor)) return device::name_of(fault);
+  return is(Holder::expert) ? "expert_shown" : is(Holder::reader) ? "list_of_keys" : "no_picture";
 }
 
 bool TwoHands::finished(double time_s) const {

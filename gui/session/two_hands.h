@@ -5,6 +5,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 
@@ -56,14 +57,15 @@ class TwoHands {
   /// Why it is paused and what to do; empty: it is not.
   std::string pause() const;
   void confirm();
-  /// Pauses every hand until all have let go and the hand confirms; another attempt stays held. Not while begin() runs.
+  /// Pauses every hand until all have let go and the hand confirms; another attempt stays held. Not while begin() or
+  /// renew_scripts() runs.
   void freeze(Holder holder, bool on);
   bool frozen() const { return held_by_ != 0; }
   bool frozen_by(Holder holder) const { return (held_by_ & static_cast<std::uint32_t>(holder)) != 0; }
   /// It is a person who keeps it paused, or has and the hand has not confirmed yet: no device is away.
   bool held() const;
   /// Name of the fault of the device that pauses it, as LogFooter::pause_faults; empty: it is not known. Of a trial
-  /// that somebody holds: "frozen" by an instructor, "expert_shown", "list_of_keys".
+  /// that somebody holds: "frozen" by an instructor, "expert_shown", "list_of_keys", or "no_picture".
   std::string pause_fault() const;
   /// Nothing more will come of the scripts.
   bool finished(double time_s) const;
@@ -83,6 +85,7 @@ class TwoHands {
   std::unique_ptr<device::GuardedDevice> guard_, second_guard_;
   std::unique_ptr<HandsPort> port_;
   HandActions actions_;
+  std::mutex holding_;                       ///< by two at once
   std::atomic<std::uint32_t> held_by_{0};    ///< bits of Holder
   std::atomic<std::uint32_t> last_held_{0};  ///< as held_by_ was when somebody last began to hold it
 };

@@ -4863,6 +4863,18 @@ Sekunden sind eine Obergrenze, kein Ziel.</translation>
         <source>not in the mouth</source>
         <translation>nicht im Mund</translation>
     </message>
+    <message>
+        <source>No picture comes to the screen: the trial waits.</source>
+        <translation>Es kommt kein Bild auf den Bildschirm: Der Durchgang wartet.</translation>
+    </message>
+    <message>
+        <source>The picture is back. To go on press Enter or a button of the device, or hold the grey blade on the steel one for half a second.</source>
+        <translation>Das Bild ist wieder da. Um weiterzumachen, drücken Sie Enter oder eine Taste des Geräts oder halten Sie den grauen Spatel eine halbe Sekunde auf dem stählernen.</translation>
+    </message>
+    <message>
+        <source>no picture</source>
+        <translation>kein Bild</translation>
+    </message>
 </context>
 <context>
     <name>GivenLabels</name>
@@ -4948,6 +4960,10 @@ Sekunden sind eine Obergrenze, kein Ziel.</translation>
     <message>
         <source>Ventilated? Blade in at the right corner of the mouth. An attempt lasts 30 s at most; B held gives breaths between attempts.</source>
         <translation>Beatmet? Spatel am rechten Mundwinkel hinein. Ein Intubationsversuch dauert höchstens 30 s; B gehalten beatmet zwischen den Versuchen.</translation>
+    </message>
+    <message>
+        <source>Bring the grey blade back to the steel one.</source>
+        <translation>Den grauen Spatel zum stählernen zurückführen.</translation>
     </message>
 </context>
 <context>
@@ -10352,6 +10368,10 @@ Gerät: %3</translation>
     <message>
         <source>Your trial waits while this list is open. F1 or Esc closes it; then it goes on as after any pause.</source>
         <translation>Ihr Durchgang wartet, solange diese Liste offen ist. F1 oder Esc schließt sie; dann geht er weiter wie nach jeder Pause.</translation>
+    </message>
+    <message>
+        <source>For %1 s no picture came to the screen; the trial waited. If it happens again, close other programs.</source>
+        <translation>%1 s lang kam kein Bild auf den Bildschirm; der Durchgang hat gewartet. Kommt das wieder vor, schließen Sie andere Programme.</translation>
     </message>
 </context>
 <context>

@@ -13,6 +13,7 @@
 #include "gui/commands/headless_application.h"
 #include "gui/session/device_choice.h"
 #include "gui/session/log_conversion.h"
+#include "gui/session/picture_watch.h"
 #include "gui/session/replay.h"
 #include "gui/session/trial_session.h"
 #include "gui/session/user_settings.h"
@@ -366,6 +367,55 @@ TEST_F(TrialPauseRealTime, EveryPauseIsKeptByWhoHeldIt) {
   std::vector<std::string> faults;
   for (const curricula::Pause& pause : outcome.score.pauses) faults.push_back(pause.fault);
   EXPECT_EQ(faults, (std::vector<std::string>{"list_of_keys", "expert_shown", "frozen", "list_of_keys"}));
+}
+
+TEST_F(TrialPauseRealTime, AHandThatSeesNothingIsHeldAndTheTrialWaits) {
+  using namespace std::chrono;
+  const auto wait_for = [&](const std::function<bool()>& done) {
+    for (int i = 0; i < 20000 && !done(); ++i) std::this_thread::sleep_for(milliseconds(1));
+    return done();
+  };
+  for (const curricula::Mode mode : {curricula::Mode::practice, curricula::Mode::assessment}) {
+    TrialSetup live = setup("mouse", mode == curricula::Mode::practice ? "unseen" : "unseen-assessed");
+    live.mode = mode;
+    live.realtime = true;
+    TrialSession session(live);
+    session.start();
+    ASSERT_TRUE(wait_for([&] { return session.latest().ticks > 2500; }));
+    EXPECT_FALSE(session.frozen()) << "what nobody draws is not watched";
+    const auto last_picture = steady_clock::now();
+    session.picture_shown();
+    ASSERT_TRUE(wait_for([&] { return session.frozen_by(Holder::picture); }));
+    EXPECT_GE(steady_clock::now() - last_picture, PictureWatch::kLongest);
+    ASSERT_TRUE(wait_for([&] { return session.paused_s() > 0.1; }));
+    EXPECT_NE(session.pause().find("No picture comes to the screen"), std::string::npos) << session.pause();
+    const auto clock_s = [&] { return 1e-3 * static_cast<double>(session.latest().ticks) - session.paused_s(); };
+    const double stood_s = clock_s(), before_s = session.paused_s();
+    ASSERT_TRUE(wait_for([&] { return session.paused_s() > before_s + 1.0; }));
+    EXPECT_NEAR(clock_s(), stood_s, 0.3) << "the trial's clock stands, but for what is not on record yet";
+    EXPECT_EQ(session.latest().displayed_force_n, engine::Vec3(engine::Vec3::Zero()));
+    session.confirm();
+    EXPECT_FALSE(session.pause().empty()) << "nobody goes on without a picture";
+    session.picture_shown();
+    session.freeze(Holder::picture, false);
+    ASSERT_TRUE(wait_for([&] { return session.pause().find("The picture is back") == 0 || session.pause().empty(); }));
+    session.confirm();
+    ASSERT_TRUE(wait_for([&] { return session.pause().empty(); })) << session.pause();
+    EXPECT_FALSE(session.frozen());
+    const TrialOutcome outcome = session.finish("ended");
+    ASSERT_EQ(outcome.score.pauses.size(), 1u);
+    EXPECT_EQ(outcome.score.pauses[0].fault, "no_picture");
+    EXPECT_GE(outcome.score.pauses[0].for_s, 1.0);
+  }
+  TrialSetup scripted = setup(hand("", {{0, 0.006}, {60, 0.006}}), "scripted");
+  scripted.realtime = true;
+  TrialSession session(scripted);
+  session.start();
+  ASSERT_TRUE(wait_for([&] { return session.latest().ticks > 100; }));
+  session.picture_shown();
+  const std::int64_t at = session.latest().ticks;
+  ASSERT_TRUE(wait_for([&] { return session.latest().ticks > at + 3000; }));
+  EXPECT_FALSE(session.frozen()) << "a script needs no eyes";
 }
 
 TEST_F(TrialPause, ADeviceThatIsAwayForTenMinutesEndsTheTrialAndAPersonWhoHoldsItDoesNot) {

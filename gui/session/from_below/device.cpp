@@ -50,6 +50,10 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("FromBelow", "The trial is held by the instructor: it goes on when they let it go."),
     QT_TRANSLATE_NOOP("FromBelow", "The trial is held by you for as long as you look at the expert (G)."),
     QT_TRANSLATE_NOOP("FromBelow", "The trial is held by you for as long as the list of keys is open."),
+    QT_TRANSLATE_NOOP("FromBelow", "No picture comes to the screen: the trial waits."),
+    QT_TRANSLATE_NOOP("FromBelow",
+                      "The picture is back. To go on press Enter or a button of the device, or hold the grey blade on "
+                      "the steel one for half a second."),
     QT_TRANSLATE_NOOP("FromBelow", "The device reports an unknown fault."),
     QT_TRANSLATE_NOOP("FromBelow", "mouse and keyboard"),
     QT_TRANSLATE_NOOP("FromBelow", "mouse and keyboard; the force is drawn, not felt"),

@@ -136,6 +136,7 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("FromBelow", "frozen"),
     QT_TRANSLATE_NOOP("FromBelow", "expert shown"),
     QT_TRANSLATE_NOOP("FromBelow", "list of keys"),
+    QT_TRANSLATE_NOOP("FromBelow", "no picture"),
     QT_TRANSLATE_NOOP("FromBelow", "ended by trainee"),
     QT_TRANSLATE_NOOP("FromBelow", "no source given"),
 };

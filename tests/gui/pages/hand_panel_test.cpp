@@ -167,6 +167,24 @@ TEST(Hint, PutsTheInfantBeforeTheTube) {
   EXPECT_TRUE(says(hint(out, false), "Hold B"));
 }
 
+TEST(Hint, WhatTheInfantNeedsComesBeforeWhatTheDeviceWants) {
+  auto now = at(engine::TipPlace::outside);
+  EXPECT_EQ(need_of(now, true), QString());
+  now.intubation.heart_per_min = 95.0;
+  const QString slow = need_of(now, true);
+  EXPECT_TRUE(says(slow.toStdString(), "Stop this attempt"));
+  EXPECT_FALSE(need_before(now, slow, "").loud) << "a delivery room's infant begins so";
+  now.state = engine::HapticState::limited;
+  EXPECT_TRUE(need_before(now, slow, "Device limit reached").loud) << "what took an alarm's place is one";
+  EXPECT_EQ(need_before(now, slow, "Device limit reached").words, slow) << "the grey blade shows the rest";
+  now.state = engine::HapticState::lost;
+  now.intubation.heart_per_min = 55.0;
+  const Banner both = need_before(now, need_of(now, true), "let go");
+  EXPECT_TRUE(both.words.startsWith("Heart rate below 60"));
+  EXPECT_TRUE(both.words.contains("grey blade back")) << "else the hand steers nothing";
+  EXPECT_TRUE(need_before(now, need_of(now, true), "").loud);
+}
+
 TEST(Hint, DoesNotTellTracheaFromOesophagusBeforeTheDetectorDoes) {
   auto trachea = at(engine::TipPlace::trachea), wrong = at(engine::TipPlace::oesophagus);
   for (const int breaths : {0, 3}) {

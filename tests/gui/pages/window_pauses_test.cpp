@@ -4,6 +4,8 @@
 #include <QPushButton>
 #include <QtTest/QTest>
 #include <algorithm>
+#include <chrono>
+#include <thread>
 
 #include "device/drivers/mouse_device.h"
 #include "gui/pages/hand_panel.h"
@@ -84,6 +86,36 @@ TEST_F(WindowPanels, TheListOfKeysThatHeldATrialIsNamedAmongItsPauses) {
   EXPECT_EQ(outcome.score.pauses[0].fault, "list_of_keys");
   EXPECT_GE(outcome.score.paused_s, 0.2);
   EXPECT_NE(test::text_of(outcome.report).find("1 time (list of keys)"), std::string::npos);
+}
+
+TEST_F(WindowPanels, ATrialWhosePictureStandsWaitsSaysSoAndGoesOn) {
+  MainWindow window;
+  open(window, "helped");
+  TrialPage& page = window.trial_page();
+  TrialOutcome outcome;
+  bool finished = false;
+  QObject::connect(&window, &MainWindow::trial_finished, [&](const TrialOutcome& given) {
+    outcome = given;
+    finished = true;
+  });
+  page.start();
+  drawn(page, 10);
+  EXPECT_FALSE(page.session()->frozen());
+  std::this_thread::sleep_for(std::chrono::milliseconds(4000));  // the window draws nothing, as behind a slow driver
+  EXPECT_TRUE(page.session()->frozen_by(Holder::picture));
+  EXPECT_GT(page.session()->paused_s(), 0.5);
+  EXPECT_TRUE(wait_for([&] { return page_says(page, "No picture comes to the screen"); }, 20000));
+  EXPECT_TRUE(wait_for([&] { return page_says(page, "no picture came to the screen; the trial waited"); }, 20000));
+  EXPECT_FALSE(page.session()->frozen());
+  EXPECT_TRUE(page.session()->pause().empty()) << "the mouse stands at the blade";
+  keep_picture(window, "pause-without-picture.png");
+  drawn(page, 3);
+  page.end("ended by trainee");
+  ASSERT_TRUE(wait_for([&] { return finished; }));
+  ASSERT_EQ(outcome.score.pauses.size(), 1u);
+  EXPECT_EQ(outcome.score.pauses[0].fault, "no_picture");
+  EXPECT_GE(outcome.score.paused_s, 1.5);
+  EXPECT_NE(test::text_of(outcome.report).find("1 time (no picture)"), std::string::npos);
 }
 
 TEST_F(WindowPanels, AfterHandsWereChangedInAPauseTheMouseStillTakesHoldAtTheBlade) {
