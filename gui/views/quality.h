@@ -1,5 +1,5 @@
-// How finely the views are drawn, so that a slow machine keeps its frame rate: the resolution inside the view goes first,
-// then effects, then the frame rate.
+// How finely the views are drawn, so that a slow machine keeps its frame rate: the resolution inside the view goes
+// first, then effects, then the frame rate.
 #pragma once
 
 #include <QString>
@@ -40,8 +40,9 @@ class QualityGovernor {
   void hold(int step);
   /// A frame of all views together, which ended at `now_s` and kept the window for `busy_s`. True when quality() is
   /// another from here on. The rule, in automatic: over the last second, above kBusyMost of the time a frame may take
-  /// at 30 a second a step is given up; three seconds below kBusyLeast of it a step is taken back. A step changes the
-  /// cost less than kBusyMost over kBusyLeast, so the two do not chase each other.
+  /// at 30 a second a step is given up; three seconds in which the step before would keep the window for less than
+  /// kBusyAgain of it, and that is taken back. What it would cost is told by what this very step saved on this machine
+  /// when it was taken last, as a share of its cost; before that was seen, the most that any saves is reckoned with.
   bool frame(double now_s, double busy_s);
   int step() const { return step_; }
   bool least() const { return step_ + 1 == static_cast<int>(kQualities.size()); }
@@ -49,14 +50,17 @@ class QualityGovernor {
   /// What is left out, in words for the status line; empty where nothing is.
   QString reduced() const;
 
-  static constexpr double kFrameS = 1.0 / 30.0, kBusyMost = 0.90, kBusyLeast = 0.38;
+  static constexpr double kFrameS = 1.0 / 30.0, kBusyMost = 0.90, kBusyAgain = 0.85;
   static constexpr double kWindowS = 1.0, kCalmS = 3.0;
 
  private:
   bool take(int step);
+  double cost_of_step_before(double share);
   Mode mode_ = Mode::automatic;
   int step_ = 0, frames_ = 0;
   double window_begins_s_ = -1.0, busy_s_ = 0.0, calm_s_ = 0.0;
+  std::array<double, kQualities.size()> saves_{};  ///< cost of the step before over that of this one; 0: not seen yet
+  double given_up_at_ = 0.0;                       ///< share of the step before, until this one's first second is over
 };
 
 }  // namespace vallecula::gui

@@ -1,9 +1,13 @@
-// vallecula_frame_bench NAME.patient [SECONDS]: what the trial's views cost. First the share of late ticks of a trial in
-// real time with and without drawing, in turns of three seconds, so that both meet the same trial and the same machine;
-// then every view and all together, by step of the quality governor, over snapshots of the scripted expert.
+// vallecula_frame_bench NAME.patient [SECONDS]: what the trial's views cost. First the share of late ticks of a trial
+// in real time with and without drawing, in turns of three seconds, so that both meet the same trial and the same
+// machine; then what comes to the screen of the whole trial page beside such a trial, second by second, with two views
+// and with all panels side by side; then every view and all together, by step of the quality governor, over snapshots
+// of the scripted expert.
 #include <time.h>
 
+#include <QAction>
 #include <QApplication>
+#include <QDockWidget>
 #include <QElapsedTimer>
 #include <QGridLayout>
 #include <QTemporaryDir>
@@ -17,6 +21,9 @@
 #include <thread>
 #include <vector>
 
+#include "gui/pages/main_window.h"
+#include "gui/pages/trial_page.h"
+#include "gui/pages/trial_panels.h"
 #include "gui/pages/window_application.h"
 #include "gui/session/trial_session.h"
 #include "gui/session/user_paths.h"
@@ -31,6 +38,7 @@ using namespace vallecula;
 using namespace vallecula::gui;
 
 constexpr int kSnapshots = 25, kTurnMs = 3000;
+constexpr double kSettlesS = 8.0;  // until the governor has found its step
 
 /// Of one frame: until it is on the screen, and what this process computed for it, the driver's thread included. The
 /// second is the machine's own, whoever else it works for.
@@ -169,7 +177,8 @@ void lateness(Window& window, const std::string& patient, const QTemporaryDir& h
   while (kinds.back().seconds < seconds) {
     TrialSession session(setup_of(patient, home.filePath(QString("live%1").arg(++number)).toStdString(), true));
     session.start();
-    while (!session.finished() && session.latest().ticks < 200) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    while (!session.finished() && session.latest().ticks < 200)
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
     while (!session.finished() && kinds.back().seconds < seconds) {
       Lateness& kind = kinds[turn++ % kinds.size()];
       const engine::Snapshot before = session.latest();
@@ -204,14 +213,59 @@ void lateness(Window& window, const std::string& patient, const QTemporaryDir& h
                 kind.frames / std::max(1e-9, kind.seconds));
 }
 
+/// The trial page as a trainee has it, in a window of 1280 x 800: pictures a second, of each whole second.
+void page_rates(const std::string& patient, const QTemporaryDir& home, double seconds, bool all_panels) {
+  GlView::governor().set_mode(QualityGovernor::Mode::automatic);
+  TrialSetup setup = setup_of(patient, home.filePath(all_panels ? "page-all" : "page").toStdString(), true);
+  setup.scenario = "term-tube";
+  MainWindow window;
+  window.resize(1280, 800);
+  window.show();
+  bool ready = false;
+  QObject::connect(&window, &MainWindow::prepared, [&] { ready = true; });
+  QObject::connect(&window, &MainWindow::trial_failed,
+                   [](const QString& why) { throw std::runtime_error(why.toStdString()); });
+  window.prepare(setup, true);
+  while (!ready) QApplication::processEvents(QEventLoop::WaitForMoreEvents);
+  TrialPage& page = window.trial_page();
+  TrialPanels& panels = page.panels();
+  if (all_panels) {
+    for (const auto panel : {TrialPanels::video, TrialPanels::team}) panels.dock(panel)->toggleViewAction()->trigger();
+    panels.splitDockWidget(panels.dock(TrialPanels::cut), panels.dock(TrialPanels::video), Qt::Horizontal);
+  }
+  int pictures = 0, views = 0;
+  const auto heard = QObject::connect(&page.operator_view(), &GlView::painted, [&] { ++pictures; });
+  std::vector<double> rates;
+  QElapsedTimer second;
+  double settled_s = 0.0;
+  while (page.running() && static_cast<double>(rates.size()) < seconds) {
+    pictures = 0;
+    second.start();
+    while (second.elapsed() < 1000) QApplication::processEvents(QEventLoop::AllEvents, 5);
+    const double length_s = 1e-9 * static_cast<double>(second.nsecsElapsed());
+    settled_s += length_s;
+    if (settled_s > kSettlesS) rates.push_back(pictures / length_s);
+  }
+  for (const GlView* view : page.findChildren<GlView*>()) views += view->visibleRegion().isEmpty() ? 0 : 1;
+  QObject::disconnect(heard);
+  std::sort(rates.begin(), rates.end());
+  if (!rates.empty())
+    std::printf(
+        "the trial page, %s (%d views): frames/s least %.1f  p5 %.1f  p50 %.1f over %zu s; step %d at its end\n",
+        all_panels ? "all panels side by side" : "as at first", views, rates.front(), rates[rates.size() / 20],
+        rates[rates.size() / 2], rates.size(), GlView::governor().step());
+  page.close_trial();
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   std::setvbuf(stdout, nullptr, _IOLBF, 0);
   const double seconds = argc > 2 ? std::atof(argv[2]) : 30.0;
   if (argc < 2 || !(seconds >= 3.0 && seconds <= 3600.0)) {
-    std::fprintf(stderr, "vallecula_frame_bench NAME.patient [SECONDS]: a patient package, and 3 to 3600 seconds of each "
-                         "kind of drawing\n");
+    std::fprintf(stderr,
+                 "vallecula_frame_bench NAME.patient [SECONDS]: a patient package, and 3 to 3600 seconds of each "
+                 "kind of drawing\n");
     return 2;
   }
   try {
@@ -222,6 +276,7 @@ int main(int argc, char** argv) {
     TrialSession session(setup_of(argv[1], home.filePath("still").toStdString(), false));
     Window window(session, argv[1]);
     lateness(window, argv[1], home, seconds);
+    for (const bool all_panels : {false, true}) page_rates(argv[1], home, seconds, all_panels);
     frame_times(window, snapshots_of(session));
   } catch (const std::exception& error) {
     std::fprintf(stderr, "vallecula_frame_bench: %s\n", error.what());
