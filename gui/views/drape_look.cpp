@@ -17,8 +17,8 @@ namespace {
 
 constexpr int kClothSides = 64, kClothRings = 30;
 constexpr double kStep_mm = 5.0, kOverSkin_mm = 3.0;
-constexpr double kShoulders_mm = 40.0;                 // from the hem down to where the cloth is as wide as a body
-constexpr double kWider_mm = 30.0, kFlatter_mm = 8.0;  // there, to the sides and to the front, than at the neck
+constexpr double kShoulders_mm = 40.0;         // from the hem down to where the cloth is as wide as a body
+constexpr double kWider = 1.5, kDeeper = 1.2;  // there, to the sides and to the front: times the neck
 constexpr double kFold_mm = 1.3, kFolds = 9.0;
 
 using ClothRing = std::array<double, kClothSides>;
@@ -64,7 +64,7 @@ vtkSmartPointer<vtkActor> drape(const PatientLook& look) {
   for (int row = 1; row < kClothRings; ++row)  // it hangs: nowhere narrower than above
     for (int i = 0; i < kClothSides; ++i) rings[row][i] = std::max(rings[row][i], rings[row - 1][i]);
   const ClothRing neck = rings.front();
-  const double wide = std::max(neck[0], neck[kClothSides / 2]) + kWider_mm, deep = 0.5 * (back - front) + kFlatter_mm;
+  const double wide = kWider * std::max(neck[0], neck[kClothSides / 2]), deep = kDeeper * 0.5 * (back - front);
   vtkNew<vtkPoints> points;
   vtkNew<vtkCellArray> quads;
   for (int row = 0; row < kClothRings; ++row) {
