@@ -272,6 +272,38 @@ bool has_colour(const QImage& image, double time_s, double end_s, const QColor& 
   return rows > 100;
 }
 
+TEST(MonitorChart, ADisplayThatSaysNoFigureHasNoneInTheChartWhileTheBloodHasItsOwn) {
+  const HeadlessApplication application;
+  curricula::TrialLog log = intubation_log();
+  const curricula::Scenario scenario = intubation_scenario();
+  const auto labels = [&] {
+    const Chart chart =
+        make_monitor_chart(picture_form(1600, 900), log, scenario, curricula::score_trial(log, scenario));
+    if (const QByteArray folder = qgetenv("VALLECULA_PICTURES"); !folder.isEmpty())
+      chart.picture.save(QString::fromUtf8(folder) + "/monitor-chart-low.png");
+    std::string all;
+    for (const ChartLabel& label : chart.labels) all += label.whole.toStdString() + "\n";
+    return all;
+  };
+  EXPECT_NE(labels().find("lowest 60 %"), std::string::npos) << labels();
+  EXPECT_EQ(labels().find("< 30"), std::string::npos);
+  for (curricula::LogTick& tick : log.ticks)
+    if (tick.intubation.spo2 < 0.7) tick.intubation.spo2 = tick.intubation.sao2 = 0.04;
+  EXPECT_NE(labels().find("lowest: below 30 %"), std::string::npos) << labels();
+  EXPECT_NE(labels().find("the display says < 30"), std::string::npos) << labels();
+  EXPECT_EQ(labels().find("4 %"), std::string::npos) << labels();
+  const Sandbox box;
+  const curricula::Score score = curricula::score_trial(log, scenario);
+  write_force_chart(box / "force.png", log, scenario, score);
+  write_report(box.folder(), log, scenario, score);
+  std::ostringstream table;
+  print_score(table, score, scenario);
+  for (const std::string& told : {text_of(box / "report.html"), table.str()}) {
+    EXPECT_NE(told.find("below 30 %"), std::string::npos);
+    EXPECT_EQ(told.find(" 4 %"), std::string::npos);
+  }
+}
+
 TEST(MonitorChart, ShadesAttemptsAndOesophagusAndPutsTheSaturationWhereItWas) {
   const HeadlessApplication application;
   const curricula::TrialLog log = intubation_log();
