@@ -77,7 +77,7 @@ struct Score {
   int mouth_entries = 0;  ///< times the tip came in after a second or more outside, less pauses
   bool complete = false;  ///< the log has its end; otherwise the trial was interrupted
   /// The rubric, met or not. A limit that no attempt put to the test was neither: it is among them only where it was
-  /// passed all the same.
+  /// exceeded all the same.
   std::vector<Criterion> criteria;
   std::optional<IntubationScore> intubation;  ///< none: laryngoscopy alone
 
