@@ -196,7 +196,7 @@ IntubationScore measure_intubation(const TrialLog& log, const Scenario& scenario
   IntubationScore score;
   const auto& settings = log.header.settings;
   score.cords_to_carina_m = settings.at(kCordsToCarina);
-  score.lips_rule_m = 0.01 * (scenario.manikin.weight_kg + kLipsCm);
+  score.lips_rule_m = lips_rule_m(scenario.manikin.weight_kg);
   score.attempts = measure_attempts(log, scenario);
   const Course course = follow(log, score.attempts, score);
   measure_oesophagus(log, scenario.intubation->breaths_to_confirm, score);
@@ -228,6 +228,8 @@ IntubationScore measure_intubation(const TrialLog& log, const Scenario& scenario
   }
   return score;
 }
+
+double lips_rule_m(double weight_kg) { return 0.01 * (weight_kg + kLipsCm); }
 
 const Attempt* IntubationScore::decisive() const {
   const auto passed = std::find_if(attempts.rbegin(), attempts.rend(),

@@ -27,8 +27,17 @@ Criterion outcome(const IntubationPass& pass, const IntubationScore& score) {
 Criterion lowest(const char* name, const char* unit, double value, double at_s, const std::optional<double>& first,
                  double limit, const std::string& what) {
   Criterion c = at_least(name, unit, value, limit, at_s, what + " fell to", at(at_s));
-  if (!first || std::round(value) < std::round(*first)) return c;
-  c.sentence = what + (c.met ? " stayed at " : " began at ") + figure(c) + " " + unit +
+  const bool fell = !first || std::round(value) < std::round(*first);
+  // So low no saturation has a figure for a person, unless its limit is as low.
+  const bool bare = c.unit == "%" && limit >= kLeastToldSpo2 && std::round(value) < kLeastToldSpo2;
+  if (fell && !bare) return c;
+  const std::string told = bare ? told_spo2(value) : figure(c);
+  if (fell) {
+    c.sentence = what + " fell to " + told + " " + unit + at(at_s) + ", less than the " + limit_text(limit) + " " +
+                 unit + " asked for";
+    return c;
+  }
+  c.sentence = what + (c.met ? " stayed at " : " began at ") + told + " " + unit +
                (c.met ? " or above, at least the " : " and fell no further, less than the ") + limit_text(limit) + " " +
                unit + " asked for";
   return c;
@@ -87,8 +96,14 @@ Criterion no_severe_desaturation(const IntubationScore& score) {
   return fact("no_severe_desaturation", false, worst->start_s,
               "In attempt " + std::to_string(worst - score.attempts.begin() + 1) + " of " +
                   std::to_string(score.attempts.size()) + ", begun at " + second(worst->start_s) +
-                  ", saturation fell by " + points + ", from " + fixed(worst->highest_spo2_before_percent, 0) + " to " +
-                  fixed(worst->lowest_spo2_percent, 0) + " %");
+                  ", saturation fell by " + points + ", from " + told_spo2(worst->highest_spo2_before_percent) +
+                  " to " + told_spo2(worst->lowest_spo2_percent) + " %");
+}
+
+/// The blade was in the mouth, or the tube touched or entered something: only then has a tube kept a limit.
+bool tube_tried(const IntubationScore& score) {
+  return !score.attempts.empty() || score.deepest_m > 0.0 || score.oesophagus_entries > 0 ||
+         std::any_of(score.loads_n.begin(), score.loads_n.end(), [](const Peak& load) { return load.value > 0.0; });
 }
 
 /// Whether a detector has anything to say: the tube lies in the airway or in the oesophagus.
@@ -125,6 +140,10 @@ std::string outcome_in_words(const IntubationScore& score) {
       return "The trial's time was over before the tube was in the trachea";
   }
   return "";
+}
+
+std::string told_spo2(double percent) {
+  return std::round(percent) < kLeastToldSpo2 ? "below " + fixed(kLeastToldSpo2, 0) : fixed(percent, 0);
 }
 
 std::string bronchus_in_words(const IntubationScore& score) {
@@ -170,9 +189,10 @@ void judge_intubation(const Scenario& scenario, bool timed, const IntubationScor
     const std::string against = score.tip_against < kTubeLoads
                                     ? std::string(" (") + name_of(static_cast<LoggedTubeLoad>(score.tip_against)) + ")"
                                     : std::string();
-    criteria.push_back(at_most("tube_force_n", "N", peak.value, *pass.tube_force_n, peak.at_s,
-                               "The tube was pushed against what stood before its tip" + against + " with",
-                               at(peak.at_s)));
+    const Criterion push =
+        at_most("tube_force_n", "N", peak.value, *pass.tube_force_n, peak.at_s,
+                "The tube was pushed against what stood before its tip" + against + " with", at(peak.at_s));
+    if (tube_tried(score) || !push.met) criteria.push_back(push);
   }
   const Attempt* decisive = score.decisive();
   if (pass.time_to_pass_s && timed && decisive && decisive->time_to_pass_s) {
@@ -197,8 +217,9 @@ void judge_intubation(const Scenario& scenario, bool timed, const IntubationScor
   if (pass.co2_confirmed && lies_somewhere(score.outcome))
     criteria.push_back(co2(score, scenario.intubation->breaths_to_confirm));
   if (pass.depth_neutral && score.depth_neutral_m) criteria.push_back(depth_neutral(score));
-  if (pass.oesophagus_in_time) criteria.push_back(oesophagus_in_time(score, scenario.intubation->breaths_to_confirm));
-  if (pass.no_severe_desaturation) criteria.push_back(no_severe_desaturation(score));
+  if (pass.oesophagus_in_time && tube_tried(score))
+    criteria.push_back(oesophagus_in_time(score, scenario.intubation->breaths_to_confirm));
+  if (pass.no_severe_desaturation && !score.attempts.empty()) criteria.push_back(no_severe_desaturation(score));
 }
 
 }  // namespace vallecula::curricula

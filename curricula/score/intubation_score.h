@@ -15,6 +15,13 @@ namespace vallecula::curricula {
 constexpr double kSevereDesaturation = 20.0;  ///< percentage points (NEAR4NEOS)
 constexpr double kBradycardia = 100.0;        ///< heart below, per minute (NEAR4NEOS)
 
+/// Percent. What no published curve of a newborn's SpO2 goes below: 29 % is the 3rd percentile a minute after birth
+/// (Dawson 2010). Makers state an oximeter's accuracy from 70 to 100 % only; its digits go on below that. What the
+/// model has below this is no figure for a person; files and exports keep it.
+constexpr double kLeastToldSpo2 = 30.0;
+/// "87"; "below 30" of less.
+std::string told_spo2(double percent);
+
 /// One way of the blade into the mouth and out of it (NEAR4NEOS). Moments in trial time; times less pauses.
 struct Attempt {
   double start_s = 0.0, end_s = 0.0;
@@ -82,6 +89,8 @@ std::string outcome_in_words(const IntubationScore& score);
 inline bool in_middle_third(double share) noexcept { return share >= 1.0 / 3.0 && share <= 2.0 / 3.0; }
 /// Of a tube in a main bronchus: "the right main bronchus".
 std::string bronchus_in_words(const IntubationScore& score);
+/// The tube's mark at the upper lip by the rule: the weight in kg and 6 cm.
+double lips_rule_m(double weight_kg);
 /// "cricoid", "tongue" ...: what a tube's load is on.
 const char* name_of(LoggedTubeLoad load);
 

@@ -1,5 +1,9 @@
 #include "curricula/score/rubric.h"
 
+#include <algorithm>
+#include <array>
+#include <iterator>
+
 #include "curricula/score/choice_rubric.h"
 #include "curricula/score/criterion.h"
 #include "curricula/score/intubation_rubric.h"
@@ -36,13 +40,20 @@ Criterion glottis_seen(const Scenario& scenario, const Score& score) {
 }
 
 Criterion attempt_time(const Scenario& scenario, const Score& score) {
-  std::string when =
-      " (" + second(score.attempt_start_s) + " to " + second(score.attempt_start_s + score.attempt_time_s + score.attempt_paused_s);
+  std::string when = " (" + second(score.attempt_start_s) + " to " +
+                     second(score.attempt_start_s + score.attempt_time_s + score.attempt_paused_s);
   if (score.attempt_paused_s > 0.0) when += ", paused for " + second(score.attempt_paused_s);
   if (score.mouth_entries > 1) when += ", the blade went in " + std::to_string(score.mouth_entries) + " times";
   if (!score.blade_out) when += ", the blade was still in the mouth";
   return at_most("attempt_time_s", "s", score.attempt_time_s, scenario.pass.attempt_time_s, score.attempt_start_s,
                  "The attempt took", when + ")");
+}
+
+/// The blade was in the mouth, or, where that cannot be told, touched something: only then is a limit kept.
+bool blade_tried(const Score& score) {
+  const auto touched = [](double force_n) { return force_n > 0.0; };
+  return score.attempt_begun ||
+         (score.mouth_unknown && std::any_of(score.peak_force_n.begin(), score.peak_force_n.end(), touched));
 }
 
 Criterion peak(const char* name, const char* what, double value, double limit, double at_s) {
@@ -60,19 +71,21 @@ void judge(const TrialLog& log, const Scenario& scenario, const Moments& moments
   score.criteria = {completeness(log, score), attempt_begun(log, score), glottis_seen(scenario, score)};
   if (score.attempt_begun && !score.at_vallecula)
     score.criteria.push_back(score.intubation ? longest_attempt_time(scenario, score) : attempt_time(scenario, score));
-  score.criteria.push_back(peak("peak_tongue_force_n", "Peak force on the tongue", score.peak_tongue_force_n,
-                                pass.peak_tongue_force_n, score.time_of_peak_tongue_force_s));
-  score.criteria.push_back(peak("peak_gum_force_n", "Peak force on the gums", score.peak_gum_force_n,
-                                pass.peak_gum_force_n, score.time_of_peak_gum_force_s));
-  score.criteria.push_back(
+  const std::array limits = {
+      peak("peak_tongue_force_n", "Peak force on the tongue", score.peak_tongue_force_n, pass.peak_tongue_force_n,
+           score.time_of_peak_tongue_force_s),
+      peak("peak_gum_force_n", "Peak force on the gums", score.peak_gum_force_n, pass.peak_gum_force_n,
+           score.time_of_peak_gum_force_s),
       at_most("time_over_target_s", "s", score.time_over_target_s, pass.time_over_target_s, moments.over_target_s,
               "Force on the tongue above its target of " + limit_text(scenario.targets.tongue_force_n) + " N for",
-              since("first at", moments.over_target_s)));
-  score.criteria.push_back(
+              since("first at", moments.over_target_s)),
       at_most("time_over_force_limit_s", "s", score.time_over_force_limit_s, pass.time_over_device_limit_s,
               moments.longest_off_tracking_s,
               "Device at its force limit of " + limit_text(log.header.device_limit_n) + " N or lost, for",
-              since("longest from", moments.longest_off_tracking_s)));
+              since("longest from", moments.longest_off_tracking_s))};
+  // Whoever did nothing has kept no limit; one that was passed all the same is told.
+  std::copy_if(limits.begin(), limits.end(), std::back_inserter(score.criteria),
+               [judged = blade_tried(score)](const Criterion& limit) { return judged || !limit.met; });
   if (moments.not_finite_s >= 0.0) {
     score.criteria.push_back(fact(
         "forces_finite", false, moments.not_finite_s,

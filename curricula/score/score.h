@@ -75,16 +75,18 @@ struct Score {
   bool blade_out = false;                            ///< and was out again in the last tick that was not paused
   bool mouth_unknown = false;                        ///< the log's landmarks do not tell where an attempt begins
   int mouth_entries = 0;  ///< times the tip came in after a second or more outside, less pauses
-  bool complete = false;                             ///< the log has its end; otherwise the trial was interrupted
-  std::vector<Criterion> criteria;                   ///< the whole rubric, met or not
-  std::optional<IntubationScore> intubation;         ///< none: laryngoscopy alone
+  bool complete = false;  ///< the log has its end; otherwise the trial was interrupted
+  /// The rubric, met or not. A limit that no attempt put to the test was neither: it is among them only where it was
+  /// exceeded all the same.
+  std::vector<Criterion> criteria;
+  std::optional<IntubationScore> intubation;  ///< none: laryngoscopy alone
 
   Use eye_moves, extension, saturation_driven, heart_driven, spasm_driven;  ///< the last three by an instructor
   Use aided;                  ///< shown an expert's hands, or told a line by an instructor; in pauses as well
   bool at_vallecula = false;  ///< begun there: what the blade was led through is in no figure
   bool no_attempt = false;    ///< practice that was ended or reset before blade or tube had entered the mouth, unharmed
-  /// Why the trial counts neither as passed nor as failed, whatever `passed` says: a sentence each; they stand first among
-  /// the reasons. Empty: it counts.
+  /// Why the trial counts neither as passed nor as failed, whatever `passed` says: a sentence each; they stand first
+  /// among the reasons. Empty: it counts.
   std::vector<std::string> set_aside;
   bool counts() const { return complete && set_aside.empty(); }
 
@@ -98,9 +100,10 @@ struct Score {
 };
 
 /// Definitions (times are trial time; a tick counts for servo_period_s):
-/// - a tick is paused when a device that a hand needs could not be used (device_valid, or hand_valid of the second hand,
-///   is false): the tools stand still and nothing that happens then is the hand's doing. Paused ticks count for nothing below but that a figure is a number: no time, no
-///   force, no sight.
+/// - a tick is paused when a device that a hand needs could not be used (device_valid, or hand_valid of the second
+/// hand,
+///   is false): the tools stand still and nothing that happens then is the hand's doing. Paused ticks count for nothing
+///   below but that a figure is a number: no time, no force, no sight.
 /// - the attempt runs from the first tick with the proxy's tip in the mouth (score/mouth.h) to the last one: blade into
 /// the
 ///   mouth to blade out (NEAR4NEOS). Short ways out do not stop the clock. Simplification: in a trial without an
@@ -121,16 +124,19 @@ struct Score {
 ///   attempt (the blade may be out by then); from its start where there was no view before.
 /// - desaturation: displayed saturation, whole percents, from the highest between the attempts to the lowest until the
 ///   next (the display is late); 20 points or more. Bradycardia: below 100 per minute over the same time.
-/// - outcome: by the last tick that was not paused. Tip in the oesophagus, in a main bronchus, or in the trachea: in the
+/// - outcome: by the last tick that was not paused. Tip in the oesophagus, in a main bronchus, or in the trachea: in
+/// the
 ///   middle third of cords_to_carina_m (both thirds' ends included) good depth, above too shallow, below too deep. In
 ///   the larynx past the cords: too shallow, but cricoid too narrow where the cricoid stopped it last. Else, where the
 ///   tube stood against it within the last second, cricoid too narrow or cords closed; else out of time when
 ///   max_attempt_s is over; else by what stopped the tube last in the whole trial, or cords closed where a laryngospasm
 ///   lasted when the last attempt ended; else abandoned. "Stopped" by cords: 0.5 N or more along the tube
-///   (assumed), mostly of cords in spasm or less than a quarter open (assumed); by the cricoid: 2 N or more for 0.1 s (assumed;
-///   tubes that fit take up to 1.5 N, and knock on it for milliseconds when cords that open let them go), of one that was never passed, and not longer ago than 10 s (assumed) without
-///   pauses: whoever touched it once and then went elsewhere was not stopped by it.
-/// - with the head neutral the tip lies 0.2 mm deeper for each degree of extension (assumed), where the header's settings
+///   (assumed), mostly of cords in spasm or less than a quarter open (assumed); by the cricoid: 2 N or more for 0.1 s
+///   (assumed; tubes that fit take up to 1.5 N, and knock on it for milliseconds when cords that open let them go), of
+///   one that was never passed, and not longer ago than 10 s (assumed) without pauses: whoever touched it once and then
+///   went elsewhere was not stopped by it.
+/// - with the head neutral the tip lies 0.2 mm deeper for each degree of extension (assumed), where the header's
+/// settings
 ///   know it (kHeadExtension). Judged again there where pass.depth_neutral asks for it.
 /// - confirmed: the detector was yellow at some tick of the stay "in" that lasts to the end, after a breath in it;
 ///   breaths are counted from that stay's begin.

@@ -25,8 +25,9 @@ void print_intubation(std::ostream& out, const curricula::Score& score, const cu
   int number_of = 0;
   for (const curricula::Attempt& a : score.intubation->attempts) {
     out << "  attempt " << ++number_of << ": " << number(a.start_s, 1) << " to " << number(a.end_s, 1) << " s, "
-        << a.breaths_before << " breaths before, saturation from " << number(a.highest_spo2_before_percent, 0)
-        << " % to " << number(a.lowest_spo2_percent, 0) << " %" << (a.desaturated ? " (severe desaturation)" : "")
+        << a.breaths_before << " breaths before, saturation from "
+        << curricula::told_spo2(a.highest_spo2_before_percent) << " % to "
+        << curricula::told_spo2(a.lowest_spo2_percent) << " %" << (a.desaturated ? " (severe desaturation)" : "")
         << ", heart to " << number(a.lowest_heart_per_min, 0) << (a.bradycardia ? " (bradycardia)" : "") << "\n";
   }
 }

@@ -231,6 +231,7 @@ void ResultPage::show_figures(const TrialOutcome& outcome, const curricula::Scen
     static const QRegularExpression number("\\d");
     figure->setWordWrap(!figure->text().contains(number));
     for (QLabel* part : {caption, demand}) part->setWordWrap(true);
+    for (QLabel* part : {caption, figure, demand}) part->setToolTip(in_words(line.about));
     figures_->addWidget(caption, row, 0);
     figures_->addWidget(figure, row, 1);
     figures_->addWidget(demand, row, 2);

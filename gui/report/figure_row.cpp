@@ -37,6 +37,22 @@ Row row(const curricula::Score& score, const std::string& name, const std::strin
   return {name, value, "", ""};
 }
 
+Row limit_row(const curricula::Score& score, const std::string& name, const std::string& value,
+              const std::string& criterion, double limit, const char* unit) {
+  const Row judged = row(score, name, value, criterion, "at most");
+  if (!judged.verdict.empty() || score.attempt_begun) return judged;
+  return {name, value, "not judged: no attempt; at most " + as_written(limit) + " " + unit, ""};
+}
+
+Row tube_force_row(const curricula::Score& score, const curricula::Scenario& scenario, const std::string& name,
+                   const std::string& value) {
+  const auto limit = scenario.intubation ? scenario.intubation->pass.tube_force_n : std::nullopt;
+  Row line = limit ? limit_row(score, name, value, "tube_force_n", *limit, "N") : Row{name, value, "", ""};
+  line.about =
+      "Along the tube, against what stands before its tip: closed cords, or the cricoid, the narrowest ring below them";
+  return line;
+}
+
 Row attempt_row(const curricula::Score& score, const curricula::Scenario& scenario, const std::string& name) {
   if (score.at_vallecula) return {"Times", "not counted", "begun at the vallecula", ""};
   const std::string time = number(score.attempt_time_s, 1) + " s",

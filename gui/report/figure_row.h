@@ -9,11 +9,20 @@ namespace vallecula::gui {
 
 struct Row {
   std::string name, value, limit, verdict;  ///< verdict: "met", "missed", "" where nothing was demanded
+  std::string about = {};                   ///< a sentence for who wonders what it is; "": its name says it
 };
 
 /// `criterion`: the rubric's name of this figure, which says whether it was met; none: nothing is demanded of it.
 Row row(const curricula::Score& score, const std::string& name, const std::string& value, const std::string& criterion,
         const std::string& demand);
+
+/// Of a limit that the hand keeps ("at most 6.8 N"): of a trial without an attempt that nothing was judged by it.
+Row limit_row(const curricula::Score& score, const std::string& name, const std::string& value,
+              const std::string& criterion, double limit, const char* unit);
+
+/// The same of the force at the tube's tip, where the scenario has a limit of it.
+Row tube_force_row(const curricula::Score& score, const curricula::Scenario& scenario, const std::string& name,
+                   const std::string& value);
 
 /// The attempt's time (of several the longest) with the scenario's limit beside it. Of a trial begun at the vallecula,
 /// which has no time of a whole attempt, one line that no time is counted.

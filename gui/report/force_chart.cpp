@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "gui/report/chart_panel.h"
+#include "gui/report/judged_lines.h"
 #include "gui/session/files.h"
 #include "gui/session/words_from_below.h"
 
@@ -16,11 +17,10 @@ namespace vallecula::gui {
 
 namespace {
 
-const QColor kTongue = chart::kBlue;
-const QColor kGum = chart::kVermillion;
+// Of the hues that no line which judges has.
+const QColor kTongue = chart::kGreen;
+const QColor kGum = chart::kPurple.darker(140);  // so that it is bright enough on the dark ground as well
 const QColor kDisplayed = chart::kGrey;
-const QColor kTarget = chart::kGreen;
-const QColor kLimit = chart::kPurple;
 const QColor kSightColour = chart::kSky;
 
 double length(const std::array<double, 3>& v) { return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]); }
@@ -54,7 +54,9 @@ std::vector<ChartLabel> paint_force_chart(QPainter& painter, const ChartForm& fo
     throw std::logic_error("a chart needs a QGuiApplication for its fonts");
   }
   Series tongue, gum, displayed, sight;
-  double highest = std::max(log.header.device_limit_n, scenario.targets.tongue_force_n);
+  const curricula::PassLimits& pass = scenario.pass;
+  double highest = std::max({log.header.device_limit_n, scenario.targets.tongue_force_n, scenario.targets.gum_force_n,
+                             pass.peak_tongue_force_n, pass.peak_gum_force_n});
   for (const curricula::LogTick& tick : log.ticks) {
     const double forces[] = {length(tick.loads[curricula::kTongue].force_n),
                              length(tick.loads[curricula::kGum].force_n), length(tick.displayed_force_n)};
@@ -99,13 +101,14 @@ std::vector<ChartLabel> paint_force_chart(QPainter& painter, const ChartForm& fo
     force.pause(pause.at_s, pause.at_s + pause.for_s, QCoreApplication::translate("Charts", "paused"));
     view.pause(pause.at_s, pause.at_s + pause.for_s, QString());
   }
-  const double limit_n = log.header.device_limit_n, target_n = scenario.targets.tongue_force_n;
-  force.level(limit_n, kLimit, Qt::DashLine,
-              QCoreApplication::translate("Charts", "device limit %1 N").arg(chart::number(limit_n, 1)),
-              limit_n >= target_n);
-  force.level(target_n, kTarget, Qt::DashDotLine,
-              QCoreApplication::translate("Charts", "training target, tongue %1 N").arg(chart::number(target_n, 1)),
-              target_n > limit_n);
+  const auto judged = [&](double force_n, const JudgedLine& look, const QString& words) {
+    if (force_n > 0.0) force.level(force_n, look.on_paper, look.style, words.arg(chart::number(force_n, 1)), true);
+  };
+  judged(pass.peak_tongue_force_n, kPassLine, QCoreApplication::translate("Charts", "pass limit, tongue %1 N"));
+  judged(scenario.targets.tongue_force_n, kTargetLine, QCoreApplication::translate("Charts", "target, tongue %1 N"));
+  judged(log.header.device_limit_n, kDeviceLine, QCoreApplication::translate("Charts", "device limit %1 N"));
+  judged(pass.peak_gum_force_n, kPassLine, QCoreApplication::translate("Charts", "pass limit, gum %1 N"));
+  judged(scenario.targets.gum_force_n, kTargetLine, QCoreApplication::translate("Charts", "target, gum %1 N"));
   view.level(scenario.sight_percent, kSightColour, Qt::DashLine,
              QCoreApplication::translate("Charts", "counts as in sight from %1 %")
                  .arg(chart::number(scenario.sight_percent, 0)),

@@ -18,7 +18,8 @@ std::vector<std::pair<double, double>> attempt_spans(const curricula::Score& sco
 QString displayed_words(const curricula::LogHeader& header);
 
 /// Tongue and gum force as the tissue has them, the force the device was told, and what they are judged by: device
-/// limit, the scenario's target, peak, first sight; below it the fraction of the glottis in sight. Needs a
+/// limit, the scenario's targets and pass limits (as the bars beside the view have them: judged_lines.h), peak, first
+/// sight; below it the fraction of the glottis in sight. Needs a
 /// QGuiApplication (fonts), no display. Colours: Okabe and Ito (2008), told apart by colour-blind eyes and, where lines
 /// meet, by their dashes too. Readable from kLeastForceChart em in height and about 40 em in width up.
 std::vector<ChartLabel> paint_force_chart(QPainter& painter, const ChartForm& form, const curricula::TrialLog& log,

@@ -68,8 +68,8 @@ std::string intubation_sentence(const curricula::Score& score, const curricula::
                              number(score.attempt_time_s, 1) + " s")
               .toStdString();
   if (i.lowest_spo2_percent && i.lowest_heart_per_min)
-    text += ", " + in_words("lowest saturation " + number(*i.lowest_spo2_percent, 0) + " %, lowest heart rate " +
-                            number(*i.lowest_heart_per_min, 0) + " per minute")
+    text += ", " + in_words("lowest saturation " + curricula::told_spo2(*i.lowest_spo2_percent) +
+                            " %, lowest heart rate " + number(*i.lowest_heart_per_min, 0) + " per minute")
                        .toStdString();
   return text + ", " +
          in_words("with at most " + number(score.peak_tongue_force_n, 1) + " N on the tongue and " +
@@ -80,9 +80,9 @@ std::string intubation_sentence(const curricula::Score& score, const curricula::
 std::vector<Row> intubation_rows(const curricula::Score& score, const curricula::Scenario& scenario) {
   const curricula::IntubationScore& i = *score.intubation;
   const curricula::Attempt* decisive = i.decisive();
-  const auto lowest = [&](const std::string& name, const std::optional<double>& value, const char* unit, double at_s,
-                          const std::string& criterion) {
-    return value ? row(score, name, number(*value, 0) + unit + at(at_s), criterion, "at least") : no_attempt(name);
+  const auto lowest = [&](const std::string& name, const std::optional<double>& value, const std::string& told,
+                          double at_s, const std::string& criterion) {
+    return value ? row(score, name, told + at(at_s), criterion, "at least") : no_attempt(name);
   };
   std::string against;
   if (i.tip_against < curricula::kTubeLoads)
@@ -103,15 +103,20 @@ std::vector<Row> intubation_rows(const curricula::Score& score, const curricula:
   }
   rows.insert(rows.end(),
               {
-                  lowest("Lowest saturation, displayed", i.lowest_spo2_percent, " %", i.lowest_spo2_at_s,
+                  lowest("Lowest saturation, displayed", i.lowest_spo2_percent,
+                         curricula::told_spo2(i.lowest_spo2_percent.value_or(0.0)) + " %", i.lowest_spo2_at_s,
                          "lowest_spo2_percent"),
-                  lowest("Lowest heart rate", i.lowest_heart_per_min, " per minute", i.lowest_heart_at_s,
+                  lowest("Lowest heart rate", i.lowest_heart_per_min,
+                         number(i.lowest_heart_per_min.value_or(0.0), 0) + " per minute", i.lowest_heart_at_s,
                          "lowest_heart_per_min"),
                   row(score, "CO2 detector", detector(i), "co2_confirmed", "yellow by breath"),
-                  row(score, "Peak force along the tube, at its tip",
-                      force(i.tip_load_n.value, i.tip_load_n.at_s) + against, "tube_force_n", "at most"),
+                  tube_force_row(score, scenario, "Peak force along the tube, at its tip",
+                                 force(i.tip_load_n.value, i.tip_load_n.at_s) + against),
                   {"Peak force on the tube's hand", force(i.hand_force_n.value, i.hand_force_n.at_s), "", ""},
-                  {"Tube's peak push on each part, summed all round", loads(i), "", ""},
+                  {"Tube's peak push on each part, summed all round", loads(i),
+                   "no limit: what presses on the tube from all sides there, together; the cricoid is the narrowest "
+                   "ring, below the cords",
+                   ""},
                   {"Breaths given, mask and tube", std::to_string(i.breaths_given), "", ""},
               });
   if (i.oesophagus_entries > 0)
@@ -144,9 +149,11 @@ std::string attempts_html(const curricula::Score& score) {
     html += "<tr><td>" + std::to_string(n + 1) + "</td><td>" + in_page(number(a.start_s, 1)) + ", " +
             in_page(number(a.end_s, 1)) + "</td><td class=\"figure\">" + in_page(timed(a.time_s)) + "</td><td>" +
             std::to_string(a.breaths_before) + "</td><td>" + in_page(timed(a.time_to_view_s)) + "</td><td>" +
-            in_page(timed(a.time_to_pass_s)) + "</td><td>" + number(a.highest_spo2_before_percent, 0) + " %, " +
-            number(a.lowest_spo2_percent, 0) + " %" + (a.desaturated ? ": " + in_page("severe desaturation") : "") +
-            "</td><td>" + in_page(number(a.lowest_heart_per_min, 0) + " per minute") +
+            in_page(timed(a.time_to_pass_s)) + "</td><td>" +
+            in_page(curricula::told_spo2(a.highest_spo2_before_percent) + " %") + ", " +
+            in_page(curricula::told_spo2(a.lowest_spo2_percent) + " %") +
+            (a.desaturated ? ": " + in_page("severe desaturation") : "") + "</td><td>" +
+            in_page(number(a.lowest_heart_per_min, 0) + " per minute") +
             (a.bradycardia ? ": " + in_page("bradycardia") : "") + "</td></tr>\n";
   }
   return html + "</table>\n<p class=\"foot\">" +

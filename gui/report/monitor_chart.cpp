@@ -4,6 +4,7 @@
 #include <QGuiApplication>
 #include <QPainter>
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "gui/report/chart_panel.h"
@@ -28,6 +29,7 @@ struct Recorded {
   std::vector<double> yellow_s;                         ///< the detector turned yellow
   std::vector<std::pair<double, double>> oesophagus_s;  ///< from, to
   double fastest_per_min = 200.0;
+  bool untold = false;  ///< it fell to where no monitor's figure is to be believed
 };
 
 Recorded read(const curricula::TrialLog& log) {
@@ -36,7 +38,8 @@ Recorded read(const curricula::TrialLog& log) {
   bool yellow = false, there = false;
   for (const curricula::LogTick& tick : log.ticks) {
     const curricula::LogIntubation& i = tick.intubation;
-    r.spo2.add(tick.time_s, 100.0 * i.spo2);
+    r.spo2.add(tick.time_s, std::max(100.0 * i.spo2, curricula::kLeastToldSpo2));
+    r.untold = r.untold || 100.0 * i.spo2 < curricula::kLeastToldSpo2;
     r.sao2.add(tick.time_s, 100.0 * i.sao2);
     r.heart.add(tick.time_s, i.heart_per_min);
     r.fastest_per_min = std::max(r.fastest_per_min, i.heart_per_min);
@@ -131,10 +134,17 @@ std::vector<ChartLabel> paint_monitor_chart(QPainter& painter, const ChartForm& 
   }
   for (const double at_s : recorded.yellow_s)
     heart.moment(at_s, kYellow, QCoreApplication::translate("Charts", "CO2: detector yellow"));
-  if (intubation.lowest_spo2_percent)
-    saturation.peak(
-        intubation.lowest_spo2_at_s, *intubation.lowest_spo2_percent, kSpo2,
-        QCoreApplication::translate("Charts", "lowest %1 %").arg(chart::number(*intubation.lowest_spo2_percent, 0)));
+  const QString floor = chart::number(curricula::kLeastToldSpo2, 0);
+  if (recorded.untold)
+    saturation.level(curricula::kLeastToldSpo2, chart::kGrey, Qt::DotLine,
+                     QCoreApplication::translate("Charts", "the display says < %1").arg(floor), false);
+  if (intubation.lowest_spo2_percent) {
+    const double lowest = *intubation.lowest_spo2_percent;
+    saturation.peak(intubation.lowest_spo2_at_s, std::max(lowest, curricula::kLeastToldSpo2), kSpo2,
+                    std::round(lowest) < curricula::kLeastToldSpo2
+                        ? QCoreApplication::translate("Charts", "lowest: below %1 %").arg(floor)
+                        : QCoreApplication::translate("Charts", "lowest %1 %").arg(chart::number(lowest, 0)));
+  }
   if (intubation.lowest_heart_per_min)
     heart.peak(intubation.lowest_heart_at_s, *intubation.lowest_heart_per_min, kHeart,
                QCoreApplication::translate("Charts", "lowest %1 per minute")

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "curricula/records/trial_files.h"
-#include "gui/session/languages.h"
 #include "gui/report/advice.h"
 #include "gui/report/figure_row.h"
 #include "gui/report/intubation_report.h"
@@ -15,6 +14,7 @@
 #include "gui/report/monitor_chart.h"
 #include "gui/report/technique_report.h"
 #include "gui/session/files.h"
+#include "gui/session/languages.h"
 #include "gui/session/words_from_below.h"
 
 namespace vallecula::gui {
@@ -26,6 +26,7 @@ namespace {
 std::vector<Row> figures(const curricula::Score& score, const curricula::TrialLog& log,
                          const curricula::Scenario& scenario) {
   const bool seen = score.time_to_trachea_visible_s >= 0.0;
+  const curricula::PassLimits& pass = scenario.pass;
   const auto other = [&](const std::string& name, int structure) {
     return Row{name, force(score.peak_force_n[structure], score.time_of_peak_s[structure]), "", ""};
   };
@@ -40,17 +41,20 @@ std::vector<Row> figures(const curricula::Score& score, const curricula::TrialLo
           attempt_row(score, scenario,
                       score.mouth_entries > 1 && score.intubation ? "Longest attempt, blade in to blade out"
                                                                   : "Attempt time, blade in to blade out"),
-          row(score, "Peak force on the tongue", force(score.peak_tongue_force_n, score.time_of_peak_tongue_force_s),
-              "peak_tongue_force_n", "at most"),
-          row(score, "Peak force on the gums", force(score.peak_gum_force_n, score.time_of_peak_gum_force_s),
-              "peak_gum_force_n", "at most"),
+          limit_row(score, "Peak force on the tongue",
+                    force(score.peak_tongue_force_n, score.time_of_peak_tongue_force_s), "peak_tongue_force_n",
+                    pass.peak_tongue_force_n, "N"),
+          limit_row(score, "Peak force on the gums", force(score.peak_gum_force_n, score.time_of_peak_gum_force_s),
+                    "peak_gum_force_n", pass.peak_gum_force_n, "N"),
           other("Peak force on the epiglottis", curricula::kEpiglottis),
           other("Peak force on the palate", curricula::kPalate),
           other("Peak force on the larynx", curricula::kLarynx),
-          row(score, "Time over the training target (tongue, " + number(scenario.targets.tongue_force_n, 1) + " N)",
-              number(score.time_over_target_s, 2) + " s", "time_over_target_s", "at most"),
-          row(score, "Time over the device limit (" + number(log.header.device_limit_n, 1) + " N)",
-              number(score.time_over_force_limit_s, 2) + " s", "time_over_force_limit_s", "at most"),
+          limit_row(score,
+                    "Time over the training target (tongue, " + number(scenario.targets.tongue_force_n, 1) + " N)",
+                    number(score.time_over_target_s, 2) + " s", "time_over_target_s", pass.time_over_target_s, "s"),
+          limit_row(score, "Time over the device limit (" + number(log.header.device_limit_n, 1) + " N)",
+                    number(score.time_over_force_limit_s, 2) + " s", "time_over_force_limit_s",
+                    pass.time_over_device_limit_s, "s"),
       });
   return rows;
 }
@@ -159,13 +163,17 @@ void write_report(const fs::path& folder, const curricula::TrialLog& log, const 
                          .toHtmlEscaped()
                          .toStdString() +
                      "</p>\n";
-  html += std::string("<p class=\"summary ") + (!score.set_aside.empty() ? "" : score.passed ? "passed" : "failed") + "\">" +
-          escaped(summary_sentence(score, scenario)) + "</p>\n<p class=\"change\">" +
+  html += std::string("<p class=\"summary ") +
+          (!score.set_aside.empty() ? ""
+           : score.passed           ? "passed"
+                                    : "failed") +
+          "\">" + escaped(summary_sentence(score, scenario)) + "</p>\n<p class=\"change\">" +
           in_page(what_to_change(score, scenario)) + "</p>\n";
   if (!score.reasons.empty()) {
     html += title(!score.set_aside.empty() ? "Why it counts neither way, and what was measured"
                   : score.passed           ? "Why it was passed"
-                                           : "Why it was not passed") + "<ul>\n";
+                                           : "Why it was not passed") +
+            "<ul>\n";
     for (const std::string& reason : score.reasons) html += "<li>" + in_page(reason) + "</li>\n";
     html += "</ul>\n";
   }

@@ -208,10 +208,6 @@
         <translation>Gerätegrenze %1 N</translation>
     </message>
     <message>
-        <source>training target, tongue %1 N</source>
-        <translation>Trainingsziel, Zunge %1 N</translation>
-    </message>
-    <message>
         <source>counts as in sight from %1 %</source>
         <translation>zählt als in Sicht ab %1 %</translation>
     </message>
@@ -290,6 +286,30 @@
     <message>
         <source>first sight</source>
         <translation>erste Sicht</translation>
+    </message>
+    <message>
+        <source>pass limit, tongue %1 N</source>
+        <translation>Bestehensgrenze, Zunge %1 N</translation>
+    </message>
+    <message>
+        <source>target, tongue %1 N</source>
+        <translation>Ziel, Zunge %1 N</translation>
+    </message>
+    <message>
+        <source>pass limit, gum %1 N</source>
+        <translation>Bestehensgrenze, Zahnleiste %1 N</translation>
+    </message>
+    <message>
+        <source>target, gum %1 N</source>
+        <translation>Ziel, Zahnleiste %1 N</translation>
+    </message>
+    <message>
+        <source>the display says &lt; %1</source>
+        <translation>Anzeige: &lt; %1</translation>
+    </message>
+    <message>
+        <source>lowest: below %1 %</source>
+        <translation>niedrigste: unter %1 %</translation>
     </message>
 </context>
 <context>
@@ -4875,6 +4895,50 @@ Sekunden sind eine Obergrenze, kein Ziel.</translation>
         <source>no picture</source>
         <translation>kein Bild</translation>
     </message>
+    <message>
+        <source>In attempt %1 of %2, begun at %3 s, saturation fell by %4 points or more, from %5 to below %6 %</source>
+        <translation>Im Intubationsversuch %1 von %2, begonnen bei %3 s, fiel die Sättigung um %4 Punkte oder mehr, von %5 auf unter %6 %</translation>
+    </message>
+    <message>
+        <source>Saturation fell to below %1 %, less than the %2 % asked for</source>
+        <translation>Die Sättigung fiel auf unter %1 %, weniger als die verlangten %2 %</translation>
+    </message>
+    <message>
+        <source>Saturation began at below %1 % and fell no further, less than the %2 % asked for</source>
+        <translation>Die Sättigung begann unter %1 % und fiel nicht weiter, weniger als die verlangten %2 %</translation>
+    </message>
+    <message>
+        <source>Saturation fell to below %1 % at %2 s, less than the %3 % asked for</source>
+        <translation>Die Sättigung fiel bei %2 s auf unter %1 %, weniger als die verlangten %3 %</translation>
+    </message>
+    <message>
+        <source>not judged: no attempt; at most %1 N</source>
+        <translation>nicht gewertet: kein Intubationsversuch; höchstens %1 N</translation>
+    </message>
+    <message>
+        <source>not judged: no attempt; at most %1 s</source>
+        <translation>nicht gewertet: kein Intubationsversuch; höchstens %1 s</translation>
+    </message>
+    <message>
+        <source>below %1 %</source>
+        <translation>unter %1 %</translation>
+    </message>
+    <message>
+        <source>below %1 %, at %2 s</source>
+        <translation>unter %1 %, bei %2 s</translation>
+    </message>
+    <message>
+        <source>no limit: what presses on the tube from all sides there, together; the cricoid is the narrowest ring, below the cords</source>
+        <translation>keine Grenze: was dort von allen Seiten auf den Tubus drückt, zusammen; der Ringknorpel ist die engste Stelle, unter den Stimmlippen</translation>
+    </message>
+    <message>
+        <source>Along the tube, against what stands before its tip: closed cords, or the cricoid, the narrowest ring below them</source>
+        <translation>Längs des Tubus, gegen das, was vor seiner Spitze steht: geschlossene Stimmlippen oder der Ringknorpel, die engste Stelle darunter</translation>
+    </message>
+    <message>
+        <source>lowest saturation below %1 %, lowest heart rate %2 per minute</source>
+        <translation>niedrigste Sättigung unter %1 %, niedrigste Herzfrequenz %2 pro Minute</translation>
+    </message>
 </context>
 <context>
     <name>GivenLabels</name>
@@ -7218,16 +7282,16 @@ Nichts kann kaputtgehen, und jeder Versuch ist ein neuer. Bevor es beginnt, sagt
         <translation>Balken: Modellkraft des Gewebes auf den Spatel, in Newton. Weiße Linie: das Höchste bisher.</translation>
     </message>
     <message>
-        <source>Target: yellow line. What to train for, %1 N on the tongue and %2 N on the gum; a trial passes with at most %3 s above the tongue&apos;s.</source>
-        <translation>Ziel: gelbe Linie. Worauf geübt wird, %1 N auf die Zunge und %2 N auf die Zahnleiste; bestanden wird mit höchstens %3 s über dem der Zunge.</translation>
-    </message>
-    <message>
         <source>Pass limit: red line. A peak above %1 N on the tongue or %2 N on the gum does not pass.</source>
         <translation>Bestehensgrenze: rote Linie. Eine Spitze über %1 N auf die Zunge oder %2 N auf die Zahnleiste besteht nicht.</translation>
     </message>
     <message>
         <source>Device limit: blue dashed line, hatched beyond it. Your device cannot push back with more than %1 N: there the blade stays where it is, and a grey one shows your hand.</source>
         <translation>Gerätegrenze: blaue gestrichelte Linie, dahinter schraffiert. Ihr Gerät kann mit höchstens %1 N zurückdrücken: Dort bleibt der Spatel, wo er ist, und ein grauer zeigt Ihre Hand.</translation>
+    </message>
+    <message>
+        <source>Target: yellow line of dashes and dots. What to train for, %1 N on the tongue and %2 N on the gum; a trial passes with at most %3 s above the tongue&apos;s.</source>
+        <translation>Ziel: gelbe Linie aus Strichen und Punkten. Worauf geübt wird, %1 N auf die Zunge und %2 N auf die Zahnleiste; bestanden wird mit höchstens %3 s über dem der Zunge.</translation>
     </message>
 </context>
 <context>
@@ -8412,6 +8476,10 @@ Gerät: %3</translation>
     <message>
         <source>Your own infant: its time stands meanwhile</source>
         <translation>Ihr eigenes Kind: Seine Zeit steht solange</translation>
+    </message>
+    <message>
+        <source>SpO2: real oximeters state their accuracy from 70 to 100 %; below 70 % digits are a trend. Below %1 % none are shown: no newborn&apos;s curve was published so low.</source>
+        <translation>SpO2: Für wirkliche Pulsoximeter ist die Genauigkeit von 70 bis 100 % angegeben; unter 70 % zeigen die Ziffern nur einen Trend. Unter %1 % steht keine: So tief wurde keine Kurve Neugeborener veröffentlicht.</translation>
     </message>
 </context>
 <context>
@@ -10606,6 +10674,14 @@ Gerät: %3</translation>
     <message>
         <source>expert: %1</source>
         <translation>Experte: %1</translation>
+    </message>
+    <message>
+        <source>%1 cm at the lips (rule: %2)</source>
+        <translation>%1 cm an den Lippen (Regel: %2)</translation>
+    </message>
+    <message>
+        <source>Rule: the scenario&apos;s weight in kg (%1) and 6 cm at the upper lip. A help that hits about half of all infants; judged is where the tip lies.</source>
+        <translation>Regel: das Gewicht des Szenarios in kg (%1) und 6 cm, an der Oberlippe. Eine Hilfe, die bei etwa der Hälfte der Kinder stimmt; gewertet wird, wo die Spitze liegt.</translation>
     </message>
 </context>
 <context>

@@ -10,6 +10,7 @@
 #include <vtkTextProperty.h>
 
 #include <QCoreApplication>
+#include <QString>
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -25,6 +26,8 @@ namespace {
 using engine::Vec3;
 
 constexpr double kGoodDepthType = 14.0, kNumberType = 11.0;  // points
+constexpr double kLeader = 16.0, kBesideLeader = 4.0;        // px
+constexpr double kLetter = 0.6;  // of a bold letter's type, its width on average: rather too much than too little
 
 /// A cut's ends in the sagittal plane, m, and how far it is along the chain.
 struct Cut {
@@ -115,11 +118,24 @@ std::size_t cords_in(const engine::AirwayCourse& course) {
 
 }  // namespace
 
-void AirwayMarks::set_type(double text_scale, double px_per_cm) const {
+void AirwayMarks::set_type(double text_scale, double px_per_cm, double before_px) const {
   const auto type = [&](vtkBillboardTextActor3D& word, double points) {
     word.GetTextProperty()->SetFontSize(static_cast<int>(std::lround(points * text_scale)));
   };
   type(*good_depth, kGoodDepthType);
+  const double letters = QString::fromUtf8(good_depth->GetInput()).size();
+  const bool room = letters * kLetter * kGoodDepthType * text_scale + kLeader + kBesideLeader < before_px;
+  good_depth->SetVisibility(room);
+  leader->SetVisibility(room);
+  const Eigen::Vector2d end = good_front_mm + 10.0 * kLeader / std::max(px_per_cm, 1.0) * good_out;
+  double at[3];
+  good_depth->GetPosition(at);
+  good_depth->SetPosition(at[0], end.x(), end.y());
+  good_depth->SetDisplayOffset(-static_cast<int>(kBesideLeader), 0);
+  auto* line = vtkPolyData::SafeDownCast(leader->GetMapper()->GetInputDataObject(0, 0))->GetPoints();
+  line->GetPoint(1, at);
+  line->SetPoint(1, at[0], end.x(), end.y());
+  line->Modified();
   // At VTK's 72 dots an inch a point is a pixel, and a digit is not quite as tall as its type.
   const double tall = kNumberType * text_scale;
   const int each = std::max(1, static_cast<int>(std::ceil(tall / std::max(px_per_cm, 1.0))));
@@ -157,6 +173,12 @@ AirwayMarks airway_marks(const engine::AirwayCourse& course, double midline_x_mm
   marks.good_depth = text(QCoreApplication::translate("AirwayMarks", "good depth").toUtf8().constData(),
                           middle.front + 0.003 * out, midline_x_mm, kGoodDepthType, QColor(250, 252, 250), true);
   put(marks.good_depth, layer_mm + 0.2);
+  marks.good_front_mm = 1e3 * Eigen::Vector2d(middle.front.y(), middle.front.z());
+  marks.good_out = Eigen::Vector2d(out.y(), out.z()).normalized();
+  Drawing leader(midline_x_mm);
+  leader.line(middle.front, middle.front + 0.003 * out);
+  marks.leader = leader.actor(QColor(250, 252, 250), 1.0);
+  put(marks.leader, layer_mm + 0.1);
   for (int cm = 1; 0.01 * cm < length; ++cm) {
     const Cut cut = cut_at(cuts, from + 0.01 * cm);
     const Vec3 across = (cut.back - cut.front).normalized();

@@ -2,10 +2,12 @@
 // and the oesophagus behind.
 #pragma once
 
+#include <vtkActor.h>
 #include <vtkBillboardTextActor3D.h>
 #include <vtkProp3D.h>
 #include <vtkSmartPointer.h>
 
+#include <Eigen/Core>
 #include <vector>
 
 #include "engine/tube/airway.h"
@@ -20,9 +22,15 @@ struct AirwayMarks {
   vtkSmartPointer<vtkBillboardTextActor3D> good_depth;
   std::vector<vtkSmartPointer<vtkBillboardTextActor3D>> centimetres;  ///< 1, 2, 3 and on
 
+  vtkSmartPointer<vtkActor> leader;  ///< from the good stretch to its word
+  Eigen::Vector2d good_front_mm{0.0, 0.0},
+      good_out{0.0, 0.0};  ///< y and z of the stretch's front wall, and away from it
+
   /// Their type at a text scale (1: as it is first), and as many of the numbers as have room one below another where a
-  /// centimetre is so many pixels.
-  void set_type(double text_scale, double px_per_cm) const;
+  /// centimetre is so many pixels. The good stretch's word stands beside the airway, at the same pixels from it however
+  /// small the picture is, and not at all where the picture has less than its width of `before_px` in front of the
+  /// airway.
+  void set_type(double text_scale, double px_per_cm, double before_px = 1e9) const;
 };
 
 /// For the plane x = `midline_x_mm`, each on a layer `layer_mm` nearer to a viewer on the left; the oesophagus on

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "curricula/score/handle_loads.h"
+#include "gui/report/judged_lines.h"
 #include "gui/session/words_from_below.h"
 #include "gui/views/theme.h"
 
@@ -86,7 +87,8 @@ void ForceBars::set_marks(const ForceMarks& marks) {
   // By how each looks, so that who wonders about a line finds it.
   QStringList lines;
   lines << tr("Bars: model force of the tissue on the blade, in newton. White line: the highest so far.");
-  lines << tr("Target: yellow line. What to train for, %1 N on the tongue and %2 N on the gum; a trial passes with at "
+  lines << tr("Target: yellow line of dashes and dots. What to train for, %1 N on the tongue and %2 N on the gum; a "
+              "trial passes with at "
               "most %3 s above the tongue's.")
                .arg(newtons(tongue_.target), newtons(gum_.target), newtons(marks.over_target_s));
   lines << tr("Pass limit: red line. A peak above %1 N on the tongue or %2 N on the gum does not pass.")
@@ -190,18 +192,18 @@ void ForceBars::paint_bar(QPainter& painter, const QRectF& place, const QString&
   };
   std::vector<Word> words;
   const QFontMetricsF type(painter.font());
-  const auto mark = [&](double newton, const QColor& colour, const QString& text, Qt::PenStyle style, bool before) {
+  const auto mark = [&](double newton, const JudgedLine& look, const QString& text, bool before) {
     if (!(newton > 0.0)) return;
-    painter.setPen(QPen(colour, 2.0, style));
+    const QColor colour = theme::of_this_ground(look.on_paper);
+    painter.setPen(QPen(colour, 2.0, look.style, Qt::FlatCap));
     painter.drawLine(QPointF(at(newton), track.top() - 3.0), QPointF(at(newton), track.bottom() + 3.0));
     const double wide = type.horizontalAdvance(text) + 2.0;
     const double free_from = words.empty() ? place.left() : words.back().from + words.back().wide + kBetweenWords;
     words.push_back({std::max(free_from, at(newton) + (before ? 3.0 - wide : -3.0)), wide, text, colour});
   };
-  mark(bar.target, theme::target(), tr("target %1").arg(newtons(bar.target)), Qt::SolidLine, true);
-  mark(bar.pass, theme::bad(), tr("pass limit %1").arg(newtons(bar.pass)), Qt::SolidLine, false);
-  if (with_limit)
-    mark(device_limit_, theme::device(), tr("device limit %1").arg(newtons(device_limit_)), Qt::DashLine, false);
+  mark(bar.target, kTargetLine, tr("target %1").arg(newtons(bar.target)), true);
+  mark(bar.pass, kPassLine, tr("pass limit %1").arg(newtons(bar.pass)), false);
+  if (with_limit) mark(device_limit_, kDeviceLine, tr("device limit %1").arg(newtons(device_limit_)), false);
   const auto length = [&] {
     return std::accumulate(words.begin(), words.end(), -kBetweenWords,
                            [](double sum, const Word& word) { return sum + word.wide + kBetweenWords; });

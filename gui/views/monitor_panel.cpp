@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "curricula/score/intubation_score.h"
 #include "gui/views/theme.h"
 
 namespace vallecula::gui {
@@ -65,6 +66,12 @@ QFont fitted(QPainter& painter, double pixels, const QString& text, double wide,
 
 }  // namespace
 
+QString spo2_digits(double spo2) {
+  const double percent = 100.0 * spo2;
+  return std::round(percent) < curricula::kLeastToldSpo2 ? QString("< %1").arg(curricula::kLeastToldSpo2, 0, 'f', 0)
+                                                         : QString::number(percent, 'f', 0);
+}
+
 QStringList alarms_of(const engine::IntubationRecord& record) {
   QStringList alarms;
   if (record.heart_per_min < kCompressions)
@@ -86,7 +93,12 @@ MonitorPanel::MonitorPanel(QWidget* parent) : QWidget(parent) {
   setToolTip(
       tr("Lines: the last minute; dotted: where the alarm begins. Breaths given are counted wherever they went; their "
          "rate is the mean of the last %1.")
-          .arg(kRateOf));
+          .arg(kRateOf) +
+      '\n' +
+      tr("SpO2: real oximeters state their accuracy from 70 to 100 %; below 70 % digits are a trend. Below %1 % none "
+         "are "
+         "shown: no newborn's curve was published so low.")
+          .arg(curricula::kLeastToldSpo2, 0, 'f', 0));
 }
 
 QSize MonitorPanel::sizeHint() const { return {780, high(kHigh)}; }
@@ -174,7 +186,7 @@ void MonitorPanel::describe() {
   if (!there_) return setAccessibleDescription(QString());
   const QString breath =
       breathes_now() ? tr("it breathes by itself") : tr("%1 s since the last breath").arg(since_breath_s(), 0, 'f', 0);
-  QStringList parts{tr("saturation %1 %").arg(100.0 * record_.spo2, 0, 'f', 0),
+  QStringList parts{tr("saturation %1 %").arg(spo2_digits(record_.spo2)),
                     tr("heart rate %1 a minute").arg(record_.heart_per_min, 0, 'f', 0), breath};
   if (waiting_) parts.prepend(tr("Your own infant waits"));
   setAccessibleDescription((QStringList(parts.join(", ")) + alarms_of(record_)).join("; "));
@@ -194,7 +206,8 @@ void MonitorPanel::paint_numeric(QPainter& painter, const QRectF& place, const Q
   painter.drawText(inside, Qt::AlignTop | Qt::AlignLeft, name);
   painter.setFont(fitted(painter, word, unit, kUnitShare * inside.width()));
   painter.drawText(inside, Qt::AlignTop | Qt::AlignRight, unit);
-  painter.setFont(sized(painter, std::min(0.64 * tall, 0.44 * inside.width()), true));  // three digits have room
+  // Three digits have room, and so has a sign before two.
+  painter.setFont(fitted(painter, std::min(0.64 * tall, 0.44 * inside.width()), value, inside.width()));
   painter.drawText(inside.adjusted(0, 0.7 * word, 0, 0), Qt::AlignVCenter | Qt::AlignRight, value);
 }
 
@@ -281,8 +294,7 @@ void MonitorPanel::paintEvent(QPaintEvent*) {
   const QString none("- -");
   if (waiting_) painter.setOpacity(0.35);
   const bool low = there_ && record_.spo2 < kLowSpo2, slow = there_ && record_.heart_per_min < kSlowHeart;
-  paint_numeric(painter, next(numeric), "SpO2", there_ ? QString::number(100.0 * record_.spo2, 'f', 0) : none, "%",
-                kOxygen, low);
+  paint_numeric(painter, next(numeric), "SpO2", there_ ? spo2_digits(record_.spo2) : none, "%", kOxygen, low);
   paint_trend(painter, next(trend).adjusted(0, 4, 0, -4), &Moment::spo2, 0.4, 1.0, kLowSpo2, "80", kOxygen);
   const QRectF heart = next(numeric);
   paint_numeric(painter, heart, tr("HR"), there_ ? QString::number(record_.heart_per_min, 'f', 0) : none, "/min",

@@ -14,6 +14,9 @@ namespace vallecula::gui {
 /// What the alarms begin at (CLINICAL: below 100 ventilate, below 60 compressions; SpO2 below 80 % is severe).
 constexpr double kLowSpo2 = 0.80, kSlowHeart = 100.0, kCompressions = 60.0;
 
+/// The saturation's digits: "87"; "< 30" of what no figure is to be believed of (curricula::kLeastToldSpo2).
+QString spo2_digits(double spo2);
+
 /// Alarms of a moment, the gravest first, in words; empty: none.
 QStringList alarms_of(const engine::IntubationRecord& record);
 /// How the gravest of them sounds: high where compressions are due or the saturation is severe, else medium.

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gui/views/drape_look.h"
+
 namespace vallecula::gui {
 namespace {
 
@@ -30,7 +32,7 @@ vtkSmartPointer<vtkActor> tissue_actor(vtkPolyData* surface, MouthStage::Eye eye
 
 // The lamp of a blade outside the mouth is a spot of light in a lit room; inside it is the light.
 constexpr double kLampOutside = 0.35, kLampInside = 1.2, kRoomInside = 0.80, kRoomBehindBlade = 0.34;
-constexpr double kExposure = 1.05;  // of a camera that sees by the lamp alone
+constexpr double kExposure = 1.05;                       // of a camera that sees by the lamp alone
 constexpr double kGlowNatural = 0.05, kGlowBlue = 0.45;  // blue is a sign: to be found where little light falls
 constexpr int kBladeSolids = 2;                          // a capsule along the blade, one along the handle
 constexpr std::array<int, 5> kShadowNodes{0, 6, 14, 24, 39};
@@ -48,6 +50,8 @@ MouthStage::MouthStage(std::shared_ptr<PatientLook> look, const engine::Triangle
     close_skin_ = tissue_actor(look_->seen_close, eye);
     close_skin_->VisibilityOff();
     tissues_.push_back(close_skin_);
+    drape_ = drape(*look_);
+    if (drape_) renderer->AddActor(drape_);
   }
   if (look_->trachea->GetNumberOfPoints() > 0) {
     trachea_ = tissue_actor(look_->trachea, eye);
@@ -99,16 +103,13 @@ void MouthStage::gather_solids(const engine::Snapshot& snapshot) {
     solids[i][3] = static_cast<float>(radius_mm);
   };
   const engine::Pose& pose = snapshot.proxy_pose;
-  const auto world = [&](const engine::Vec3& mm) {
-    return engine::Vec3(1000.0 * pose.position + pose.rotation * mm);
-  };
+  const auto world = [&](const engine::Vec3& mm) { return engine::Vec3(1000.0 * pose.position + pose.rotation * mm); };
   const BladeExtent& blade = tool_->extent();
   put(0, world({blade.half_width_mm, 0.0, 0.0}), blade.half_width_mm);
   put(1, world({blade.length_mm, 0.0, 0.0}), 8.0);
   put(2, world({blade.length_mm, 0.0, 80.0}), 0.0);
   if (!tube_ || !snapshot.has_intubation) return;
-  const double radius =
-      snapshot.intubation.in_hand == engine::InHand::catheter ? catheter_radius_mm_ : tube_radius_mm_;
+  const double radius = snapshot.intubation.in_hand == engine::InHand::catheter ? catheter_radius_mm_ : tube_radius_mm_;
   for (int i = 0; i < static_cast<int>(kShadowNodes.size()); ++i)
     put(kBladeSolids + 1 + i, 1000.0 * snapshot.tube_axis[static_cast<std::size_t>(kShadowNodes[i])],
         i + 1 < static_cast<int>(kShadowNodes.size()) ? radius : 0.0);
@@ -139,16 +140,18 @@ void MouthStage::colour_trachea() {
 void MouthStage::set_close(bool on) {
   close_skin_->SetVisibility(on);
   tissues_.front()->SetVisibility(!on);
+  if (drape_) drape_->SetVisibility(!on);
 }
 
 void MouthStage::set_half(bool on) {
-  auto* skin = tissues_.front()->GetMapper();
-  skin->RemoveAllClippingPlanes();
+  for (vtkActor* half : {tissues_.front().Get(), drape_.Get()})
+    if (half != nullptr) half->GetMapper()->RemoveAllClippingPlanes();
   if (!on) return;
   vtkNew<vtkPlane> middle;
   middle->SetOrigin(look_->framing.midline_x_mm, 0.0, 0.0);
   middle->SetNormal(-1.0, 0.0, 0.0);
-  skin->AddClippingPlane(middle);
+  for (vtkActor* half : {tissues_.front().Get(), drape_.Get()})
+    if (half != nullptr) half->GetMapper()->AddClippingPlane(middle);
 }
 
 void MouthStage::set_effects(bool shadows, bool rim) {

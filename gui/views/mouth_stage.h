@@ -58,6 +58,7 @@ class MouthStage {
   std::unique_ptr<SecretionsLook> secretions_;
   std::vector<vtkSmartPointer<vtkActor>> tissues_;  ///< the skin first
   vtkSmartPointer<vtkActor> close_skin_;            ///< one of them; null but on an operator's stage
+  vtkSmartPointer<vtkActor> drape_;                 ///< likewise, and without a body below the neck
   vtkSmartPointer<vtkActor> trachea_;               ///< one of them; null without a trachea
   std::optional<bool> blue_, blue_shown_;
   double tube_radius_mm_ = 0.0, catheter_radius_mm_ = 0.0, depth_ = -1.0, exposure_ = 1.0;

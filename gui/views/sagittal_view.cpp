@@ -311,7 +311,8 @@ void SagittalView::fit_words() {
   words_scale_ = theme::look().text_scale;
   if (!marks_) return;
   const double px_per_mm = 0.5 * std::max(height(), 1) / renderer()->GetActiveCamera()->GetParallelScale();
-  marks_->set_type(words_scale_, 10.0 * px_per_mm);
+  const double before_px = 0.5 * width() + (marks_->good_front_mm.x() - centre_y_) * px_per_mm;
+  marks_->set_type(words_scale_, 10.0 * px_per_mm, before_px);
 }
 
 void SagittalView::resizeEvent(QResizeEvent* event) {

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "curricula/score/intubation_score.h"
 #include "gui/session/trial_clock.h"
 #include "gui/session/words_from_below.h"
 #include "gui/views/theme.h"
@@ -81,10 +82,13 @@ QString banner_for(const engine::Snapshot& snapshot, const QString& fault, const
   return sentences.join(" ");
 }
 
-QString tube_words(const engine::IntubationRecord& now, const std::optional<curricula::Mouth>& mouth) {
+QString tube_words(const engine::IntubationRecord& now, const std::optional<curricula::Mouth>& mouth,
+                   const std::optional<double>& rule_m) {
   const bool catheter = now.in_hand == engine::InHand::catheter;
   if (now.at_mouth_m > 0.0) {
     const QString depth_cm = decimal(100.0 * now.at_mouth_m, 1);
+    if (rule_m && !catheter)
+      return TrialReadings::tr("%1 cm at the lips (rule: %2)").arg(depth_cm, decimal(100.0 * *rule_m, 1));
     return (catheter ? TrialReadings::tr("catheter %1 cm at the lips") : TrialReadings::tr("%1 cm at the lips"))
         .arg(depth_cm);
   }
@@ -134,9 +138,6 @@ TrialReadings::TrialReadings(QWidget* parent) : QWidget(parent) {
   grid->addWidget(sight_, 2, 1);
   tube_caption_ = caption(tr("Tube"), 3, 0);
   tube_ = new QLabel(this);
-  tube_->setToolTip(tr(
-      "In the mouth: the mark at the lips (cm), and how hard the tube pushes back on the hand (N). Before it: how far "
-      "the tip is from the gums; to one eye a tube before the mouth looks like one in it."));
   grid->addWidget(tube_, 3, 1);
   caption(tr("Device"), 4, 0);
   state_ = new QLabel(this);
@@ -168,6 +169,19 @@ void TrialReadings::set_scenario(const curricula::Scenario& scenario, const std:
   mouth_ = mouth;
   sight_percent_ = scenario.sight_percent;
   attempt_limit_s_ = scenario.pass.attempt_time_s;
+  // A help: an assessment has none.
+  lips_rule_m_ = scenario.intubation && scenario.attempt.mode != curricula::Mode::assessment
+                     ? std::optional<double>(curricula::lips_rule_m(scenario.manikin.weight_kg))
+                     : std::nullopt;
+  QString of_tube = tr(
+      "In the mouth: the mark at the lips (cm), and how hard the tube pushes back on the hand (N). Before it: how far "
+      "the tip is from the gums; to one eye a tube before the mouth looks like one in it.");
+  if (lips_rule_m_)
+    of_tube += '\n' + tr("Rule: the scenario's weight in kg (%1) and 6 cm at the upper lip. A help that hits about "
+                         "half of all infants; "
+                         "judged is where the tip lies.")
+                          .arg(decimal(scenario.manikin.weight_kg, 1));
+  tube_->setToolTip(of_tube);
   set_of_expert(false);
   const QString why = mouth ? QString()
                             : tr("Where this patient's mouth begins is not known: the clock counts from Start, and the "
@@ -215,7 +229,7 @@ void TrialReadings::show_clock() {
 void TrialReadings::show_tube_of(const engine::Snapshot& snapshot) {
   if (!snapshot.has_intubation) return;
   const auto& now = snapshot.intubation;
-  QString words = tube_words(now, mouth_);
+  QString words = tube_words(now, mouth_, lips_rule_m_);
   if (force_shown_ && now.at_mouth_m > 0.0)
     words = tr("%1, %2 N on the hand").arg(words).arg(decimal(now.model_force_n.norm(), 1));
   tube_->setText(of_expert_ ? tr("expert: %1").arg(words) : words);

@@ -27,7 +27,9 @@ QString banner_for(const engine::Snapshot& snapshot, const QString& fault, const
 
 /// Where the tip of what the second hand holds is, in words: its mark at the lips once it is in the mouth; before, how
 /// far it still is from the gums, for to one eye a tube before the mouth looks like one in it.
-QString tube_words(const engine::IntubationRecord& now, const std::optional<curricula::Mouth>& mouth);
+/// `rule_m`: beside a tube's mark what the rule by weight says it is at the lips; none: not told.
+QString tube_words(const engine::IntubationRecord& now, const std::optional<curricula::Mouth>& mouth,
+                   const std::optional<double>& rule_m = {});
 
 class TrialReadings : public QWidget {
   Q_OBJECT
@@ -60,6 +62,7 @@ class TrialReadings : public QWidget {
   void show_clock();
   void show_tube_of(const engine::Snapshot& snapshot);
   std::optional<curricula::Mouth> mouth_;
+  std::optional<double> lips_rule_m_;
   double attempt_start_s_ = -1.0, attempt_s_ = 0.0, last_in_s_ = 0.0;
   bool led_ = false;
   QLabel *clock_caption_, *clock_, *limit_, *seen_caption_, *seen_, *state_, *computer_, *drawing_, *tube_,

@@ -5,8 +5,10 @@
 
 #include <QString>
 #include <algorithm>
+#include <sstream>
 #include <utility>
 
+#include "gui/commands/score_table.h"
 #include "gui/pages/result_figures.h"
 #include "gui/report/advice.h"
 #include "gui/report/report.h"
@@ -43,6 +45,48 @@ TEST(FigureRow, WhereTheBladeNeverEnteredTheMouthThatIsSaid) {
     EXPECT_EQ(found->limit, "the blade did not enter the mouth" + also) << name;
     EXPECT_EQ(found->verdict, "") << name << ": what was never tried is neither met nor missed";
   }
+}
+
+TEST(FigureRow, WhoDidNothingHasMetNoLimitWhereverTheFiguresStand) {
+  TrialOutcome outcome;
+  curricula::Score& score = outcome.score;
+  score.intubation.emplace();
+  curricula::Scenario scenario;
+  scenario.pass = {6.8, 3.0, 50.0, 30.0, 3.0, 0.2};
+  scenario.intubation.emplace().pass.tube_force_n = 2.0;
+  curricula::TrialLog log;
+  std::vector<Row> all = result_figures(outcome, scenario);
+  for (const Row& row : report_rows(score, log, scenario)) all.push_back(row);
+  std::ostringstream table;
+  print_score(table, score, scenario);
+  int forces = 0;
+  for (const Row& row : all) {
+    EXPECT_NE(row.verdict, "met") << row.name;
+    if (row.limit.rfind("not judged: no attempt; at most ", 0) == 0) ++forces;
+  }
+  EXPECT_EQ(forces, 2 * 5) << "tongue, gum, over the target, over the device limit and the tube, on page and report";
+  EXPECT_EQ(table.str().find("(met"), std::string::npos) << table.str();
+  EXPECT_NE(table.str().find("not judged: no attempt; at most 2 N"), std::string::npos) << table.str();
+  // With an attempt, however light the hand, the rubric says.
+  score.attempt_begun = true;
+  score.criteria = {{"peak_gum_force_n", "N", 0.0, 3.0, -1.0, true, ""}};
+  all = result_figures(outcome, scenario);
+  const auto gum = std::find_if(all.begin(), all.end(), [](const Row& row) { return row.name == "Peak force, gum"; });
+  ASSERT_NE(gum, all.end());
+  EXPECT_EQ(gum->verdict, "met");
+  EXPECT_EQ(gum->limit, "at most 3 N");
+}
+
+TEST(FigureRow, WhatATubePressesOnIsTold) {
+  curricula::Score score;
+  score.intubation.emplace().loads_n[curricula::kTubeCricoid] = {7.0, 3.0};
+  for (const Row& row : report_rows(score, {}, {})) {
+    if (row.value != "cricoid 7.0 N") continue;
+    EXPECT_NE(row.limit.find("no limit"), std::string::npos) << row.limit;
+    EXPECT_NE(row.limit.find("narrowest ring"), std::string::npos) << row.limit;
+    return;
+  }
+  ADD_FAILURE() << "no line of the cricoid's load";
 }
 
 TEST(FigureRow, TheAttemptsLimitStandsBesideItWhetherItWasJudgedByItOrNot) {

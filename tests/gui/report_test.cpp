@@ -47,13 +47,13 @@ curricula::TrialLog spike_log(double tongue_n, std::size_t ticks) {
   return log;
 }
 
-/// Rows of the picture that hold the tongue's blue (0072B2, drawn over white), topmost first.
-std::pair<int, int> blue_rows(const QImage& image, int from_row) {
+/// Rows of the picture that hold the tongue's green (009E73, drawn over white), topmost first.
+std::pair<int, int> tongue_rows(const QImage& image, int from_row) {
   int top = -1, bottom = -1;
   for (int y = from_row; y < image.height(); ++y) {
     for (int x = 0; x < image.width(); ++x) {
       const QColor colour = image.pixelColor(x, y);
-      if (std::abs(colour.red()) > 25 || std::abs(colour.green() - 0x72) > 25 || std::abs(colour.blue() - 0xB2) > 25)
+      if (std::abs(colour.red()) > 25 || std::abs(colour.green() - 0x9E) > 25 || std::abs(colour.blue() - 0x73) > 25)
         continue;
       if (top < 0) top = y;
       bottom = y;
@@ -66,13 +66,13 @@ std::pair<int, int> blue_rows(const QImage& image, int from_row) {
 TEST(ForceChart, OneTickOfForceIsNotLostAndItsHeightIsItsForce) {
   const HeadlessApplication application;
   const curricula::Scenario scenario = plain_scenario();
-  const curricula::Score no_marks;  // no peaks, no sight: only the line itself is blue
+  const curricula::Score no_marks;  // no peaks, no sight: only the line itself is green
   const int below_legend = 90;
   std::vector<double> heights;
   for (const double force_n : {2.0, 4.0, 6.0}) {
     const QImage image = draw_force_chart(spike_log(force_n, 1), scenario, no_marks, 1600, 900);
     ASSERT_EQ(image.size(), QSize(1600, 900));
-    const auto [top, bottom] = blue_rows(image, below_legend);
+    const auto [top, bottom] = tongue_rows(image, below_legend);
     ASSERT_GE(top, 0);
     heights.push_back(bottom - top);
   }
@@ -81,6 +81,39 @@ TEST(ForceChart, OneTickOfForceIsNotLostAndItsHeightIsItsForce) {
   EXPECT_GT(heights[0], 50.0);
   EXPECT_NEAR(heights[1] - heights[0], heights[2] - heights[1], 6.0);
   EXPECT_NEAR(heights[2] - heights[0], 2.0 * heights[0], 12.0);
+}
+
+TEST(ForceChart, HasEveryLineThatTheTrialWasJudgedByAsTheBarsHaveIt) {
+  const HeadlessApplication application;
+  curricula::Scenario scenario = plain_scenario();
+  scenario.targets = {5.0, 2.0};
+  curricula::TrialLog log = spike_log(0.0, 1);  // nothing done, so nothing else is drawn at these heights
+  const QImage with = draw_force_chart(log, scenario, {}, 1600, 900);
+  // A level is a line across the panel, broken or not: the columns of one row that have its colour.
+  const auto longest = [&](const QColor& colour) {
+    int most = 0;
+    for (int y = 0; y < with.height(); ++y) {
+      int columns = 0;
+      for (int x = 0; x < with.width(); ++x) {
+        const QColor c = with.pixelColor(x, y);
+        columns += std::abs(c.red() - colour.red()) + std::abs(c.green() - colour.green()) +
+                       std::abs(c.blue() - colour.blue()) <
+                   60;
+      }
+      most = std::max(most, columns);
+    }
+    return most;
+  };
+  // Of the window's light ground (gui/views/theme): what the bars are drawn with there.
+  EXPECT_GT(longest(QColor(176, 66, 0)), 1200) << "the pass limit, unbroken";
+  EXPECT_GT(longest(QColor(122, 104, 0)), 500) << "the target";
+  EXPECT_GT(longest(QColor(0, 104, 158)), 500) << "the device limit";
+  const Chart chart = make_force_chart(picture_form(1600, 900), log, scenario, {});
+  for (const char* words : {"pass limit, tongue 6.8 N", "pass limit, gum 3.0 N", "target, tongue 5.0 N",
+                            "target, gum 2.0 N", "device limit 7.9 N"})
+    EXPECT_TRUE(std::any_of(chart.labels.begin(), chart.labels.end(), [&](const ChartLabel& label) {
+      return label.whole == words;
+    })) << words;
 }
 
 TEST(ForceChart, ADeviceThatShowsNoForceIsNotSaidToHaveShownOne) {
@@ -106,7 +139,7 @@ TEST(ForceChart, NoForceIsDrawnInAPause) {
   for (std::size_t i = 9900; i < 10600; ++i) log.ticks[i].device_valid = false;  // a line's width to either side
   curricula::Score score;
   const auto height = [&] {
-    const auto [top, bottom] = blue_rows(draw_force_chart(log, plain_scenario(), score, 1600, 900), 90);
+    const auto [top, bottom] = tongue_rows(draw_force_chart(log, plain_scenario(), score, 1600, 900), 90);
     return bottom - top;
   };
   EXPECT_GT(height(), 100);
@@ -237,6 +270,38 @@ bool has_colour(const QImage& image, double time_s, double end_s, const QColor& 
   int rows = 0;
   for (int y = 0; y < image.height(); ++y) rows += image.pixelColor(x, y) == colour;
   return rows > 100;
+}
+
+TEST(MonitorChart, ADisplayThatSaysNoFigureHasNoneInTheChartWhileTheBloodHasItsOwn) {
+  const HeadlessApplication application;
+  curricula::TrialLog log = intubation_log();
+  const curricula::Scenario scenario = intubation_scenario();
+  const auto labels = [&] {
+    const Chart chart =
+        make_monitor_chart(picture_form(1600, 900), log, scenario, curricula::score_trial(log, scenario));
+    if (const QByteArray folder = qgetenv("VALLECULA_PICTURES"); !folder.isEmpty())
+      chart.picture.save(QString::fromUtf8(folder) + "/monitor-chart-low.png");
+    std::string all;
+    for (const ChartLabel& label : chart.labels) all += label.whole.toStdString() + "\n";
+    return all;
+  };
+  EXPECT_NE(labels().find("lowest 60 %"), std::string::npos) << labels();
+  EXPECT_EQ(labels().find("< 30"), std::string::npos);
+  for (curricula::LogTick& tick : log.ticks)
+    if (tick.intubation.spo2 < 0.7) tick.intubation.spo2 = tick.intubation.sao2 = 0.04;
+  EXPECT_NE(labels().find("lowest: below 30 %"), std::string::npos) << labels();
+  EXPECT_NE(labels().find("the display says < 30"), std::string::npos) << labels();
+  EXPECT_EQ(labels().find("4 %"), std::string::npos) << labels();
+  const Sandbox box;
+  const curricula::Score score = curricula::score_trial(log, scenario);
+  write_force_chart(box / "force.png", log, scenario, score);
+  write_report(box.folder(), log, scenario, score);
+  std::ostringstream table;
+  print_score(table, score, scenario);
+  for (const std::string& told : {text_of(box / "report.html"), table.str()}) {
+    EXPECT_NE(told.find("below 30 %"), std::string::npos);
+    EXPECT_EQ(told.find(" 4 %"), std::string::npos);
+  }
 }
 
 TEST(MonitorChart, ShadesAttemptsAndOesophagusAndPutsTheSaturationWhereItWas) {

@@ -203,6 +203,7 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("FromBelow", "Device at its force limit of %1 N or lost, for %2 s, more than the %3 s allowed"),
     QT_TRANSLATE_NOOP("FromBelow", "Saturation fell to %1 % at %2 s, at least the %3 % asked for"),
     QT_TRANSLATE_NOOP("FromBelow", "Saturation fell to %1 % at %2 s, less than the %3 % asked for"),
+    QT_TRANSLATE_NOOP("FromBelow", "Saturation fell to below %1 % at %2 s, less than the %3 % asked for"),
     QT_TRANSLATE_NOOP("FromBelow", "The heart fell to %1 per minute at %2 s, at least the %3 per minute asked for"),
     QT_TRANSLATE_NOOP("FromBelow", "The heart fell to %1 per minute at %2 s, less than the %3 per minute asked for"),
     QT_TRANSLATE_NOOP("FromBelow", "In no attempt did saturation fall by %1 points or more"),

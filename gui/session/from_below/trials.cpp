@@ -17,6 +17,8 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("FromBelow", "no attempt"),
     QT_TRANSLATE_NOOP("FromBelow", "the blade did not enter the mouth"),
     QT_TRANSLATE_NOOP("FromBelow", "the blade did not enter the mouth; at most %1 s"),
+    QT_TRANSLATE_NOOP("FromBelow", "not judged: no attempt; at most %1 N"),
+    QT_TRANSLATE_NOOP("FromBelow", "not judged: no attempt; at most %1 s"),
     QT_TRANSLATE_NOOP("FromBelow", "not timed"),
     QT_TRANSLATE_NOOP("FromBelow", "where the mouth begins is not known"),
     QT_TRANSLATE_NOOP("FromBelow", "the attempt could not be timed."),
@@ -98,10 +100,19 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("FromBelow", "Time to pass, view to cords passed"),
     QT_TRANSLATE_NOOP("FromBelow", "passed before the blade was in"),
     QT_TRANSLATE_NOOP("FromBelow", "Lowest saturation, displayed"),
+    QT_TRANSLATE_NOOP("FromBelow", "below %1 %"),
+    QT_TRANSLATE_NOOP("FromBelow", "below %1 %, at %2 s"),
     QT_TRANSLATE_NOOP("FromBelow", "CO2 detector"),
     QT_TRANSLATE_NOOP("FromBelow", "yellow by breath"),
     QT_TRANSLATE_NOOP("FromBelow", "Peak force along the tube, at its tip"),
     QT_TRANSLATE_NOOP("FromBelow", "Tube's peak push on each part, summed all round"),
+    QT_TRANSLATE_NOOP("FromBelow",
+                      "no limit: what presses on the tube from all sides there, together; the cricoid is the narrowest "
+                      "ring, below the cords"),
+    QT_TRANSLATE_NOOP(
+        "FromBelow",
+        "Along the tube, against what stands before its tip: closed cords, or the cricoid, the narrowest ring below "
+        "them"),
     QT_TRANSLATE_NOOP("FromBelow", "Breaths given, mask and tube"),
     QT_TRANSLATE_NOOP("FromBelow", "Tip in the oesophagus"),
     QT_TRANSLATE_NOOP("FromBelow", "Secretions"),
@@ -220,6 +231,7 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("FromBelow", "%1 attempt of %2 s"),
     QT_TRANSLATE_NOOP("FromBelow", "%1 attempts, the longest of %2 s"),
     QT_TRANSLATE_NOOP("FromBelow", "lowest saturation %1 %, lowest heart rate %2 per minute"),
+    QT_TRANSLATE_NOOP("FromBelow", "lowest saturation below %1 %, lowest heart rate %2 per minute"),
     QT_TRANSLATE_NOOP("FromBelow",
                       "An attempt is one way of the blade into the mouth and out. Its lowest values count until the "
                       "next one begins, for the display is late. Severe desaturation: %1 points or more. Bradycardia: "

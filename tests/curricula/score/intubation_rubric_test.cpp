@@ -81,6 +81,39 @@ std::string sentence_of(const Score& score, const std::string& name) {
   return "";
 }
 
+TEST(IntubationScore, ATubeThatWasNeverTakenHasKeptNoLimit) {
+  const TrialLog log = log_of(testing::never_in([](LogTick& t) { t.proxy_pose.position_m = testing::kOutside; }), 4.0);
+  Scenario all = scenario();
+  all.intubation->pass.oesophagus_in_time = all.intubation->pass.no_severe_desaturation = true;
+  for (const char* name : {"tube_force_n", "oesophagus_in_time", "no_severe_desaturation", "peak_tongue_force_n"})
+    EXPECT_NE(sentence_of(score_of({}, all), name), "") << name;
+  const Score nothing = score_trial(log, all);
+  for (const char* name : {"tube_force_n", "oesophagus_in_time", "no_severe_desaturation", "peak_tongue_force_n"})
+    EXPECT_EQ(sentence_of(nothing, name), "") << name;
+  EXPECT_NE(sentence_of(nothing, "outcome"), "");
+  // A tube pushed in without a blade was tried.
+  TrialLog blind = log;
+  blind.ticks[2000].intubation.loads_n[kTubeTongue] = 0.5;
+  EXPECT_NE(sentence_of(score_trial(blind, all), "tube_force_n"), "");
+}
+
+TEST(IntubationScore, SoLowASaturationHasNoFigureForAPerson) {
+  const auto lowest = [](double spo2) {
+    return sentence_of(score_of([=](LogTick& t) {
+                         if (t.time_s > 20.0) t.intubation.spo2 = spo2;
+                       }),
+                       "lowest_spo2_percent");
+  };
+  EXPECT_EQ(lowest(0.30), "Saturation fell to 30 % at 20.00 s, less than the 70 % asked for");
+  EXPECT_EQ(lowest(0.04), "Saturation fell to below 30 % at 20.00 s, less than the 70 % asked for");
+  Scenario all = scenario();
+  all.intubation->pass.no_severe_desaturation = true;
+  const Score low = score_of([](LogTick& t) { t.intubation.spo2 = t.time_s > 20.0 ? 0.04 : 0.95; }, all);
+  EXPECT_NEAR(*low.intubation->lowest_spo2_percent, 4.0, 1e-9) << "files keep what the model has";
+  EXPECT_NE(sentence_of(low, "no_severe_desaturation").find("from 95 to below 30 %"), std::string::npos)
+      << sentence_of(low, "no_severe_desaturation");
+}
+
 TEST(IntubationScore, WhatNeverFellIsNotSaidToHaveFallen) {
   const auto all_through = [](double spo2, double heart) {
     return [=](LogTick& t) {

@@ -343,6 +343,47 @@ TEST(Score, AnAttemptThatNeverBeganSaysSo) {
   EXPECT_TRUE(any_contains(without.reasons, "landmarks")) << joined(without.reasons);
 }
 
+/// Names of the criteria that say whether a limit was kept.
+std::vector<std::string> limits_of(const Score& s) {
+  std::vector<std::string> limits;
+  for (const Criterion& c : s.criteria)
+    if (c.name.rfind("peak_", 0) == 0 || c.name.rfind("time_over_", 0) == 0)
+      limits.push_back(c.name + (c.met ? " met" : " missed"));
+  return limits;
+}
+
+TEST(Score, WhoDidNothingHasKeptNoLimit) {
+  const auto outside = [](LogTick& t) { t.proxy_pose.position_m = kOutside; };
+  const Score nothing = score_trial(log_of(14, outside), scenario());
+  EXPECT_EQ(limits_of(nothing), std::vector<std::string>{});
+  EXPECT_FALSE(nothing.passed);
+  // What went over its limit is told wherever the tip was; what was touched lightly on the way tells of no attempt.
+  const Score pressed = score_trial(log_of(14,
+                                           [&](LogTick& t) {
+                                             outside(t);
+                                             if (t.tick == 5000) t.loads[kGum].force_n = {0, 0, 3.5};
+                                             if (t.tick == 6000) t.loads[kTongue].force_n = {0, 0, 0.5};
+                                           }),
+                                    scenario());
+  EXPECT_EQ(limits_of(pressed), std::vector<std::string>{"peak_gum_force_n missed"});
+  EXPECT_TRUE(any_contains(pressed.reasons, "more than the 3 N allowed")) << joined(pressed.reasons);
+  // An attempt with a light hand, or with none on the tissue, keeps them all.
+  const std::vector<std::string> kept{"peak_tongue_force_n met", "peak_gum_force_n met", "time_over_target_s met",
+                                      "time_over_force_limit_s met"};
+  EXPECT_EQ(limits_of(score_trial(log_of(14), scenario())), kept);
+  EXPECT_EQ(limits_of(score_trial(log_of(14,
+                                         [](LogTick& t) {
+                                           t.loads[kTongue].force_n = {0, 0, 0.1};
+                                         }),
+                                  scenario())),
+            kept);
+  // Where nobody knows the mouth a touch is the only sign of one.
+  TrialLog unknown = log_of(14), touched = log_of(14, good);
+  for (TrialLog* log : {&unknown, &touched}) log->header.landmarks_m.erase("vallecula");
+  EXPECT_EQ(limits_of(score_trial(unknown, scenario())), std::vector<std::string>{});
+  EXPECT_EQ(limits_of(score_trial(touched, scenario())), kept);
+}
+
 TEST(Score, BeforeTheFirstStepThereIsNoProxy) {
   const Score s = score_trial(log_of(14,
                                      [](LogTick& t) {

@@ -36,6 +36,23 @@ TEST(Alarms, BeginWhereOneActsAndTheGravestComesFirst) {
   EXPECT_EQ(of(0.60, 59.0).toStdString(), "HEART RATE BELOW 60: COMPRESSIONS|SpO2 BELOW 80 %");
 }
 
+TEST_F(Monitor, SaysNoFigureOfASaturationThatNoOximeterIsBelievedOf) {
+  const auto told = [](double spo2) { return spo2_digits(spo2).toStdString(); };
+  EXPECT_EQ(told(0.87), "87");
+  EXPECT_EQ(told(0.295), "30") << "as it is rounded";
+  EXPECT_EQ(told(0.294), "< 30");
+  EXPECT_EQ(told(0.0), "< 30");
+  MonitorPanel panel;
+  for (const int width : {480, 790, 1200}) {
+    panel.resize(width, 118);
+    panel.clear();
+    panel.show_snapshot(infant(1.0, 0.04, 55.0));
+    keep_picture(panel, "monitor-untold-" + std::to_string(width) + ".png");
+    EXPECT_TRUE(panel.accessibleDescription().contains("saturation < 30 %"))
+        << panel.accessibleDescription().toStdString();
+  }
+}
+
 TEST_F(Monitor, CountsFromTheLastBreathAndBeginsAnewWithTheTrial) {
   MonitorPanel panel;
   panel.show_snapshot(infant(0.0, 0.97, 150.0));

@@ -62,6 +62,33 @@ TEST_F(TrialReadingsOf, ATubeBeforeTheMouthIsTheFartherFromTheGumsTheFartherItIs
   install_language(*qApp, "en");
 }
 
+TEST_F(TrialReadingsOf, ATubesMarkStandsBesideTheRuleButInAnAssessment) {
+  curricula::Scenario scenario;
+  scenario.manikin.weight_kg = 3.2;  // and 6 cm: 9.2 cm (CLINICAL)
+  scenario.intubation.emplace();
+  readings_.show_tube(true);
+  engine::Snapshot in;
+  in.has_intubation = true;
+  in.intubation = tip_at({0.0, 0.02, 0.0}, 0.090);
+  readings_.set_scenario(scenario, mouth());
+  readings_.show_snapshot(in);
+  const QLabel* tube = label("9.0 cm at the lips (rule: 9.2), 0.0 N on the hand");
+  ASSERT_TRUE(tube);
+  EXPECT_TRUE(tube->toolTip().contains("weight in kg (3.2) and 6 cm")) << tube->toolTip().toStdString();
+  readings_.resize(360, 260);
+  keep_picture(readings_, "readings-rule.png");
+  in.intubation.in_hand = engine::InHand::catheter;
+  readings_.show_snapshot(in);
+  EXPECT_TRUE(label("catheter 9.0 cm at the lips, 0.0 N on the hand")) << "it has no rule";
+  in.intubation.in_hand = engine::InHand::tube;
+  scenario.attempt.mode = curricula::Mode::assessment;
+  readings_.set_scenario(scenario, mouth());
+  readings_.show_snapshot(in);
+  tube = label("9.0 cm at the lips, 0.0 N on the hand");
+  ASSERT_TRUE(tube) << "an assessment has no helps";
+  EXPECT_FALSE(tube->toolTip().contains("Rule"));
+}
+
 TEST_F(TrialReadingsOf, WhileAnExpertIsLookedAtNothingOfOnesOwnStandsAsThoughItWereHis) {
   curricula::Scenario scenario;
   scenario.pass.attempt_time_s = 3.0;

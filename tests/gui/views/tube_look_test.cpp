@@ -2,13 +2,16 @@
 #include "gui/views/tube_look.h"
 
 #include <vtkMapper.h>
+#include <vtkPolyData.h>
 #include <vtkTextProperty.h>
+#include <vtkTextRenderer.h>
 
 #include <algorithm>
 #include <cmath>
 #include <string>
 
 #include "gui/views/airway_marks.h"
+#include "gui/views/drape_look.h"
 #include "gui/views/larynx_look.h"
 #include "gui/views/operator_view.h"
 #include "gui/views/sagittal_view.h"
@@ -203,6 +206,35 @@ TEST(AirwayMarks, FollowTheTextsSizeAndLeaveOutNumbersThatHaveNoRoom) {
   EXPECT_EQ(seen().find('3'), std::string::npos);
 }
 
+TEST(AirwayMarks, TheGoodStretchsWordStandsClearOfTheAirwayHoweverSmallThePicture) {
+  const AirwayMarks marks = airway_marks(plain_intubation(patient()).course, 0.0, 0.0, 1.0);
+  for (const double px_per_mm : {1.0, 2.0, 4.0, 9.0}) {
+    for (const double text_scale : {1.0, 1.35}) {
+      marks.set_type(text_scale, 10.0 * px_per_mm);
+      ASSERT_TRUE(marks.good_depth->GetVisibility());
+      double at[3];
+      marks.good_depth->GetPosition(at);
+      const double away_px = px_per_mm * (Eigen::Vector2d(at[1], at[2]) - marks.good_front_mm).dot(marks.good_out);
+      EXPECT_NEAR(away_px, 16.0, 1e-6) << px_per_mm;
+      EXPECT_LT(marks.good_depth->GetDisplayOffset()[0], 0) << "and ends before its line does";
+      double end[3];
+      vtkPolyData::SafeDownCast(marks.leader->GetMapper()->GetInputDataObject(0, 0))->GetPoint(1, end);
+      EXPECT_NEAR(end[1], at[1], 1e-4);
+      EXPECT_NEAR(end[2], at[2], 1e-4);
+    }
+  }
+  int box[4];
+  marks.set_type(1.0, 20.0);
+  ASSERT_TRUE(vtkTextRenderer::GetInstance()->GetBoundingBox(marks.good_depth->GetTextProperty(),
+                                                             marks.good_depth->GetInput(), box, 72));
+  const double word_px = box[1] - box[0];
+  marks.set_type(1.0, 20.0, 2.0 * word_px);
+  EXPECT_TRUE(marks.good_depth->GetVisibility() && marks.leader->GetVisibility());
+  marks.set_type(1.0, 20.0, word_px);
+  EXPECT_FALSE(marks.good_depth->GetVisibility()) << "there is no room for it and its line";
+  EXPECT_FALSE(marks.leader->GetVisibility());
+}
+
 class TubeViews : public Screen {
  protected:
   engine::IntubationDescription intubation_ = plain_intubation(patient());
@@ -218,6 +250,27 @@ class TubeViews : public Screen {
     QApplication::processEvents();
   }
 };
+
+// What of the body's end is not hidden by the cloth from any side: nothing of the skin below the hem.
+TEST(Drape, LiesOverAllThatTheSkinHasBelowItsHem) {
+  const auto look = make_patient_look(patient());
+  const auto cloth = drape(*look);
+  ASSERT_TRUE(cloth);
+  const double* box = cloth->GetBounds();
+  const auto& marks = patient().landmarks;
+  const double glottis = marks.at("glottis_centre")[2], carina = marks.at("carina")[2];
+  EXPECT_NEAR(box[5], 0.5 * (glottis + carina), 1e-3) << "below the larynx, above the carina";
+  int below = 0, outside = 0;
+  for (const auto& p : patient().surfaces.at("face").points) {
+    if (p[2] > box[5] - 6.0) continue;
+    ++below;
+    outside += p[0] < box[0] || p[0] > box[1] || p[1] < box[2] || p[1] > box[3] || p[2] < box[4];
+  }
+  EXPECT_GT(below, 50);
+  EXPECT_EQ(outside, 0);
+  look->package.landmarks.erase("carina");
+  EXPECT_FALSE(drape(*look)) << "where the neck ends is not known";
+}
 
 TEST_F(TubeViews, TheTubeIsSeenByTheOperatorOnTheRight) {
   OperatorView view;
