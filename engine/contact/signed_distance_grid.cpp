@@ -28,9 +28,11 @@ void share_out(Work work) {
   for (auto& t : threads) t.join();
 }
 
-/// Distance and gradient at p; distance infinity where no triangle is within `band`.
+/// Distance and gradient at p; distance infinity where no triangle is within `band`. `hit`: that of a point beside it, or none,
+/// and p's own afterwards.
 F4 exact_value(const TriangleBvh& bvh, const Vec3& p, double band, TriangleBvh::Hit& hit) {
-  const double d = bvh.signed_distance(p, band, &hit);
+  const double known = hit.triangle >= 0 ? (p - hit.point).norm() : std::numeric_limits<double>::infinity();
+  const double d = bvh.signed_distance(p, band, &hit, known);
   if (hit.triangle < 0) return F4{0, 0, 0, std::numeric_limits<float>::infinity()};
   // On the surface itself the way to it has no direction: the face's normal is it.
   F4 value = from_vec3(std::abs(d) > 1e-9 ? Vec3((p - hit.point) / d) : bvh.triangle_normal(hit.triangle));
@@ -83,15 +85,16 @@ SignedDistanceGrid::SignedDistanceGrid(const TriangleMesh& mesh, const Vec3& low
   }
   const auto fill_slices = [&](int first, int step) {
     for (int k = first; k < size_[2]; k += step)
-      for (int j = 0; j < size_[1]; ++j)
+      for (int j = 0; j < size_[1]; ++j) {
+        TriangleBvh::Hit hit;
         for (int i = 0; i < size_[0]; ++i) {
           F4& value = values_[index(i, j, k)].v;
           if (value[3] == kUnknown) continue;
-          TriangleBvh::Hit hit;
           value = exact_value(bvh, low_ + spacing_ * Vec3(i, j, k), band, hit);
           if (hit.triangle < 0) continue;
           if (!classes_.empty()) classes_[index(i, j, k)] = triangle_class[hit.triangle];
         }
+      }
   };
   share_out(fill_slices);
 
@@ -124,6 +127,10 @@ SignedDistanceGrid::SignedDistanceGrid(const TriangleMesh& mesh, const Vec3& low
 }
 
 bool SignedDistanceGrid::bent(std::size_t cell, double tolerance) const {
+  constexpr double kRounding = 1e-6;  // m; of a sample, as a float
+  const double far = kNearSurface + std::sqrt(0.75) * spacing_;
+  // No corner is nearer to the surface than one is by more than the cell's diagonal.
+  if (std::abs(double(values_[cell].v[3])) > far + std::sqrt(3.0) * spacing_ + kRounding) return false;
   const std::size_t dy = size_[0], dz = static_cast<std::size_t>(size_[0]) * size_[1];
   F4 corners[8];
   double nearest = band_;
@@ -131,7 +138,7 @@ bool SignedDistanceGrid::bent(std::size_t cell, double tolerance) const {
     corners[c] = values_[cell + (c & 1) + (c >> 1 & 1) * dy + (c >> 2) * dz].v;
     nearest = std::min(nearest, std::abs(double(corners[c][3])));
   }
-  if (nearest > kNearSurface + std::sqrt(0.75) * spacing_) return false;
+  if (nearest > far) return false;
   // At the middles of the cell, its faces and its edges: what is interpolated there, and what each corner's own distance and
   // gradient make of it. All agree where the field is flat.
   for (int middle = 0; middle < 27; ++middle) {
@@ -168,7 +175,8 @@ void SignedDistanceGrid::refine(const TriangleBvh& bvh, double tolerance) {
                                 " fit); smooth or simplify it");
   fine_values_.resize(cells.size() * kFinePerCell);
   share_out([&](int first, int step) {
-    for (std::size_t c = first; c < cells.size(); c += step)
+    for (std::size_t c = first; c < cells.size(); c += step) {
+      TriangleBvh::Hit hit;
       for (int n = 0; n < kFinePerCell; ++n) {
         const int at[3] = {n % kFineSamples, n / kFineSamples % kFineSamples, n / (kFineSamples * kFineSamples)};
         // On a face shared with a cell that is not refined the sample is what that cell interpolates there, so that the field
@@ -189,10 +197,10 @@ void SignedDistanceGrid::refine(const TriangleBvh& bvh, double tolerance) {
         if (!all_refined) continue;
         Vec3 p = low_;
         for (int a = 0; a < 3; ++a) p[a] += spacing_ / kFineParts * (kFineParts * cells[c][a] + at[a]);
-        TriangleBvh::Hit hit;
         const F4 exact = exact_value(bvh, p, band_, hit);
         if (hit.triangle >= 0) value = exact;
       }
+    }
   });
 }
 

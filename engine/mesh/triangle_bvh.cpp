@@ -83,9 +83,14 @@ TriangleBvh::TriangleBvh(const TriangleMesh& mesh) : mesh_(mesh) {
     for (int k = 0; k < 3; ++k)
       edge_normals_[t][k] = edges.at(edge_key(mesh_.triangles[t][k], mesh_.triangles[t][(k + 1) % 3]));
   order_.resize(count);
+  corners_.reserve(count);
   std::iota(order_.begin(), order_.end(), 0);
   nodes_.reserve(2 * count / kLeafSize + 2);
   build(0, static_cast<int>(count));
+  for (int t : order_) {
+    const auto& tri = mesh_.triangles[t];
+    corners_.push_back({mesh_.points[tri[0]], mesh_.points[tri[1]], mesh_.points[tri[2]]});
+  }
 }
 
 int TriangleBvh::build(int first, int count) {
@@ -117,24 +122,33 @@ int TriangleBvh::build(int first, int count) {
   return index;
 }
 
-TriangleBvh::Hit TriangleBvh::closest(const Vec3& p, double limit) const {
+TriangleBvh::Hit TriangleBvh::closest(const Vec3& p, double limit, double known) const {
+  // Rounding may not decide: what is left out is farther than what is kept by more than any rounding is.
+  constexpr double kFarther = 1.0 + 1e-9, kLeast = 1e-22;
   Hit best;
   double best_squared = limit * limit;
-  int stack[64];
+  double enough = kFarther * known * known + kLeast;
+  struct Ahead {
+    int node;
+    double squared;  // from its box
+  };
+  Ahead stack[64];
   int top = 0;
-  stack[top++] = 0;
+  stack[top++] = {0, box_distance_squared(p, nodes_[0].low, nodes_[0].high)};
   while (top > 0) {
-    const Node& node = nodes_[stack[--top]];
-    if (box_distance_squared(p, node.low, node.high) > best_squared) continue;
+    const Ahead ahead = stack[--top];
+    if (ahead.squared > best_squared || ahead.squared > enough) continue;
+    const Node& node = nodes_[ahead.node];
     if (node.count > 0) {
       for (int i = node.first; i < node.first + node.count; ++i) {
-        const auto& tri = mesh_.triangles[order_[i]];
+        const auto& [a, b, c] = corners_[i];
+        if (box_distance_squared(p, a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c)) > enough) continue;
         Vec3 weights;
-        const Vec3 q =
-            closest_on_triangle(p, mesh_.points[tri[0]], mesh_.points[tri[1]], mesh_.points[tri[2]], &weights);
+        const Vec3 q = closest_on_triangle(p, a, b, c, &weights);
         const double squared = (p - q).squaredNorm();
         if (squared < best_squared || (best.triangle < 0 && squared <= best_squared)) {
           best_squared = squared;
+          enough = std::min(enough, kFarther * squared + kLeast);
           best.triangle = order_[i];
           best.point = q;
           best.weights = weights;
@@ -142,11 +156,11 @@ TriangleBvh::Hit TriangleBvh::closest(const Vec3& p, double limit) const {
       }
       continue;
     }
-    const int left = static_cast<int>(&node - nodes_.data()) + 1, right = node.right;
+    const int left = ahead.node + 1, right = node.right;
     const double dl = box_distance_squared(p, nodes_[left].low, nodes_[left].high);
     const double dr = box_distance_squared(p, nodes_[right].low, nodes_[right].high);
-    stack[top++] = dl < dr ? right : left;  // the nearer one is looked at first
-    stack[top++] = dl < dr ? left : right;
+    stack[top++] = dl < dr ? Ahead{right, dr} : Ahead{left, dl};  // the nearer one is looked at first
+    stack[top++] = dl < dr ? Ahead{left, dl} : Ahead{right, dr};
   }
   best.distance = best.triangle >= 0 ? std::sqrt(best_squared) : limit;
   return best;
@@ -169,8 +183,8 @@ Vec3 TriangleBvh::pseudo_normal(const Hit& hit) const {
   return face_normals_[hit.triangle];
 }
 
-double TriangleBvh::signed_distance(const Vec3& p, double limit, Hit* hit) const {
-  const Hit found = closest(p, limit);
+double TriangleBvh::signed_distance(const Vec3& p, double limit, Hit* hit, double known) const {
+  const Hit found = closest(p, limit, known);
   if (hit) *hit = found;
   if (found.triangle < 0) return limit;
   return (p - found.point).dot(pseudo_normal(found)) < 0 ? -found.distance : found.distance;

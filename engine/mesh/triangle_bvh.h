@@ -1,6 +1,8 @@
 // Exact closest point on a triangle mesh, by a bounding-box tree. Fixed meshes only: built once, outside any tick.
 #pragma once
 
+#include <array>
+#include <limits>
 #include <vector>
 
 #include "engine/types.h"
@@ -20,11 +22,13 @@ class TriangleBvh {
     Vec3 weights = Vec3::Zero();
     double distance = 0.0;
   };
-  /// Nearest surface point within `limit` (m); triangle -1 where there is none.
-  Hit closest(const Vec3& p, double limit) const;
+  /// Nearest surface point within `limit` (m); triangle -1 where there is none. `known` (m): some point of the surface is
+  /// known to be that near, the last hit's for one; the answer is the same, and comes sooner.
+  Hit closest(const Vec3& p, double limit, double known = std::numeric_limits<double>::infinity()) const;
   /// Distance with its sign: negative inside. The sign comes from the angle-weighted pseudo-normal of the nearest
-  /// feature (Baerentzen and Aanaes 2005), exact for closed meshes. `limit` as in closest(): beyond it +limit.
-  double signed_distance(const Vec3& p, double limit, Hit* hit = nullptr) const;
+  /// feature (Baerentzen and Aanaes 2005), exact for closed meshes. `limit` and `known` as in closest(): beyond the limit +limit.
+  double signed_distance(const Vec3& p, double limit, Hit* hit = nullptr,
+                         double known = std::numeric_limits<double>::infinity()) const;
 
   /// Calls visit(triangle) for the triangles of leaves whose box meets [low, high], until it returns false.
   template <class Visit>
@@ -59,6 +63,7 @@ class TriangleBvh {
 
   TriangleMesh mesh_;
   std::vector<int> order_;
+  std::vector<std::array<Vec3, 3>> corners_;  // of the triangles in that order
   std::vector<Node> nodes_;
   std::vector<Vec3> face_normals_, vertex_normals_;
   std::vector<std::array<Vec3, 3>> edge_normals_;  // of edges (0,1), (1,2), (2,0)

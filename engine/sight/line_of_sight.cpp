@@ -162,10 +162,13 @@ void LineOfSight::hide_behind(const Vec3& a, const Vec3& b, const Vec3& c, Scrat
   for (std::size_t i = 0; i < points_.size(); ++i) {
     if (scratch.hidden[i]) continue;
     const Vec3& p = scratch.samples[i];
-    const double wa = cross2(b.x() - p.x(), b.y() - p.y(), c.x() - p.x(), c.y() - p.y()) / area;
-    const double wb = cross2(c.x() - p.x(), c.y() - p.y(), a.x() - p.x(), a.y() - p.y()) / area;
-    const double wc = 1 - wa - wb;
-    if (wa < 0 || wb < 0 || wc < 0) continue;
+    // Most points lie beside the triangle, and the sides' signs say so without a division.
+    const double side_a = cross2(b.x() - p.x(), b.y() - p.y(), c.x() - p.x(), c.y() - p.y());
+    if (area > 0 ? side_a < 0 : side_a > 0) continue;
+    const double side_b = cross2(c.x() - p.x(), c.y() - p.y(), a.x() - p.x(), a.y() - p.y());
+    if (area > 0 ? side_b < 0 : side_b > 0) continue;
+    const double wa = side_a / area, wb = side_b / area, wc = 1 - wa - wb;
+    if (wc < 0) continue;
     // 1/depth is what interpolates linearly in the picture.
     const double depth = 1 / (wa / a.z() + wb / b.z() + wc / c.z());
     if (depth < p.z() - kRim) scratch.hidden[i] = 1;

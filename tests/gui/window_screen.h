@@ -6,6 +6,7 @@
 #include <QApplication>
 #include <QElapsedTimer>
 #include <QImage>
+#include <QTimer>
 #include <QWidget>
 #include <cstdlib>
 #include <filesystem>
@@ -34,9 +35,11 @@ class Screen : public ::testing::Test {
   static bool wait_for(const std::function<bool()>& done, int timeout_ms = 60000) {
     QElapsedTimer timer;
     timer.start();
+    QTimer ask_again;  // the loop sleeps until something happens in it: whoever polls it takes a processor from the trial
+    ask_again.start(2);
     while (!done()) {
       if (timer.elapsed() > timeout_ms) return false;
-      QApplication::processEvents(QEventLoop::AllEvents, 20);
+      QApplication::processEvents(QEventLoop::AllEvents | QEventLoop::WaitForMoreEvents);
     }
     return true;
   }
