@@ -126,7 +126,7 @@ TEST_F(WindowImport, FromAFolderToAPatientThatIsChosenOnTheFirstPage) {
     EXPECT_EQ(std::count(stages_.begin(), stages_.end(), QString(stage)) > 0, true) << stage;
   // At once, whatever is done next; and Enter goes on to it.
   EXPECT_EQ(window_->start_page().hands().patient, package);
-  EXPECT_TRUE(button(wizard().build_page(), "&Practise with this patient")->hasFocus());
+  EXPECT_EQ(window_->focusWidget(), button(wizard().build_page(), "&Practise with this patient"));
   button(wizard().build_page(), "&Practise with this patient")->click();
   EXPECT_EQ(window_->page_name(), "start");
   EXPECT_EQ(window_->start_page().choice().patient, package);
@@ -137,7 +137,7 @@ TEST_F(WindowImport, FromAFolderToAPatientThatIsChosenOnTheFirstPage) {
     return one->isVisible() && one->text().contains("\"Preterm infant, 1.2 kg\" was chosen");
   }));
   picture("5-start");
-  EXPECT_TRUE(button(window_->start_page(), "Prepare the trial")->hasFocus()) << "Enter prepares the trial";
+  EXPECT_EQ(window_->focusWidget(), button(window_->start_page(), "Prepare the trial")) << "Enter prepares the trial";
 }
 
 TEST_F(WindowImport, SeedsAndThresholdsReachTheImportAndAWrongOneIsSaid) {
