@@ -12,11 +12,11 @@ namespace vallecula::engine {
 
 namespace {
 
-constexpr int kFineParts = 3;                // a refined cell's edge
+constexpr int kFineParts = 3;  // a refined cell's edge
 constexpr int kFineSamples = kFineParts + 1;
 constexpr int kFinePerCell = kFineSamples * kFineSamples * kFineSamples;
 constexpr std::size_t kMostFineCells = 400'000;  // a kilobyte each; the blades have up to some 60,000
-constexpr double kNearSurface = 0.0003;      // m; cells beyond are not refined
+constexpr double kNearSurface = 0.0003;          // m; cells beyond are not refined
 
 /// Calls work(first, workers) on every worker: each takes every workers-th piece.
 template <class Work>
@@ -28,8 +28,8 @@ void share_out(Work work) {
   for (auto& t : threads) t.join();
 }
 
-/// Distance and gradient at p; distance infinity where no triangle is within `band`. `hit`: that of a point beside it, or none,
-/// and p's own afterwards.
+/// Distance and gradient at p; distance infinity where no triangle is within `band`. `hit`: that of a point beside it,
+/// or none, and p's own afterwards.
 F4 exact_value(const TriangleBvh& bvh, const Vec3& p, double band, TriangleBvh::Hit& hit) {
   const double known = hit.triangle >= 0 ? (p - hit.point).norm() : std::numeric_limits<double>::infinity();
   const double d = bvh.signed_distance(p, band, &hit, known);
@@ -139,8 +139,8 @@ bool SignedDistanceGrid::bent(std::size_t cell, double tolerance) const {
     nearest = std::min(nearest, std::abs(double(corners[c][3])));
   }
   if (nearest > far) return false;
-  // At the middles of the cell, its faces and its edges: what is interpolated there, and what each corner's own distance and
-  // gradient make of it. All agree where the field is flat.
+  // At the middles of the cell, its faces and its edges: what is interpolated there, and what each corner's own
+  // distance and gradient make of it. All agree where the field is flat.
   for (int middle = 0; middle < 27; ++middle) {
     const Vec3 at = 0.5 * Vec3(middle % 3, middle / 3 % 3, middle / 9);
     double sum = 0.0, low = band_, high = -band_;
@@ -179,8 +179,8 @@ void SignedDistanceGrid::refine(const TriangleBvh& bvh, double tolerance) {
       TriangleBvh::Hit hit;
       for (int n = 0; n < kFinePerCell; ++n) {
         const int at[3] = {n % kFineSamples, n / kFineSamples % kFineSamples, n / (kFineSamples * kFineSamples)};
-        // On a face shared with a cell that is not refined the sample is what that cell interpolates there, so that the field
-        // has no step.
+        // On a face shared with a cell that is not refined the sample is what that cell interpolates there, so that the
+        // field has no step.
         int from[3], to[3];
         for (int a = 0; a < 3; ++a) {
           from[a] = std::max(0, cells[c][a] - (at[a] == 0 ? 1 : 0));

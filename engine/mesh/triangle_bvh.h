@@ -9,7 +9,8 @@
 
 namespace vallecula::engine {
 
-/// Closest point of triangle (a, b, c) to p, and its barycentric weights (Ericson, Real-Time Collision Detection, 5.1.5).
+/// Closest point of triangle (a, b, c) to p, and its barycentric weights (Ericson, Real-Time Collision
+/// Detection, 5.1.5).
 Vec3 closest_on_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c, Vec3* weights = nullptr);
 
 class TriangleBvh {
@@ -22,11 +23,12 @@ class TriangleBvh {
     Vec3 weights = Vec3::Zero();
     double distance = 0.0;
   };
-  /// Nearest surface point within `limit` (m); triangle -1 where there is none. `known` (m): some point of the surface is
-  /// known to be that near, the last hit's for one; the answer is the same, and comes sooner.
+  /// Nearest surface point within `limit` (m); triangle -1 where there is none. `known` (m): some point of the surface
+  /// is known to be that near, the last hit's for one; the answer is the same, and comes sooner.
   Hit closest(const Vec3& p, double limit, double known = std::numeric_limits<double>::infinity()) const;
   /// Distance with its sign: negative inside. The sign comes from the angle-weighted pseudo-normal of the nearest
-  /// feature (Baerentzen and Aanaes 2005), exact for closed meshes. `limit` and `known` as in closest(): beyond the limit +limit.
+  /// feature (Baerentzen and Aanaes 2005), exact for closed meshes. `limit` and `known` as in closest(): beyond the
+  /// limit +limit.
   double signed_distance(const Vec3& p, double limit, Hit* hit = nullptr,
                          double known = std::numeric_limits<double>::infinity()) const;
 

@@ -19,6 +19,7 @@
 #include "gui/authoring/problem_list.h"
 #include "gui/authoring/undo_keys.h"
 #include "gui/session/curricula_files.h"
+#include "gui/views/elided_label.h"
 #include "gui/views/theme.h"
 
 namespace vallecula::gui {
@@ -135,9 +136,8 @@ QWidget* AuthoringPage::make_head() {
   shortcut(nullptr, QKeySequence::Undo, [this] { document_.undo().undo(); });
   shortcut(nullptr, QKeySequence::Redo, [this] { document_.undo().redo(); });
   shortcut(nullptr, QKeySequence(Qt::Key_F5), [this] { try_scenario(); });
-  name_ = new QLabel(head);
+  name_ = new ElidedLabel(head);
   name_->setObjectName("heading");
-  name_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // its whole text is its tooltip
   state_ = new QLabel(this);
   auto* row = new QHBoxLayout(head);
   row->setContentsMargins(0, 0, 0, 0);
@@ -234,8 +234,8 @@ void AuthoringPage::show_state() {
   const std::filesystem::path& file = document_.file();
   const QString where = file.empty() ? tr("not saved yet") : QString::fromStdString(file.filename().string());
   const bool shipped = !file.empty() && is_shipped(file);
-  name_->setText(where + (document_.modified() ? " *" : ""));
-  name_->setToolTip(file.empty() ? name_->text() : QString::fromStdString(file.string()));
+  name_->say({where + (document_.modified() ? " *" : "")},
+             file.empty() ? QString() : QString::fromStdString(file.string()));
   save_->setText(shipped ? tr("Save as mine") : tr("Save"));
   save_->setToolTip(shipped ? tr("A shipped course stays as it is: this is kept among your own (Ctrl+S)")
                             : QString("Ctrl+S"));

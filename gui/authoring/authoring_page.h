@@ -21,6 +21,7 @@ class CompareView;
 class CourseForm;
 class CourseText;
 class CourseTree;
+class ElidedLabel;
 class ProblemList;
 
 class AuthoringPage : public QWidget {
@@ -90,7 +91,8 @@ class AuthoringPage : public QWidget {
   ProblemList* problems_;
   QTabWidget* tabs_;
   QComboBox* against_;
-  QLabel *name_, *state_, *message_;
+  ElidedLabel* name_;
+  QLabel *state_, *message_;
   QPushButton *save_, *try_;
   QToolButton *undo_, *redo_, *own_, *modules_;
   QMenu* copy_menu_;

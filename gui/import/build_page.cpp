@@ -147,7 +147,7 @@ void BuildPage::show_writing() {
 
 void BuildPage::show_written(const QString& package) {
   written_ = true;
-  verdict_->setText(tr("The patient is saved."));
+  verdict_->setText(tr("The patient is saved and chosen for the next trial."));
   say(tr("In %1").arg(package), false);
   show_state();
   practise_->setFocus();

@@ -68,6 +68,7 @@ ImportWizard::ImportWizard(QWidget* parent) : QWidget(parent) {
   connect(&work_, &ImportWork::written, this, [this](const QString& package) {
     package_ = package;
     build_->show_written(package);
+    emit saved(package);
   });
   connect(&work_, &ImportWork::failed, this, &ImportWizard::job_failed);
   connect(&work_, &ImportWork::cancelled, this, &ImportWizard::job_cancelled);
@@ -123,8 +124,9 @@ void ImportWizard::leave() {
                                   : tr("Leave without saving the patient? The edits made here are lost.")) !=
           QMessageBox::Yes)
     return;
+  const QString package = package_;
   stop();
-  emit left();
+  package.isEmpty() ? emit left() : emit left_with(package);
 }
 
 void ImportWizard::build() {

@@ -35,6 +35,8 @@ class ImportWizard : public QWidget {
  signals:
   /// A package was written and is to be practised with.
   void finished(const QString& package);
+  void saved(const QString& package);      ///< written; its page is still open
+  void left_with(const QString& package);  ///< as left(), after it was saved
   void left();
 
  private:

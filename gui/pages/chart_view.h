@@ -29,7 +29,7 @@ class ChartView : public QWidget {
   const std::vector<ChartLabel>& labels() const { return chart_.labels; }
   /// Of the widget as it is now.
   ChartForm form() const;
-  double em() const;  ///< height of its letters, px
+  virtual double em() const;  ///< height of its letters, px
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override;
 

@@ -149,6 +149,13 @@ void DevicesPage::show_list(const std::vector<device::FoundDevice>& devices) {
       }
       if (had && same_device(devices_[r], kept)) row_of_kept = static_cast<int>(r);
     }
+    // A column of which nothing is known takes no room from what is needed.
+    for (int c = 1; c + 1 < table_->columnCount(); ++c) {
+      bool said = false;
+      for (int r = 0; r < table_->rowCount(); ++r)
+        said = said || table_->item(r, c)->text().size() > 1;  // "-": nothing
+      table_->setColumnHidden(c, !said);
+    }
     if (row_of_kept >= 0)
       table_->selectRow(row_of_kept);
     else

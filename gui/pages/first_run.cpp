@@ -171,7 +171,7 @@ QWidget* FirstRun::make_senses() {
   sound->setObjectName("monitor_sound");
   sound->setChecked(user_settings()->value("sound/monitor", true).toBool());
   form->addRow(tr("Te&xt size"), text);
-  form->addRow(tr("&Ground"), ground);
+  form->addRow(tr("C&olours"), ground);
   form->addRow(sound);
   column->addLayout(form);
   column->addStretch(1);

@@ -3,11 +3,16 @@
 #include <QDialogButtonBox>
 #include <QFile>
 #include <QHBoxLayout>
+#include <QImage>
 #include <QListWidget>
+#include <QResizeEvent>
+#include <QScrollBar>
 #include <QTextBrowser>
 #include <QTextStream>
+#include <QTimer>
 #include <QUrl>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <map>
 
 #include "gui/session/languages.h"
@@ -33,6 +38,41 @@ QString title_of(const QString& chapter) {
   text.setCodec("UTF-8");
   return text.readLine().mid(2);
 }
+
+/// Its pictures are no wider than it is.
+class HelpText : public QTextBrowser {
+ public:
+  explicit HelpText(QWidget* parent) : QTextBrowser(parent) {
+    setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn);  // else it comes and goes with the pictures' height
+    soon_.setSingleShot(true);
+    soon_.setInterval(0);  // never while a text is being read in, which itself makes the view narrower
+    connect(&soon_, &QTimer::timeout, this, [this] {
+      if (scaled_to_ == viewport()->width()) return;
+      const int at = verticalScrollBar()->value();
+      reload();
+      verticalScrollBar()->setValue(at);
+    });
+  }
+
+ protected:
+  QVariant loadResource(int type, const QUrl& name) override {
+    const QVariant found = QTextBrowser::loadResource(type, name);
+    if (type != QTextDocument::ImageResource) return found;
+    const QImage picture =
+        found.type() == QVariant::ByteArray ? QImage::fromData(found.toByteArray()) : found.value<QImage>();
+    scaled_to_ = viewport()->width();
+    const int room = scaled_to_ - static_cast<int>(2.0 * document()->documentMargin());
+    return picture.width() <= room ? picture : picture.scaledToWidth(std::max(1, room), Qt::SmoothTransformation);
+  }
+  void resizeEvent(QResizeEvent* event) override {
+    QTextBrowser::resizeEvent(event);
+    if (scaled_to_ != viewport()->width()) soon_.start();
+  }
+
+ private:
+  QTimer soon_;
+  int scaled_to_ = 0;  ///< px: the width that the pictures were made for
+};
 
 }  // namespace
 
@@ -69,7 +109,7 @@ HelpDialog::HelpDialog(QWidget* parent) : QDialog(parent) {
   }
   theme::keep_wide(*list_, 230);
   list_->setWordWrap(true);
-  text_ = new QTextBrowser(this);
+  text_ = new HelpText(this);
   text_->setObjectName("help_text");
   text_->setAccessibleName(tr("Text of the chapter"));
   text_->setOpenExternalLinks(true);

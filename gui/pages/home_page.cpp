@@ -137,11 +137,11 @@ void HomePage::set_next(const NextTrial& next) {
 
 void HomePage::set_picture(const QImage& picture) { practise_->show_picture(picture, kPictureHeight); }
 
-void HomePage::set_recent(const std::vector<RecentFile>& recent) {
+void HomePage::set_recent(const std::vector<RecentEntry>& recent) {
   recent_->clear();
-  for (const RecentFile& file : recent) {
-    auto* item = new QListWidgetItem(described(file), recent_);
-    item->setData(Qt::UserRole, QString::fromStdString(file.path.string()));
+  for (const RecentEntry& entry : recent) {
+    auto* item = new QListWidgetItem(entry.words, recent_);
+    item->setData(Qt::UserRole, QString::fromStdString(entry.file.path.string()));
   }
   recent_->setVisible(!recent.empty());
   no_recent_->setVisible(recent.empty());

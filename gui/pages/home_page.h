@@ -5,7 +5,7 @@
 #include <QWidget>
 #include <vector>
 
-#include "gui/session/recent_files.h"
+#include "gui/pages/recent_entry.h"
 
 class QLabel;
 class QListWidget;
@@ -24,7 +24,7 @@ class HomePage : public QWidget {
   /// Of the patient that would be practised on; null: there is none yet.
   void set_picture(const QImage& picture);
   /// Newest first; only what is there.
-  void set_recent(const std::vector<RecentFile>& recent);
+  void set_recent(const std::vector<RecentEntry>& recent);
   void set_message(const QString& message);  ///< what went wrong
   /// What a person should know and can follow: text with links, told by link_followed(); empty: nothing.
   void set_notice(const QString& html);

@@ -2,15 +2,50 @@
 
 #include <QMouseEvent>
 #include <QPainter>
+#include <QToolButton>
 #include <algorithm>
+#include <cmath>
 
 #include "gui/views/theme.h"
 
 namespace vallecula::gui {
+namespace {
+
+// Letters of a low chart beside those of one with room; below that it scrolls.
+constexpr double kSmallest = 0.6;
+constexpr double kCorner = 1.4;  // em: within the chart's margin at the right, where nothing is written
+
+}  // namespace
 
 LinkedChart::LinkedChart(const QString& name, double least_em, QWidget* parent)
-    : ChartView(name, least_em, false, parent) {
+    : ChartView(name, least_em, false, parent), least_em_(least_em), corner_(new QToolButton(this)) {
   setToolTip(tr("Click to go there"));
+  corner_->setObjectName("larger");
+  corner_->setFocusPolicy(Qt::TabFocus);  // a click leaves the keys to the page
+  theme::dress(*corner_, "QToolButton { padding: 0; border-radius: 3px; }");
+  connect(corner_, &QToolButton::clicked, this, &LinkedChart::room_wanted);
+  show_large(false);
+}
+
+double LinkedChart::em() const {
+  const double wished = ChartView::em();
+  return std::clamp(height() / least_em_, kSmallest * wished, wished);
+}
+
+QSize LinkedChart::minimumSizeHint() const {
+  return {ChartView::minimumSizeHint().width(), static_cast<int>(std::ceil(kSmallest * ChartView::em() * least_em_))};
+}
+
+void LinkedChart::show_large(bool large) {
+  corner_->setArrowType(large ? Qt::DownArrow : Qt::UpArrow);
+  corner_->setAccessibleName(large ? tr("The views again") : tr("Larger chart"));
+  corner_->setToolTip(large ? tr("L: the views again") : tr("L: a larger chart, in the place of views and monitor"));
+}
+
+void LinkedChart::resizeEvent(QResizeEvent* event) {
+  ChartView::resizeEvent(event);
+  const int side = static_cast<int>(kCorner * em());
+  corner_->setGeometry(width() - side - 1, 1, side, side);
 }
 
 void LinkedChart::show_trial(Draw draw, double last_s) {

@@ -44,7 +44,7 @@ void MainMenu::make_view(QMainWindow& window) {
   leaving_.push_back(add(view_, tr("&Records"), tr("Ctrl+3"), &MainMenu::records_wanted, "go_records"));
   leaving_.push_back(add(view_, tr("&Devices"), tr("Ctrl+4"), &MainMenu::devices_wanted, "go_devices"));
   view_->addSeparator();
-  QMenu* ground = view_->addMenu(tr("&Ground"));
+  QMenu* ground = view_->addMenu(tr("C&olours"));
   auto* grounds = new QActionGroup(this);
   for (const auto& [text, value] : std::initializer_list<std::pair<QString, QString>>{
            {tr("&Dark"), "dark"}, {tr("&Light"), "light"}, {tr("As the &desktop"), "system"}}) {
@@ -90,12 +90,12 @@ void MainMenu::set_state(bool hidden, bool may_leave) {
   recent_->menuAction()->setEnabled(may_leave && !hidden && !recent_->isEmpty());
 }
 
-void MainMenu::set_recent(const std::vector<RecentFile>& recent) {
+void MainMenu::set_recent(const std::vector<RecentEntry>& recent) {
   recent_->clear();
-  for (const RecentFile& file : recent) {
-    QAction* action = recent_->addAction(described(file).replace('&', "&&"));
+  for (const RecentEntry& entry : recent) {
+    QAction* action = recent_->addAction(QString(entry.words).replace('&', "&&"));
     connect(action, &QAction::triggered, this,
-            [this, path = QString::fromStdString(file.path.string())] { emit recent_wanted(path); });
+            [this, path = QString::fromStdString(entry.file.path.string())] { emit recent_wanted(path); });
   }
   recent_->menuAction()->setEnabled(!recent.empty() && leaving_.front()->isEnabled());
 }

@@ -6,7 +6,7 @@
 #include <QMenu>
 #include <vector>
 
-#include "gui/session/recent_files.h"
+#include "gui/pages/recent_entry.h"
 
 namespace vallecula::gui {
 
@@ -16,7 +16,7 @@ class MainMenu : public QObject {
   explicit MainMenu(QMainWindow& window);
   /// `hidden`: no menus and none of their keys. `may_leave`: another page may be gone to.
   void set_state(bool hidden, bool may_leave);
-  void set_recent(const std::vector<RecentFile>& recent);
+  void set_recent(const std::vector<RecentEntry>& recent);
   QMenu& view() { return *view_; }  ///< for further windows of this one
 
  signals:

@@ -106,10 +106,19 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent), ready_(std::make_
     back_to_start();
   });
   connect(import_, &ImportWizard::left, this, &MainWindow::back_to_start);
-  connect(import_, &ImportWizard::finished, this, [this](const QString& package) {
-    start_->take_patient(package.toStdString());
+  connect(import_, &ImportWizard::saved, this, [this](const QString& package) {
+    start_->add_patient(package.toStdString(), true);
     remember(package.toStdString());
+  });
+  connect(import_, &ImportWizard::left_with, this, [this](const QString& package) {
+    start_->take_patient(package.toStdString());
     back_to_start();
+  });
+  connect(import_, &ImportWizard::finished, this, [this](const QString& package) {
+    if (has_start_) first_ = start_;  // there stands which scenario was chosen for its size
+    start_->take_patient(package.toStdString());
+    back_to_start();
+    start_->offer_start();
   });
   connect(trial_, &TrialPage::left, this, [this] {
     trial_->close_trial();
@@ -139,6 +148,10 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent), ready_(std::make_
   });
   connect(rating_, &SelfRatingPage::rated, this, &MainWindow::take_self_rating);
   connect(result_, &ResultPage::left, this, &MainWindow::back_to_start);
+  connect(result_, &ResultPage::other_wanted, this, [this] {
+    if (has_start_ && !trying_) first_ = start_;  // where scenarios are chosen; patient and course are as they were
+    back_to_start();
+  });
   connect(result_, &ResultPage::replay_wanted, this,
           [this](double at_s) { replay(outcome_.log, at_s, {}, kBeforeReason_s); });
   connect(replay_, &ReplayPage::left, this, &MainWindow::leave_replay);

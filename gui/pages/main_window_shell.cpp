@@ -18,6 +18,7 @@
 #include "gui/pages/main_window.h"
 #include "gui/pages/open_dialog.h"
 #include "gui/pages/ready_patient.h"
+#include "gui/pages/recent_entry.h"
 #include "gui/pages/replay_page.h"
 #include "gui/pages/self_rating_page.h"
 #include "gui/pages/settings_dialog.h"
@@ -60,7 +61,7 @@ curricula::Scenario scenario_as_chosen(const Choice& choice) {
 /// What the first page shows of the disk.
 struct Around {
   QImage patient;
-  std::vector<RecentFile> recent;
+  std::vector<RecentEntry> recent;
   std::filesystem::path package;  ///< of the next trial's patient; empty: it is not made yet
 };
 
@@ -180,7 +181,8 @@ void MainWindow::look_around() {
       [patient, manikin, files = kept_recent()]() mutable {
         if (patient.empty()) patient = builtin_patients_folder() / (builtin_patient_name(manikin) + ".patient");
         std::error_code none;
-        return Around{QImage(QString::fromStdString((patient / "thumbnail.png").string())), still_there(files),
+        return Around{QImage(QString::fromStdString((patient / "thumbnail.png").string())),
+                      with_words(still_there(files)),
                       std::filesystem::exists(patient / "patient.yaml", none) ? patient : std::filesystem::path()};
       },
       [this, next](const Around& around) {

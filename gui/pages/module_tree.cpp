@@ -20,6 +20,7 @@ QString module_key(const std::string& id) { return ":" + QString::fromStdString(
 QTreeWidgetItem* row_in(QTreeWidgetItem* parent, const QString& title, const QString& key) {
   auto* row = new QTreeWidgetItem(parent);
   row->setText(kTitle, title);
+  row->setToolTip(kTitle, title);  // a small window has no room for long ones
   row->setData(kTitle, kKeyRole, key);
   return row;
 }

@@ -29,6 +29,7 @@ constexpr const char* kMoves = QT_TRANSLATE_NOOP(
     "<tr><td><b>Shift, + and -</b></td><td>held: all of it finer; farther, or less far, for the same way</td></tr>"
     "<tr><td><b>Arrows, PgUp, PgDn &nbsp;</b></td><td>move it without a mouse</td></tr>");
 constexpr int kEdge = 8;             // px, to the edge of what it lies over
+constexpr int kBroader = 40;         // px a step
 constexpr double kLeastLines = 6.0;  // of its words
 constexpr const char* kTube = QT_TRANSLATE_NOOP(
     "MouseIntroduction",
@@ -64,7 +65,8 @@ QString blade_rules(const curricula::Assistance& helps) {
 
 }  // namespace
 
-MouseIntroduction::MouseIntroduction(QWidget* parent) : QFrame(parent) {
+MouseIntroduction::MouseIntroduction(QWidget* over)
+    : QFrame(over->parentWidget() != nullptr ? over->parentWidget() : over), over_(over) {
   setObjectName("panel");
   title_ = new QLabel(this);
   title_->setObjectName("heading");
@@ -88,26 +90,36 @@ MouseIntroduction::MouseIntroduction(QWidget* parent) : QFrame(parent) {
   text_->setAutoFillBackground(false);
   column->addWidget(words, 1);
   column->addLayout(foot);
-  parent->installEventFilter(this);
+  for (QWidget* around : {over_, parentWidget()}) around->installEventFilter(this);
   hide();
 }
 
-/// Over the view and, where that is too low for its words, over the buttons below, which are grey until the start.
+int MouseIntroduction::high_for(int wide) const {
+  const QMargins margins = layout()->contentsMargins();
+  const int others = layout()->minimumSize().height() - layout()->itemAt(1)->minimumSize().height();
+  return others + text_->heightForWidth(wide - margins.left() - margins.right()) + kEdge;
+}
+
+/// Over the view and the buttons below, which are grey until the start; where those are too low for its words, over
+/// what is above them, and broader only where the whole page is too low.
 void MouseIntroduction::place() {
   const QMargins margins = layout()->contentsMargins();
-  const int wide =
-      std::min(parentWidget()->width() - 2 * kEdge, text_->minimumWidth() + margins.left() + margins.right() +
-                                                        style()->pixelMetric(QStyle::PM_ScrollBarExtent));
-  const int others = layout()->minimumSize().height() - layout()->itemAt(1)->minimumSize().height();
-  const int words = text_->heightForWidth(wide - margins.left() - margins.right());
-  const int high = std::min(parentWidget()->height() - 2 * kEdge, others + words + kEdge);
+  const QRect over(over_ == parentWidget() ? QPoint() : over_->mapTo(parentWidget(), QPoint()), over_->size());
+  const QRect page = parentWidget()->rect().adjusted(kEdge, kEdge, -kEdge, -kEdge);
+  int wide = std::min(over.width() - 2 * kEdge, text_->minimumWidth() + margins.left() + margins.right() +
+                                                    style()->pixelMetric(QStyle::PM_ScrollBarExtent));
+  while (high_for(wide) > page.height() && wide < page.width()) wide = std::min(wide + kBroader, page.width());
+  const int high = std::min(page.height(), high_for(wide));
   QRect place(0, 0, wide, high);
-  place.moveCenter(parentWidget()->rect().center());
+  place.moveCenter(over.center());
+  place.moveBottom(std::min(place.bottom(), over.bottom() - kEdge));
+  place.moveTop(std::max(place.top(), page.top()));
+  place.moveLeft(std::clamp(place.left(), page.left(), std::max(page.left(), page.right() + 1 - wide)));
   setGeometry(place);
 }
 
 bool MouseIntroduction::eventFilter(QObject* watched, QEvent* event) {
-  if (event->type() == QEvent::Resize && !isHidden()) place();
+  if ((event->type() == QEvent::Resize || event->type() == QEvent::Move) && !isHidden()) place();
   return QFrame::eventFilter(watched, event);
 }
 

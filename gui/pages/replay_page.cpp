@@ -18,6 +18,7 @@
 #include "gui/session/log_conversion.h"
 #include "gui/session/words_from_below.h"
 #include "gui/views/capitalised.h"
+#include "gui/views/elided_label.h"
 #include "gui/views/force_bars.h"
 #include "gui/views/heat_look.h"
 #include "gui/views/monitor_panel.h"
@@ -66,7 +67,9 @@ void ReplayPage::open(std::shared_ptr<ReplayTrial> trial, double at_s, double be
   trial_ = std::move(trial);
   const engine::SceneDescription& scene = trial_->scene;
   const auto* intubation = scene.intubation ? &*scene.intubation : nullptr;
-  title_->setText(tr("Replay: %1").arg(course_words(trial_->scenario.title)));
+  const QString title = course_words(trial_->scenario.title);
+  title_->say({tr("Replay: %1").arg(title), title});
+  show_large_chart(false);
   QStringList warned;
   for (const std::string& notice : trial_->notices) warned << capitalised(in_words(notice));
   warned.removeDuplicates();
@@ -251,20 +254,19 @@ void ReplayPage::show_film_progress() {
   progress_->setVisible(!done);
   stop_->setVisible(!done);
   QStringList said;
+  QString shortly;
   if (!saved_.isEmpty()) said << saved_;
   const int percent = static_cast<int>(100 * film.computed() / all);
   if (waiting_ && !done)
     said << tr("Simulating the trial again up to %1 ... %2 % (Stop ends it)").arg(clock_text(at_s_)).arg(percent);
   if (!waiting_ && !done) said << tr("Simulating the trial again ... %1 % (Stop ends it)").arg(percent);
+  if (!done) shortly = tr("Simulating ... %1 %").arg(percent);
   if (waiting_ && done) said << tr("The replay was stopped before this second.");
   if (done && !film.remark().empty() && !waiting_) said << in_words(film.remark());
   const QString text = said.join(". ");
-  if (told_->toolTip() != text) {
-    told_->setToolTip(text);
-    // A path keeps its beginning and its name.
-    told_->setText(saved_.isEmpty() ? said.value(0)
-                                    : told_->fontMetrics().elidedText(saved_, Qt::ElideMiddle, told_->width()));
-  }
+  if (told_->toolTip() == text) return;
+  if (!saved_.isEmpty()) return told_->say({saved_}, text, Qt::ElideMiddle);  // a path keeps its beginning and its name
+  told_->say(shortly.isEmpty() ? QStringList{said.value(0)} : QStringList{said.value(0), shortly}, text);
 }
 
 void ReplayPage::show_now(bool jumped) {

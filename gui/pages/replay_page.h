@@ -19,6 +19,7 @@ class QTabWidget;
 
 namespace vallecula::gui {
 
+class ElidedLabel;
 class ForceBars;
 class HeatLook;
 class LinkedChart;
@@ -99,6 +100,7 @@ class ReplayPage : public QWidget {
   void show_heat();    ///< of the frame on the screen
   void follow_heat();  ///< once more, when its pressures are there
   void show_legend();
+  void show_large_chart(bool large);  ///< in the place of the operator's view and the monitor
   void ask_for_picture();
   void ask_for_clip();
   void tell_saved(const QString& file);
@@ -116,7 +118,9 @@ class ReplayPage : public QWidget {
   QTabWidget *charts_, *lists_;
   TimedList *reasons_, *events_;
   NotesPanel* notes_;
-  QLabel *title_, *change_, *clock_, *figures_, *told_, *legend_, *notice_;
+  ElidedLabel *title_, *told_;
+  QLabel *change_, *clock_, *figures_, *legend_, *notice_;
+  QWidget* views_;  ///< the operator's view and the monitor
   QProgressBar* progress_;
   QPushButton *stop_, *play_;
   QComboBox* rate_;

@@ -73,6 +73,8 @@ void ReplayPage::keyPressEvent(QKeyEvent* event) {
     case Qt::Key_H:
       if (half_->isEnabled()) half_->toggle();
       return;
+    case Qt::Key_L:
+      return show_large_chart(!views_->isHidden());
     case Qt::Key_N:
       play(false);
       lists_->setCurrentWidget(notes_);

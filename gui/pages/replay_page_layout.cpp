@@ -16,6 +16,7 @@
 #include "gui/pages/timeline.h"
 #include "gui/report/force_chart.h"
 #include "gui/report/monitor_chart.h"
+#include "gui/views/elided_label.h"
 #include "gui/views/force_bars.h"
 #include "gui/views/heat_look.h"
 #include "gui/views/monitor_panel.h"
@@ -75,9 +76,8 @@ ReplayPage::~ReplayPage() = default;
 
 QWidget* ReplayPage::make_head() {
   auto* head = new QWidget(this);
-  title_ = new QLabel(head);
+  title_ = new ElidedLabel(head);
   title_->setObjectName("heading");
-  title_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   auto* row = new QHBoxLayout(head);
   row->setContentsMargins(0, 0, 0, 0);
   row->addWidget(title_, 1);
@@ -144,9 +144,9 @@ QWidget* ReplayPage::make_head() {
 
 QWidget* ReplayPage::make_pictures() {
   auto* splitter = new QSplitter(Qt::Vertical, this);
-  auto* top = new QWidget(splitter);
+  auto* top = views_ = new QWidget(splitter);
   operator_view_ = new OperatorView(top);
-  operator_view_->setMinimumSize(360, 200);
+  operator_view_->setMinimumSize(360, 170);
   legend_ = new QLabel(top);
   legend_->setMargin(5);
   legend_->setWordWrap(true);                              // no wider than the view it lies over
@@ -168,17 +168,25 @@ QWidget* ReplayPage::make_pictures() {
   force_chart_ = new LinkedChart(tr("Force over time"), kLeastUntitledForceChart, charts_);
   force_chart_->setObjectName("force_chart");
   monitor_chart_ = new LinkedChart(tr("Saturation and heart rate over time"), kLeastUntitledMonitorChart, charts_);
-  // With large text a chart is higher than its place.
+  for (LinkedChart* chart : {force_chart_, monitor_chart_})
+    connect(chart, &LinkedChart::room_wanted, this, [this] { show_large_chart(!views_->isHidden()); });
+  // With large text in a small window a chart is higher than its place.
   charts_->addTab(new Scrolled(force_chart_, 7.0, charts_), tr("Force"));
   charts_->addTab(new Scrolled(monitor_chart_, 7.0, charts_), tr("Monitor"));
   charts_->setTabPosition(QTabWidget::West);
   splitter->addWidget(top);
   splitter->addWidget(charts_);
-  splitter->setSizes({450, 230});
+  splitter->setSizes({430, 260});
   splitter->setStretchFactor(0, 1);
   splitter->setStretchFactor(1, 0);
   splitter->setChildrenCollapsible(false);
   return splitter;
+}
+
+void ReplayPage::show_large_chart(bool large) {
+  views_->setVisible(!large);
+  for (LinkedChart* chart : {force_chart_, monitor_chart_}) chart->show_large(large);
+  dirty_ = true;  // the views were not drawn meanwhile
 }
 
 QWidget* ReplayPage::make_side() {
@@ -218,13 +226,13 @@ QLayout* ReplayPage::make_now() {
   bold.setBold(true);
   clock_->setFont(bold);
   figures_ = new QLabel(this);
-  told_ = new QLabel(this);
+  told_ = new ElidedLabel(this);
   told_->setObjectName("faint");
   told_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-  told_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // its whole text is its tooltip
   row->addWidget(clock_);
   row->addSpacing(14);
   row->addWidget(figures_);
+  row->addSpacing(14);
   row->addWidget(told_, 1);
   return row;
 }

@@ -116,7 +116,7 @@ ResultPage::ResultPage(QWidget* parent) : QWidget(parent) {
   for (auto* button : {replay_, report, leave, same_, again_}) foot->addWidget(button);
   connect(again_, &QPushButton::clicked, this, &ResultPage::again);
   connect(same_, &QPushButton::clicked, this, &ResultPage::same_again);
-  connect(leave, &QPushButton::clicked, this, &ResultPage::left);
+  connect(leave, &QPushButton::clicked, this, &ResultPage::other_wanted);
   report->setObjectName("report");
   connect(report, &QPushButton::clicked, this, [this] { tell(open_outside(report_)); });
   auto* all = new QVBoxLayout(this);

@@ -29,6 +29,7 @@ class ResultPage : public QWidget {
   void again();       ///< of a scenario with a variation another attempt, as drawn anew
   void same_again();  ///< what has just been done, as it was drawn
   void left();
+  void other_wanted();  ///< another scenario, with the same patient
   /// At a second of the trial; negative: from its beginning.
   void replay_wanted(double at_s);
 

@@ -64,6 +64,7 @@ void SettingsDialog::add_look(QFormLayout* form) {
                              const QString& now) {
     auto* box = new QComboBox(this);
     box->setObjectName(name);
+    box->setSizeAdjustPolicy(QComboBox::AdjustToContents);  // also when the text grows while it is open
     for (const auto& [text, value] : entries) box->addItem(text, QString(value));
     box->setCurrentIndex(std::max(0, box->findData(now)));
     return box;
@@ -89,7 +90,7 @@ void SettingsDialog::add_look(QFormLayout* form) {
                     before_.quality);
   quality_->setToolTip(tr("How the patient is drawn"));
   form->addRow(heading(tr("Look"), this));
-  form->addRow(tr("&Ground"), ground_);
+  form->addRow(tr("C&olours"), ground_);
   // No T, no V: underlined they are drawn apart from what stands close to them, and the word is longer than its label.
   form->addRow(tr("Te&xt size"), with_share(text_, text_share_));
   qobject_cast<QLabel*>(form->itemAt(form->rowCount() - 1, QFormLayout::LabelRole)->widget())->setBuddy(text_);

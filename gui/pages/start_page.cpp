@@ -74,6 +74,7 @@ void StartPage::forget_mode() {
 QStringList StartPage::states() const { return tree_->states(); }
 
 void StartPage::show_chosen() {
+  const bool offered = window()->focusWidget() == go_;  // what is disabled for a moment loses the focus
   why_->hide();
   go_->setEnabled(false);
   if (curriculum() == nullptr) {
@@ -93,6 +94,7 @@ void StartPage::show_chosen() {
     heading_->setText(course_words(curriculum()->title));
     briefing_->setText(course_text(*curriculum()));
   }
+  if (offered) offer_start();
   emit changed();
 }
 

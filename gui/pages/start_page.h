@@ -54,6 +54,7 @@ class StartPage : public QWidget {
   /// kg, one that is nearer is chosen. Returns what was done, for a person; empty: nothing needed to be, or another
   /// patient was chosen in the meantime.
   QString fit_scenario(const std::filesystem::path& package, double weight_kg);
+  void offer_start();                   ///< Enter prepares the trial
   std::string chosen_scenario() const;  ///< its id; empty: none
   /// Offers what is plugged in beside what is always there; what is gone is no longer offered, unless it is chosen.
   void set_found_devices(const std::vector<device::FoundDevice>& devices);

@@ -38,6 +38,8 @@ void StartPage::take_patient(const std::filesystem::path& package) {
   emit patient_taken(patient_->currentData().toString());
 }
 
+void StartPage::offer_start() { go_->setFocus(); }
+
 std::string StartPage::chosen_scenario() const {
   const curricula::Scenario* chosen = tree_->scenario();
   return chosen == nullptr ? std::string() : chosen->id;

@@ -217,11 +217,11 @@
     </message>
     <message>
         <source>gum peak %1 N</source>
-        <translation>Spitze Zahnleiste %1 N</translation>
+        <translation>Höchstwert Zahnleiste %1 N</translation>
     </message>
     <message>
         <source>tongue peak %1 N</source>
-        <translation>Spitze Zunge %1 N</translation>
+        <translation>Höchstwert Zunge %1 N</translation>
     </message>
     <message>
         <source>The monitor: %1</source>
@@ -676,7 +676,7 @@ von 30 Sekunden, und nie lange über der Marke des Balkens.</translation>
         <source>Force grows with every millimetre beyond the place where the view opens. Whoever places the tip well needs less
 of it. A peak while lifting is no fault; holding it is.</source>
         <translation>Die Kraft wächst mit jedem Millimeter über die Stelle hinaus, an der sich die Sicht öffnet. Wer die Spitze gut setzt, braucht
-weniger davon. Eine Spitze der Kraft beim Anheben ist kein Fehler, sie zu halten schon.</translation>
+weniger davon. Beim Anheben kurz mehr Kraft zu brauchen ist kein Fehler, sie zu halten schon.</translation>
     </message>
     <message>
         <source>A term newborn of 3.2 kg, another stiffness of the tongue each time. Bring at least 50 % of the glottis into
@@ -1925,7 +1925,7 @@ Sekunden sind eine Obergrenze, kein Ziel.</translation>
     </message>
     <message>
         <source>yellow by breath</source>
-        <translation>gelb bis Hub</translation>
+        <translation>gelb bis Beatmung</translation>
     </message>
     <message>
         <source>Breaths given, mask and tube</source>
@@ -1949,7 +1949,7 @@ Sekunden sind eine Obergrenze, kein Ziel.</translation>
     </message>
     <message>
         <source>Breaths before</source>
-        <translation>Hübe davor</translation>
+        <translation>Beatmungen davor</translation>
     </message>
     <message>
         <source>To view</source>
@@ -2141,7 +2141,7 @@ Sekunden sind eine Obergrenze, kein Ziel.</translation>
     </message>
     <message>
         <source>by breath</source>
-        <translation>bis Hub</translation>
+        <translation>bis Beatmung</translation>
     </message>
     <message>
         <source>at most %1 N</source>
@@ -2173,15 +2173,15 @@ Sekunden sind eine Obergrenze, kein Ziel.</translation>
     </message>
     <message>
         <source>by breath %1</source>
-        <translation>bis Hub %1</translation>
+        <translation>bis Beatmung %1</translation>
     </message>
     <message>
         <source>yellow by breath %1</source>
-        <translation>gelb bis Hub %1</translation>
+        <translation>gelb bis Beatmung %1</translation>
     </message>
     <message>
         <source>yellow, breath %1</source>
-        <translation>gelb, Hub %1</translation>
+        <translation>gelb, Beatmung %1</translation>
     </message>
     <message>
         <source>%1 mm</source>
@@ -2193,7 +2193,7 @@ Sekunden sind eine Obergrenze, kein Ziel.</translation>
     </message>
     <message>
         <source>%1 breaths</source>
-        <translation>%1 Hübe</translation>
+        <translation>%1 Beatmungen</translation>
     </message>
     <message>
         <source>%1 % of the way; good: %2 to %3 %</source>
@@ -3101,11 +3101,11 @@ Sekunden sind eine Obergrenze, kein Ziel.</translation>
     </message>
     <message>
         <source>The detector turned yellow with breath %1, within the %2 breaths allowed</source>
-        <translation>Der Detektor wurde mit Hub %1 gelb, innerhalb der erlaubten %2 Hübe</translation>
+        <translation>Der Detektor wurde mit Beatmung %1 gelb, innerhalb der erlaubten %2 Beatmungen</translation>
     </message>
     <message>
         <source>The detector turned yellow with breath %1, more than the %2 breaths allowed</source>
-        <translation>Der Detektor wurde mit Hub %1 gelb, mehr als die erlaubten %2 Hübe</translation>
+        <translation>Der Detektor wurde mit Beatmung %1 gelb, mehr als die erlaubten %2 Beatmungen</translation>
     </message>
     <message>
         <source>%1 attempt, within the %2 allowed</source>
@@ -3165,11 +3165,11 @@ Sekunden sind eine Obergrenze, kein Ziel.</translation>
     </message>
     <message>
         <source>The first breath at %1 s</source>
-        <translation>Der erste Hub bei %1 s</translation>
+        <translation>Die erste Beatmung bei %1 s</translation>
     </message>
     <message>
         <source>Still in at the first breath at %1 s</source>
-        <translation>Beim ersten Hub bei %1 s noch darin</translation>
+        <translation>Bei der ersten Beatmung bei %1 s noch darin</translation>
     </message>
     <message>
         <source>%1 ml at first, %2 ml at the end</source>
@@ -3353,7 +3353,7 @@ Sekunden sind eine Obergrenze, kein Ziel.</translation>
     </message>
     <message>
         <source>Breaths to confirm</source>
-        <translation>Hübe bis zur Bestätigung</translation>
+        <translation>Beatmungen bis zur Bestätigung</translation>
     </message>
     <message>
         <source>mm, diameter of its metal; without it 1.2</source>
@@ -3369,7 +3369,7 @@ Sekunden sind eine Obergrenze, kein Ziel.</translation>
     </message>
     <message>
         <source>percent of the gas, in breaths given; without it 10, of a preoxygenated infant 0</source>
-        <translation>Prozent des Gases in gegebenen Hüben; ohne Angabe 10, bei präoxygeniertem Kind 0</translation>
+        <translation>Prozent des Gases in gegebenen Beatmungen; ohne Angabe 10, bei präoxygeniertem Kind 0</translation>
     </message>
     <message>
         <source>without it as the course has it</source>
@@ -3937,7 +3937,7 @@ Sekunden sind eine Obergrenze, kein Ziel.</translation>
     </message>
     <message>
         <source>of the gas, in breaths given</source>
-        <translation>des Gases, in gegebenen Hüben</translation>
+        <translation>des Gases, in gegebenen Beatmungen</translation>
     </message>
     <message>
         <source>atropine and a muscle relaxant</source>
@@ -3989,7 +3989,7 @@ Sekunden sind eine Obergrenze, kein Ziel.</translation>
     </message>
     <message>
         <source>never more than breaths_to_confirm breaths in one stay in the oesophagus</source>
-        <translation>nie mehr als breaths_to_confirm Hübe in einem Aufenthalt im Ösophagus</translation>
+        <translation>nie mehr als breaths_to_confirm Beatmungen in einem Aufenthalt im Ösophagus</translation>
     </message>
     <message>
         <source>in no attempt a fall by 20 points or more</source>
@@ -4393,7 +4393,7 @@ Sekunden sind eine Obergrenze, kein Ziel.</translation>
     </message>
     <message>
         <source>The tube&apos;s place was not confirmed: the detector did not turn yellow with %1 breaths through it, of %2 breaths allowed</source>
-        <translation>Die Lage des Tubus wurde nicht bestätigt: Der Detektor wurde mit %1 Hüben durch ihn nicht gelb, von %2 erlaubten</translation>
+        <translation>Die Lage des Tubus wurde nicht bestätigt: Der Detektor wurde mit %1 Beatmungen durch ihn nicht gelb, von %2 erlaubten</translation>
     </message>
     <message>
         <source>With the head neutral the tube&apos;s tip lies about %1 mm past the cords, %2 % of the way to the carina: in the middle third</source>
@@ -4409,15 +4409,15 @@ Sekunden sind eine Obergrenze, kein Ziel.</translation>
     </message>
     <message>
         <source>The tube in the oesophagus was recognised late: more than %1 breaths in one stay at %2 s</source>
-        <translation>Der Tubus im Ösophagus wurde spät erkannt: mehr als %1 Hübe in einem Aufenthalt, bei %2 s</translation>
+        <translation>Der Tubus im Ösophagus wurde spät erkannt: mehr als %1 Beatmungen in einem Aufenthalt, bei %2 s</translation>
     </message>
     <message>
         <source>The tube in the oesophagus was recognised late: more than %1 breaths in one stay</source>
-        <translation>Der Tubus im Ösophagus wurde spät erkannt: mehr als %1 Hübe in einem Aufenthalt</translation>
+        <translation>Der Tubus im Ösophagus wurde spät erkannt: mehr als %1 Beatmungen in einem Aufenthalt</translation>
     </message>
     <message>
         <source>The tube in the oesophagus was recognised within %1 breaths in one stay</source>
-        <translation>Der Tubus im Ösophagus wurde innerhalb von %1 Hüben in einem Aufenthalt erkannt</translation>
+        <translation>Der Tubus im Ösophagus wurde innerhalb von %1 Beatmungen in einem Aufenthalt erkannt</translation>
     </message>
     <message>
         <source>In attempt %1 of %2, begun at %3 s, saturation fell by %4 points or more, from %5 to %6 %</source>
@@ -4441,15 +4441,15 @@ Sekunden sind eine Obergrenze, kein Ziel.</translation>
     </message>
     <message>
         <source>Yellow with breath %1</source>
-        <translation>Gelb mit Hub %1</translation>
+        <translation>Gelb mit Beatmung %1</translation>
     </message>
     <message>
         <source>Not yellow after %1 breaths</source>
-        <translation>Nach %1 Hüben nicht gelb</translation>
+        <translation>Nach %1 Beatmungen nicht gelb</translation>
     </message>
     <message>
         <source>%1 breaths were given there</source>
-        <translation>%1 Hübe wurden dort gegeben</translation>
+        <translation>%1 Beatmungen wurden dort gegeben</translation>
     </message>
     <message>
         <source>or</source>
@@ -4645,11 +4645,11 @@ Sekunden sind eine Obergrenze, kein Ziel.</translation>
     </message>
     <message>
         <source>not yellow, %1 breath through the tube</source>
-        <translation>nicht gelb, %1 Hub durch den Tubus</translation>
+        <translation>nicht gelb, %1 Beatmung durch den Tubus</translation>
     </message>
     <message>
         <source>not yellow, %1 breaths through the tube</source>
-        <translation>nicht gelb, %1 Hübe durch den Tubus</translation>
+        <translation>nicht gelb, %1 Beatmungen durch den Tubus</translation>
     </message>
     <message>
         <source>%1 time</source>
@@ -4661,11 +4661,11 @@ Sekunden sind eine Obergrenze, kein Ziel.</translation>
     </message>
     <message>
         <source>%1 breath given there</source>
-        <translation>%1 Hub dort gegeben</translation>
+        <translation>%1 Beatmung dort gegeben</translation>
     </message>
     <message>
         <source>%1 breaths given there</source>
-        <translation>%1 Hübe dort gegeben</translation>
+        <translation>%1 Beatmungen dort gegeben</translation>
     </message>
     <message>
         <source>%1 s until withdrawn</source>
@@ -4737,7 +4737,7 @@ Sekunden sind eine Obergrenze, kein Ziel.</translation>
     </message>
     <message>
         <source>yellow with breath %1</source>
-        <translation>gelb mit Hub %1</translation>
+        <translation>gelb mit Beatmung %1</translation>
     </message>
     <message>
         <source>No attempt: not counted for the course</source>
@@ -4975,7 +4975,7 @@ Sekunden sind eine Obergrenze, kein Ziel.</translation>
     </message>
     <message>
         <source>No CO2 after these breaths: unless the heart rate rises, the tube is in the wrong place. Out, ventilate by mask, again.</source>
-        <translation>Kein CO2 nach diesen Hüben: Wenn die Herzfrequenz nicht steigt, liegt der Tubus falsch. Heraus, mit Maske beatmen, erneut.</translation>
+        <translation>Kein CO2 nach diesen Beatmungen: Wenn die Herzfrequenz nicht steigt, liegt der Tubus falsch. Heraus, mit Maske beatmen, erneut.</translation>
     </message>
     <message>
         <source>Through: T draws the stylet. Then bring the cord mark to the cords.</source>
@@ -4983,7 +4983,7 @@ Sekunden sind eine Obergrenze, kein Ziel.</translation>
     </message>
     <message>
         <source>Cord mark at the cords? Hold B for 5 or 6 breaths; watch the heart rate and the CO2 detector.</source>
-        <translation>Marke an den Stimmlippen? Halten Sie B für 5 oder 6 Hübe; beobachten Sie Herzfrequenz und CO2-Detektor.</translation>
+        <translation>Marke an den Stimmlippen? Halten Sie B für 5 oder 6 Beatmungen; beobachten Sie Herzfrequenz und CO2-Detektor.</translation>
     </message>
     <message>
         <source>The cords stay shut: laryngospasm. Draw back, ventilate by mask (B) and wait; never push.</source>
@@ -5229,7 +5229,7 @@ Sekunden sind eine Obergrenze, kein Ziel.</translation>
     </message>
     <message>
         <source>&lt;p&gt;Tube in at the right corner, beside the blade; the black mark goes to the cords. Never push against resistance.&lt;br&gt;Heart rate below 100: out, and ventilate. Five or six breaths tell by the CO2 detector.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;Tubus am rechten Mundwinkel hinein, neben dem Spatel; die schwarze Marke kommt an die Stimmlippen. Nie gegen Widerstand drücken.&lt;br&gt;Herzfrequenz unter 100: heraus und beatmen. Fünf oder sechs Hübe zeigen es am CO2-Detektor.&lt;/p&gt;</translation>
+        <translation>&lt;p&gt;Tubus am rechten Mundwinkel hinein, neben dem Spatel; die schwarze Marke kommt an die Stimmlippen. Nie gegen Widerstand drücken.&lt;br&gt;Herzfrequenz unter 100: heraus und beatmen. Fünf oder sechs Beatmungen zeigen es am CO2-Detektor.&lt;/p&gt;</translation>
     </message>
     <message>
         <source>A mouse cannot push back: the bars on the right show the force your blade puts on tongue and gum.</source>
@@ -5303,7 +5303,7 @@ Sekunden sind eine Obergrenze, kein Ziel.</translation>
     </message>
     <message>
         <source>a tube in the oesophagus recognised within %1 breaths</source>
-        <translation>ein Tubus im Ösophagus innerhalb von %1 Hüben erkannt</translation>
+        <translation>ein Tubus im Ösophagus innerhalb von %1 Beatmungen erkannt</translation>
     </message>
     <message>
         <source>no fall of saturation by 20 points in an attempt</source>
@@ -6206,16 +6206,16 @@ Freie Software unter der GNU Affero General Public License, Version 3, weil TetG
         <translation>Der Patient wird geschrieben</translation>
     </message>
     <message>
-        <source>The patient is saved.</source>
-        <translation>Der Patient ist gespeichert.</translation>
-    </message>
-    <message>
         <source>In %1</source>
         <translation>In %1</translation>
     </message>
     <message>
         <source>The patient could not be built.</source>
         <translation>Der Patient konnte nicht gebaut werden.</translation>
+    </message>
+    <message>
+        <source>The patient is saved and chosen for the next trial.</source>
+        <translation>Der Patient ist gespeichert und für den nächsten Durchgang gewählt.</translation>
     </message>
 </context>
 <context>
@@ -7175,10 +7175,6 @@ Eine Label-Karte ohne Namen (NIfTI) wird nach diesen Werten gelesen: %1</transla
         <translation>Farben des ganzen Fensters</translation>
     </message>
     <message>
-        <source>&amp;Ground</source>
-        <translation>&amp;Hintergrund</translation>
-    </message>
-    <message>
         <source>Your first laryngoscopy</source>
         <translation>Ihre erste Laryngoskopie</translation>
     </message>
@@ -7217,6 +7213,10 @@ Nichts kann kaputtgehen, und jeder Versuch ist ein neuer. Bevor es beginnt, sagt
     <message>
         <source>Te&amp;xt size</source>
         <translation>&amp;Schriftgröße</translation>
+    </message>
+    <message>
+        <source>C&amp;olours</source>
+        <translation>&amp;Farben</translation>
     </message>
 </context>
 <context>
@@ -7283,7 +7283,7 @@ Nichts kann kaputtgehen, und jeder Versuch ist ein neuer. Bevor es beginnt, sagt
     </message>
     <message>
         <source>Pass limit: red line. A peak above %1 N on the tongue or %2 N on the gum does not pass.</source>
-        <translation>Bestehensgrenze: rote Linie. Eine Spitze über %1 N auf die Zunge oder %2 N auf die Zahnleiste besteht nicht.</translation>
+        <translation>Bestehensgrenze: rote Linie. Wer auch nur kurz mit mehr als %1 N auf die Zunge oder %2 N auf die Zahnleiste drückt, besteht nicht.</translation>
     </message>
     <message>
         <source>Device limit: blue dashed line, hatched beyond it. Your device cannot push back with more than %1 N: there the blade stays where it is, and a grey one shows your hand.</source>
@@ -7348,7 +7348,7 @@ Nichts kann kaputtgehen, und jeder Versuch ist ein neuer. Bevor es beginnt, sagt
     <name>vallecula::gui::HandPanel</name>
     <message>
         <source>Breath (B)</source>
-        <translation>Hub (B)</translation>
+        <translation>Beatmen (B)</translation>
     </message>
     <message>
         <source>Held: 40 a minute, by mask, or by the tube once it is in</source>
@@ -8091,6 +8091,22 @@ Gerät: %3</translation>
         <source>Click to go there</source>
         <translation>Klicken, um dorthin zu gehen</translation>
     </message>
+    <message>
+        <source>The views again</source>
+        <translation>Wieder die Ansichten</translation>
+    </message>
+    <message>
+        <source>Larger chart</source>
+        <translation>Größeres Diagramm</translation>
+    </message>
+    <message>
+        <source>L: the views again</source>
+        <translation>L: wieder die Ansichten</translation>
+    </message>
+    <message>
+        <source>L: a larger chart, in the place of views and monitor</source>
+        <translation>L: ein größeres Diagramm, anstelle von Ansicht und Monitor</translation>
+    </message>
 </context>
 <context>
     <name>vallecula::gui::LiveEvents</name>
@@ -8253,10 +8269,6 @@ Gerät: %3</translation>
         <translation>Ctrl+4</translation>
     </message>
     <message>
-        <source>&amp;Ground</source>
-        <translation>&amp;Hintergrund</translation>
-    </message>
-    <message>
         <source>&amp;Dark</source>
         <translation>&amp;Dunkel</translation>
     </message>
@@ -8303,6 +8315,10 @@ Gerät: %3</translation>
     <message>
         <source>&amp;About Vallecula</source>
         <translation>&amp;Über Vallecula</translation>
+    </message>
+    <message>
+        <source>C&amp;olours</source>
+        <translation>&amp;Farben</translation>
     </message>
 </context>
 <context>
@@ -8403,7 +8419,7 @@ Gerät: %3</translation>
     </message>
     <message>
         <source>Since breath</source>
-        <translation>Seit Atemzug</translation>
+        <translation>Ohne Atemzug</translation>
     </message>
     <message>
         <source>Given %1/min</source>
@@ -8415,7 +8431,7 @@ Gerät: %3</translation>
     </message>
     <message>
         <source>None given</source>
-        <translation>Kein Hub</translation>
+        <translation>Keine Beatmung</translation>
     </message>
     <message>
         <source>CO2 detector</source>
@@ -8443,7 +8459,7 @@ Gerät: %3</translation>
     </message>
     <message>
         <source>Lines: the last minute; dotted: where the alarm begins. Breaths given are counted wherever they went; their rate is the mean of the last %1.</source>
-        <translation>Linien: die letzte Minute; gepunktet: wo der Alarm beginnt. Gegebene Hübe zählen, wohin sie auch gingen; ihre Frequenz ist das Mittel der letzten %1.</translation>
+        <translation>Linien: die letzte Minute; gepunktet: wo der Alarm beginnt. Gegebene Beatmungen zählen, wohin sie auch gingen; ihre Frequenz ist das Mittel der letzten %1.</translation>
     </message>
     <message>
         <source>it breathes by itself</source>
@@ -9117,7 +9133,7 @@ Gerät: %3</translation>
     </message>
     <message>
         <source>Tip&apos;s path</source>
-        <translation>Spitzenweg</translation>
+        <translation>Spatelweg</translation>
     </message>
     <message>
         <source>P: the way of the blade&apos;s tip until now, coloured by the force on the tongue</source>
@@ -9318,6 +9334,10 @@ Gerät: %3</translation>
     <message>
         <source>Saved: %1</source>
         <translation>Gespeichert: %1</translation>
+    </message>
+    <message>
+        <source>Simulating ... %1 %</source>
+        <translation>Simulation ... %1 %</translation>
     </message>
 </context>
 <context>
@@ -9556,10 +9576,6 @@ Gerät: %3</translation>
         <translation>Aussehen</translation>
     </message>
     <message>
-        <source>&amp;Ground</source>
-        <translation>&amp;Hintergrund</translation>
-    </message>
-    <message>
         <source>&amp;Quality</source>
         <translation>&amp;Qualität</translation>
     </message>
@@ -9614,6 +9630,10 @@ Gerät: %3</translation>
     <message>
         <source>&amp;Language</source>
         <translation>S&amp;prache</translation>
+    </message>
+    <message>
+        <source>C&amp;olours</source>
+        <translation>&amp;Farben</translation>
     </message>
 </context>
 <context>

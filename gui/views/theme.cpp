@@ -7,9 +7,11 @@
 #include <QPalette>
 #include <QRegularExpression>
 #include <QStyle>
-#include <QStyleFactory>
 #include <algorithm>
 #include <array>
+#include <cstring>
+
+#include "gui/views/window_style.h"
 
 namespace vallecula::gui::theme {
 namespace {
@@ -96,11 +98,11 @@ const char* const kSheet = R"(
     QTabWidget::pane { border: none; }
     QTabBar::tab { background: @head@; padding: 6px 14px; border-top-left-radius: 5px; border-top-right-radius: 5px; margin-right: 2px; }
     QTabBar::tab:selected { background: @chosen@; color: @chosen-text@; }
-    QListWidget, QComboBox, QTextBrowser { background: @panel@; border: 1px solid @line@; border-radius: 5px; padding: 4px; }
-    QComboBox { combobox-popup: 0; }
+    QListWidget, QTextBrowser { background: @panel@; border: 1px solid @line@; border-radius: 5px; padding: 4px; }
+    QComboBox QLineEdit, QComboBox QLineEdit:focus { background: transparent; border: none; padding: 1px; }
     QCalendarWidget QWidget#qt_calendar_navigationbar { background: @head@; }
     QCalendarWidget QToolButton { color: @text@; }
-    QComboBox QAbstractItemView { background: @panel@; color: @text@; selection-background-color: @chosen@; selection-color: @chosen-text@; }
+    QComboBox QAbstractItemView { background: @panel@; color: @text@; border: 1px solid @line@; border-radius: 0; padding: 1px; selection-background-color: @chosen@; selection-color: @chosen-text@; }
     QListWidget::item { padding: 9px 8px; border-radius: 4px; }
     QListWidget::item:selected { background: @chosen@; color: @chosen-text@; }
     QLabel#title { font-size: @19pt@; font-weight: bold; }
@@ -197,6 +199,11 @@ const QColor& new_line() { return colours->new_line; }
 const QColor& gone_line() { return colours->gone_line; }
 double points(double at_scale_one) { return at_scale_one * applied.text_scale; }
 const Look& look() { return applied; }
+QColor shade(const char* name) {
+  for (const Shade& one : kShades)
+    if (std::strcmp(one.name, name) == 0) return applied.ground == Ground::dark ? one.dark : one.light;
+  return Qt::black;
+}
 
 void dress(QWidget& widget, const QString& sheet) {
   widget.setProperty(kOwnSheet, sheet);
@@ -247,7 +254,7 @@ void apply(QApplication& application, const Look& look) {
   // Without a style sheet the others are laid under every widget of every page in a tenth of the time, and a sheet put
   // on where there is none touches only what has been seen.
   application.setStyleSheet({});
-  if (application.style()->objectName() != "fusion") application.setStyle(QStyleFactory::create("Fusion"));
+  if (qobject_cast<WindowStyle*>(application.style()) == nullptr) application.setStyle(new WindowStyle);
   QPalette palette;
   palette.setColor(QPalette::Window, ground());
   palette.setColor(QPalette::WindowText, text());

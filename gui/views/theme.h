@@ -34,6 +34,8 @@ const QColor& bad();     ///< vermillion
 const QColor& accent();
 const QColor& new_line();   ///< behind text: what a comparison found added
 const QColor& gone_line();  ///< and removed
+/// A colour of the style sheet by its name there ("line", "focus"); black where there is none of it.
+QColor shade(const char* name);
 /// A size in points as the look's text scale has it.
 double points(double at_scale_one);
 

@@ -8,6 +8,7 @@
 #include <QLabel>
 #include <QListWidget>
 #include <QRegularExpression>
+#include <QScrollBar>
 #include <QTest>
 #include <QTextBrowser>
 #include <QUrl>
@@ -18,6 +19,7 @@
 #include "gui/import/import_wizard.h"
 #include "gui/pages/chart_view.h"
 #include "gui/pages/help_dialog.h"
+#include "gui/pages/look_settings.h"
 #include "gui/pages/main_menu.h"
 #include "gui/pages/replay_page.h"
 #include "gui/pages/result_page.h"
@@ -251,6 +253,28 @@ TEST_F(WindowHelp, SpeaksTheLanguageOfTheWindow) {
   HelpDialog english;
   english.show_chapter("devices");
   EXPECT_TRUE(english.findChild<QTextBrowser*>()->toPlainText().contains("Haptic devices"));
+}
+
+TEST_F(WindowHelp, ItsPicturesAreNoWiderThanItsText) {
+  HelpDialog help;
+  help.show();
+  auto* text = help.findChild<QTextBrowser*>("help_text");
+  ASSERT_NE(text, nullptr);
+  const auto look_at_all = [&](const std::string& when) {
+    for (const QString& chapter : help_chapters()) {
+      help.show_chapter(chapter);
+      EXPECT_TRUE(wait_for([&] { return text->horizontalScrollBar()->maximum() == 0; }, 5000))
+          << chapter.toStdString() << when << ": " << text->horizontalScrollBar()->maximum() << " px too wide";
+    }
+  };
+  look_at_all("");
+  LookSettings large;
+  large.text_scale = 1.35;
+  apply_look(large);
+  look_at_all(" with large text");
+  help.resize(700, 720);
+  look_at_all(" in a narrow window");
+  apply_look({});
 }
 
 TEST_F(WindowHelp, F1OpensTheChapterOfThePage) {

@@ -124,6 +124,9 @@ TEST_F(WindowImport, FromAFolderToAPatientThatIsChosenOnTheFirstPage) {
   for (const char* stage :
        {"Reading the series", "Finding the airway", "Finding the tongue", "Making the surface of face and throat"})
     EXPECT_EQ(std::count(stages_.begin(), stages_.end(), QString(stage)) > 0, true) << stage;
+  // At once, whatever is done next; and Enter goes on to it.
+  EXPECT_EQ(window_->start_page().hands().patient, package);
+  EXPECT_EQ(window_->focusWidget(), button(wizard().build_page(), "&Practise with this patient"));
   button(wizard().build_page(), "&Practise with this patient")->click();
   EXPECT_EQ(window_->page_name(), "start");
   EXPECT_EQ(window_->start_page().choice().patient, package);
@@ -134,6 +137,7 @@ TEST_F(WindowImport, FromAFolderToAPatientThatIsChosenOnTheFirstPage) {
     return one->isVisible() && one->text().contains("\"Preterm infant, 1.2 kg\" was chosen");
   }));
   picture("5-start");
+  EXPECT_EQ(window_->focusWidget(), button(window_->start_page(), "Prepare the trial")) << "Enter prepares the trial";
 }
 
 TEST_F(WindowImport, SeedsAndThresholdsReachTheImportAndAWrongOneIsSaid) {

@@ -20,6 +20,7 @@
 #include "gui/pages/look_settings.h"
 #include "gui/pages/main_menu.h"
 #include "gui/pages/open_dialog.h"
+#include "gui/pages/result_page.h"
 #include "gui/pages/settings_dialog.h"
 #include "gui/pages/trial_page.h"
 #include "gui/session/user_paths.h"
@@ -154,11 +155,21 @@ TEST_F(WindowShell, PractiseGoesOnWithTheLastChoiceAndTheTrialIsRemembered) {
   window_->trial_page().end("ended by trainee");
   ASSERT_TRUE(wait_for([&] { return finished; }));
   EXPECT_TRUE(window_->menuBar()->isVisible());
+  QPushButton* other = nullptr;
+  for (auto* button : window_->findChild<ResultPage*>()->findChildren<QPushButton*>())
+    if (button->text() == "Other scenario") other = button;
+  ASSERT_NE(other, nullptr);
+  QTest::mouseClick(other, Qt::LeftButton);
+  ASSERT_EQ(page(), "start") << "where scenarios are chosen";
+  EXPECT_EQ(window_->start_page().choice().patient, patient);
+  EXPECT_EQ(window_->start_page().choice().scenario.id, "plain");
+  EXPECT_EQ(window_->findChild<QComboBox*>("curriculum")->currentText(), "Test course");
   key(Qt::Key_1, Qt::ControlModifier);
   ASSERT_EQ(page(), "home");
   auto* recent = home().findChild<QListWidget*>("recent");
   ASSERT_TRUE(wait_for([&] { return recent->count() == 2; }));
-  EXPECT_TRUE(recent->item(0)->text().startsWith("Trial: plain, ")) << recent->item(0)->text().toStdString();
+  EXPECT_TRUE(recent->item(0)->text().startsWith("Trial: Blocks & <plain> shapes, "))
+      << recent->item(0)->text().toStdString();
   EXPECT_EQ(recent->item(1)->text(), "Patient: block");
   keep_picture(*window_, "home-recent.png");
   bool replayed = false;

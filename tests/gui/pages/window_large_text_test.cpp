@@ -3,12 +3,15 @@
 #include <QAction>
 #include <QDockWidget>
 #include <QLabel>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QTabBar>
 #include <QTest>
 
 #include "gui/pages/chart_view.h"
 #include "gui/pages/distraction_panel.h"
 #include "gui/pages/look_settings.h"
+#include "gui/pages/mouse_introduction.h"
 #include "gui/pages/result_page.h"
 #include "gui/pages/trial_page.h"
 #include "gui/pages/trial_panels.h"
@@ -54,7 +57,7 @@ class WindowLargeTextOfATube : public WindowPanels, public ::testing::WithParamI
     return "large-" + what + "-" + GetParam().language + "-" + std::to_string(std::lround(100 * GetParam().scale)) +
            ".png";
   }
-  void open_tube(MainWindow& window) {
+  void open_tube(MainWindow& window, bool introduced = true) {
     const auto file = curricula_folder() / "first-intubation.yaml";
     TrialSetup setup;
     setup.curriculum = file;
@@ -62,7 +65,7 @@ class WindowLargeTextOfATube : public WindowPanels, public ::testing::WithParamI
     setup.device = "mouse";
     setup.patient = manikin_;
     setup.out = box_ / "tube";
-    user_settings()->setValue("mouse/introduced-tube", true);
+    user_settings()->setValue("mouse/introduced-tube", introduced);
     window.resize(1280, 800);
     window.show();
     bool ready = false;
@@ -137,6 +140,29 @@ TEST_P(WindowLargeTextOfATube, NothingOnTheTrialPageIsCut) {
       if (!tabs->visibleRegion().isEmpty())
         EXPECT_GE(tabs->tabRect(i).width(), tabs->fontMetrics().horizontalAdvance(tabs->tabText(i)))
             << tabs->tabText(i).toStdString();
+  page.close_trial();
+}
+
+TEST_P(WindowLargeTextOfATube, TheCardThatIntroducesTheMouseShowsAllItsWords) {
+  MainWindow window;
+  open_tube(window, false);
+  TrialPage& page = window.trial_page();
+  drawn(page, 0);
+  const auto* card = page.findChild<MouseIntroduction*>();
+  ASSERT_NE(card, nullptr);
+  ASSERT_TRUE(wait_for([&] { return !card->visibleRegion().isEmpty(); }, 20000));
+  const auto* words = card->findChild<QScrollArea*>();
+  ASSERT_NE(words, nullptr);
+  EXPECT_TRUE(wait_for([&] { return words->verticalScrollBar()->maximum() == 0; }, 5000))
+      << words->verticalScrollBar()->maximum() << " px are not seen";
+  EXPECT_TRUE(page.rect().contains(QRect(card->mapTo(&page, QPoint()), card->size())));
+  for (const auto panel : {TrialPanels::cut, TrialPanels::force, TrialPanels::readings}) {
+    const QWidget* beside = page.panels().dock(panel)->widget();
+    EXPECT_FALSE(QRect(card->mapToGlobal(QPoint()), card->size())
+                     .intersects(QRect(beside->mapToGlobal(QPoint()), beside->size())))
+        << "it speaks of what stands beside it";
+  }
+  keep_picture(window, name_of("introduction"));
   page.close_trial();
 }
 

@@ -99,6 +99,26 @@ TEST(Translation, EveryMessageIsFinishedAndKeepsItsFixedParts) {
   }
 }
 
+TEST(Translation, GermanTellsATipFromAPeakAndABreathFromALift) {
+  int peaks = 0, breaths = 0;
+  const QRegularExpression tip("\\bSpitzen?\\b"),
+      lift("\\b(Hub|Hübe|Hüben)\\b", QRegularExpression::UseUnicodePropertiesOption);
+  for (const Message& one : messages_of(german_file())) {
+    const QString all = one.translations.join(" ");
+    if (one.source.contains(QRegularExpression("\\bpeak", QRegularExpression::CaseInsensitiveOption)) &&
+        !one.source.contains(QRegularExpression("\\btip\\b"))) {
+      ++peaks;
+      EXPECT_FALSE(tip.match(all).hasMatch()) << all.toStdString();
+    }
+    if (one.source.contains("breath", Qt::CaseInsensitive)) {
+      ++breaths;
+      EXPECT_FALSE(lift.match(all).hasMatch()) << all.toStdString();
+    }
+  }
+  EXPECT_GT(peaks, 5);
+  EXPECT_GT(breaths, 30);
+}
+
 TEST(Translation, NoSentenceOfTheSourcesIsMissing) {
   const QString lupdate = QStandardPaths::findExecutable("lupdate");
   if (lupdate.isEmpty()) GTEST_SKIP() << "lupdate is not installed (qttools5-dev-tools), so sources were not read";
