@@ -277,6 +277,7 @@ void InstructorWindow::show_state() {
   const bool frozen = running && session_->frozen_by(Holder::instructor);
   const bool expert = running && session_->frozen_by(Holder::expert);
   const bool read = running && session_->frozen_by(Holder::reader);
+  const bool unseen = running && session_->frozen_by(Holder::picture);
   if (session_)
     title_->setText(plain_of(session_->scenario().title));
   else if (title_->text().isEmpty())
@@ -286,6 +287,7 @@ void InstructorWindow::show_state() {
                   : frozen   ? tr("FROZEN at %1").arg(clock_words(live_.now_s()))
                   : expert   ? tr("Stands at %1: an expert is shown").arg(clock_words(live_.now_s()))
                   : read     ? tr("Stands at %1: the list of keys is read").arg(clock_words(live_.now_s()))
+                  : unseen   ? tr("Stands at %1: no picture comes to the screen").arg(clock_words(live_.now_s()))
                   : session_->pause().empty() ? tr("Running, %1").arg(clock_words(live_.now_s()))
                                               : tr("Paused at %1").arg(clock_words(live_.now_s())));
   const QString trainee = trainee_.who() ? words_of(trainee_.person()) : tr("nobody is signed in");

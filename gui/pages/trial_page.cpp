@@ -75,6 +75,7 @@ void TrialPage::start() {
     return;
   }
   running_ = true;
+  session_->picture_shown();  // it stands before one's eyes
   frames_ = 0;
   since_start_.start();
   flow_.begin(run_s());
@@ -143,7 +144,10 @@ void TrialPage::begin_anew(bool at_vallecula) {
     emit failed(message);
     return;
   }
-  if (running_) since_start_.restart();
+  if (running_) {
+    since_start_.restart();
+    session_->picture_shown();
+  }
   flow_.begin(run_s());
   seen_again_s_ = -1.0;
   since_shown_.restart();

@@ -152,7 +152,8 @@ class TrialPage : public QWidget {
   double run_s() const;
   void picture_came();
   void let_go_of_what_is_seen_again();
-  QString waited_words() const;
+  QString waited_words();
+  void watch_window();
 
   std::shared_ptr<TrialSession> session_;
   std::shared_ptr<PatientLook> look_;
@@ -180,7 +181,8 @@ class TrialPage : public QWidget {
   bool end_refused_ = false;  ///< somebody wanted to end it while an instructor holds it
   int frames_ = 0;
   PictureFlow flow_;
-  double seen_again_s_ = -1.0;  ///< when a trial that waited for its picture was let go; < 0: none was
+  double seen_again_s_ = -1.0;  ///< until when the trial waited for its picture; < 0: it has not, or it was told
+  bool put_away_ = false;       ///< the window was, in the last gap
 };
 
 }  // namespace vallecula::gui

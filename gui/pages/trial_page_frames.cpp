@@ -2,7 +2,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QRegularExpression>
-#include <algorithm>
+#include <QWindow>
 
 #include "device/drivers/mouse_device.h"
 #include "gui/pages/blade_control.h"
@@ -25,7 +25,6 @@ namespace vallecula::gui {
 namespace {
 
 constexpr int kRestMs = 500;
-constexpr double kLongestStepS = 0.1;  // of a held key: after a picture that stood, its way is not made up for
 constexpr double kWaitToldS = 8.0;
 
 /// For a device in the hand that is no mouse.
@@ -98,18 +97,43 @@ void TrialPage::picture_came() {
   session_->picture_shown();
 }
 
-/// A trial that waits for its picture is let go once pictures flow again; the hand takes hold as after any pause.
-void TrialPage::let_go_of_what_is_seen_again() {
-  if (!session_->frozen_by(Holder::picture) || !flow_.flows(run_s())) return;
-  hand_to_blade();
-  session_->freeze(Holder::picture, false);
-  seen_again_s_ = run_s();
+/// A window that is put away draws none. In practice that holds the trial; an assessment is not held by whoever is
+/// assessed, only by a picture that stands by itself.
+void TrialPage::watch_window() {
+  const QWindow* shown = window()->windowHandle();
+  if (shown != nullptr && shown->isExposed() && isVisible()) return;
+  put_away_ = true;
+  if (assessed()) session_->picture_shown();
 }
 
-QString TrialPage::waited_words() const {
-  if (seen_again_s_ < 0.0 || run_s() - seen_again_s_ > kWaitToldS) return {};
-  return tr("For %1 s no picture came to the screen; the trial waited. If it happens again, close other programs.")
-      .arg(flow_.last_gap_s(), 0, 'f', 0);
+/// A trial that waits for its picture is let go once pictures flow again; the hand takes hold as after any pause.
+void TrialPage::let_go_of_what_is_seen_again() {
+  const bool waits = session_->frozen_by(Holder::picture);
+  if (waits) {
+    control_->release_all();  // what was held when the picture stopped may have been let go of unseen
+    hands_->release_all();
+    seen_again_s_ = run_s();
+  } else if (seen_again_s_ < 0.0) {
+    put_away_ = false;
+  }
+  if (!waits || !flow_.flows(run_s())) return;
+  hand_to_blade();
+  session_->freeze(Holder::picture, false);
+}
+
+/// Told for a while after the hand has hold of it again.
+QString TrialPage::waited_words() {
+  if (seen_again_s_ < 0.0) return {};
+  if (!session_->pause().empty()) seen_again_s_ = run_s();
+  if (run_s() - seen_again_s_ > kWaitToldS) {
+    seen_again_s_ = -1.0;
+    return {};
+  }
+  const QString gap_s = QString::number(flow_.last_gap_s(), 'f', 0);
+  return put_away_ ? tr("The trial waited for %1 s while its window was not to be seen.").arg(gap_s)
+                   : tr("For %1 s no picture came to the screen; the trial waited. If it happens again, close other "
+                        "programs.")
+                         .arg(gap_s);
 }
 
 void TrialPage::draw_frame() {
@@ -123,12 +147,13 @@ void TrialPage::draw_frame() {
       show_ways_out();
       if (!held_by_instructor()) hand_to_blade();  // before a hand that holds still takes hold by itself
     }
+    watch_window();
     let_go_of_what_is_seen_again();
     if (expert_wanted_) {
       draw_expert();
       emit waited();
     } else {
-      control_->advance(std::min(seconds, kLongestStepS));
+      control_->advance(seconds > PictureFlow::kGapS ? 0.0 : seconds);  // nobody saw where a held key led
       const engine::Snapshot& snapshot = session_->latest();
       control_->feel(snapshot.model_force_n.norm(), session_->scene().haptics.device_limit_n);
       show_running(snapshot);
@@ -177,12 +202,12 @@ void TrialPage::show_words(const engine::Snapshot& snapshot, const QString& paus
   const QString fault = in_words(session_->fault()), waited = waited_words();
   const QString alert = banner_for(snapshot, fault, pause);
   const bool hinted = snapshot.has_intubation && curricula::rules_of(session_->scenario().attempt.mode).assistance;
+  if (session_->led_in() && pause.isEmpty())
+    return show_banner({tr("The blade is being led to the vallecula; then it is yours."), true});
   if (hinted && pause.isEmpty() && fault.isEmpty()) {
     const QString need = need_of(snapshot, operator_view_->blade_in());
     if (!need.isEmpty()) return show_banner(need_before(snapshot, need, alert));
   }
-  if (session_->led_in() && pause.isEmpty())
-    return show_banner({tr("The blade is being led to the vallecula; then it is yours."), true});
   if (!alert.isEmpty()) return show_banner({alert, true});
   if (!waited.isEmpty() || !hinted) return show_banner({waited});
   show_banner({hint_for(snapshot, session_->scenario().sight_percent, operator_view_->blade_in(),

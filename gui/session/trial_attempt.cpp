@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr auto kRecorderPeriod = std::chrono::milliseconds(5);  ///< the ring holds 8 s
-/// A device that is away for longer ends the trial; a person may hold it up for as long as they like.
+/// A device or a picture that is away for longer ends the trial; a person may hold it up for as long as they like.
 constexpr double kLongestPauseS = 600.0;
 constexpr std::int64_t kChunkTicks = 10;  ///< not in real time: ticks between two looks at the stop flag
 
@@ -131,13 +131,14 @@ void TrialAttempt::record(const engine::TickRecord& tick) {
 
 /// What the tick means for the trial's clock, and whether it is the last.
 void TrialAttempt::follow(const curricula::LogTick& logged, const engine::TickRecord& tick) {
-  bool script_over = false, held = false;
+  bool script_over = false, held = false, unseen = false;
   std::string pause_fault;
   {
     const std::lock_guard<std::recursive_mutex> lock(gate_);
     if (!stop_asked_) {
       pause_fault = frame_.hands.pause_fault();
       held = frame_.hands.held();
+      unseen = frame_.hands.frozen_by(Holder::picture);
       script_over = frame_.hands.finished(tick.time_s);
     }
   }
@@ -157,7 +158,7 @@ void TrialAttempt::follow(const curricula::LogTick& logged, const engine::TickRe
   } else if (trial_s >= frame_.scenario.max_attempt_s) {
     ended_by_ = "the scenario's time was over";
   } else if (kServoPeriodS * static_cast<double>(away_) > kLongestPauseS) {
-    ended_by_ = "the device did not come back";
+    ended_by_ = unseen ? "no picture came any more" : "the device did not come back";
   }
 }
 
@@ -179,7 +180,8 @@ void TrialAttempt::record_in_real_time() {
 void TrialAttempt::hold_what_is_not_seen() {
   if (!frame_.picture.stands()) return;
   const std::lock_guard<std::recursive_mutex> lock(gate_);
-  if (!stop_asked_ && !frame_.hands.frozen_by(Holder::picture)) frame_.hands.freeze(Holder::picture, true);
+  if (stop_asked_ || frame_.hands.frozen_by(Holder::picture)) return;
+  if (frame_.picture.stands()) frame_.hands.freeze(Holder::picture, true);  // still: the lock may have been waited for
 }
 
 void TrialAttempt::run_at_full_speed() {

@@ -64,7 +64,6 @@ struct TrialSession::Impl {
   void must_be_practice(const char* what) const;
   curricula::LogHeader header(std::int64_t lead_in_ticks) const;
   bool by_person() const;
-  bool second_by_person() const;
   long long trainee() const;
   TrialOutcome finish(const std::string& how);
 
@@ -81,6 +80,7 @@ struct TrialSession::Impl {
   ResultsFolder results;
   std::unique_ptr<TwoHands> hands;
   PictureWatch picture;
+  bool needs_eyes = false;  ///< a person has one of the hands
   std::unique_ptr<TrialAttempt> attempt;
   engine::Snapshot at_start;
   std::vector<std::string> notices;  ///< of what was cut off before
@@ -115,19 +115,17 @@ TrialSession::Impl::Impl(const TrialSetup& given)
 
 bool TrialSession::Impl::by_person() const { return is_of_person(hands->device()); }
 
-bool TrialSession::Impl::second_by_person() const {
-  device::HapticDevice* second = hands->second_device();
-  return second != nullptr && is_of_person(*second);
-}
-
 /// What scripts and records do, with one hand or both, is nobody's trial.
 long long TrialSession::Impl::trainee() const {
-  return by_person() && (hands->second_device() == nullptr || second_by_person()) ? setup.trainee_id : 0;
+  device::HapticDevice* second = hands->second_device();
+  return by_person() && (second == nullptr || is_of_person(*second)) ? setup.trainee_id : 0;
 }
 
 void TrialSession::Impl::make_attempt(bool at_vallecula) {
   attempt.reset();
   picture.begin_anew();
+  device::HapticDevice* second = hands->second_device();
+  needs_eyes = by_person() || (second != nullptr && is_of_person(*second));
   engine::HapticPort& port = hands->begin();
   std::int64_t lead_in_ticks = 0;
   if (at_vallecula) {
@@ -170,6 +168,7 @@ void TrialSession::Impl::reset(bool at_vallecula, const std::function<void()>& b
   const bool running = attempt->started();
   attempt->halt();
   hands->let_go();
+  if (hands->frozen_by(Holder::picture)) hands->freeze(Holder::picture, false);  // the old attempt's
   std::unique_ptr<TrialAttempt> before = std::move(attempt);
   if (!running) before.reset();
   hands->renew_scripts();
@@ -226,7 +225,7 @@ void TrialSession::freeze(Holder holder, bool on) {
   impl_->hands->freeze(holder, on);
 }
 void TrialSession::picture_shown() {
-  if (impl_->by_person() || impl_->second_by_person()) impl_->picture.shown();
+  if (impl_->needs_eyes) impl_->picture.shown();
 }
 bool TrialSession::frozen() const { return impl_->hands->frozen(); }
 bool TrialSession::frozen_by(Holder holder) const { return impl_->hands->frozen_by(holder); }

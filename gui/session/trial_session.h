@@ -96,7 +96,7 @@ class TrialSession {
   void freeze(Holder holder, bool on);
   /// A picture of the trial came to the screen. From the first one on a trial that a person steers is held by
   /// Holder::picture, an assessment too, once none has come for PictureWatch::kLongest: it is the caller who lets it
-  /// go when pictures come again. Any thread.
+  /// go when pictures come again, or a reset. After ten minutes it is ended. Window's thread.
   void picture_shown();
   bool frozen() const;                  ///< by anybody; any thread
   bool frozen_by(Holder holder) const;  ///< any thread

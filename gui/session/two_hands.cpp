@@ -141,7 +141,9 @@ void TwoHands::freeze(Holder holder, bool on) {
 }
 
 bool TwoHands::held() const {
-  if (frozen()) return true;
+  constexpr auto kPicture = static_cast<std::uint32_t>(Holder::picture);
+  if ((held_by_ & ~kPicture) != 0) return true;
+  if (frozen()) return false;  // nobody may be there any more
   bool waits = false;
   for (const device::GuardedDevice* guard : {guard_.get(), second_guard_.get()}) {
     if (guard == nullptr || !pauses(*guard)) continue;

@@ -4939,6 +4939,10 @@ Sekunden sind eine Obergrenze, kein Ziel.</translation>
         <source>lowest saturation below %1 %, lowest heart rate %2 per minute</source>
         <translation>niedrigste Sättigung unter %1 %, niedrigste Herzfrequenz %2 pro Minute</translation>
     </message>
+    <message>
+        <source>no picture came any more</source>
+        <translation>es kam kein Bild mehr</translation>
+    </message>
 </context>
 <context>
     <name>GivenLabels</name>
@@ -8034,6 +8038,10 @@ Gerät: %3</translation>
         <source>An instructor signs in here; whoever is at the blade stays signed in there.</source>
         <translation>Hier meldet sich eine Lehrperson an; wer am Spatel ist, bleibt dort angemeldet.</translation>
     </message>
+    <message>
+        <source>Stands at %1: no picture comes to the screen</source>
+        <translation>Steht bei %1: Es kommt kein Bild auf den Bildschirm</translation>
+    </message>
 </context>
 <context>
     <name>vallecula::gui::LabelView</name>
@@ -10460,6 +10468,10 @@ Gerät: %3</translation>
     <message>
         <source>For %1 s no picture came to the screen; the trial waited. If it happens again, close other programs.</source>
         <translation>%1 s lang kam kein Bild auf den Bildschirm; der Durchgang hat gewartet. Kommt das wieder vor, schließen Sie andere Programme.</translation>
+    </message>
+    <message>
+        <source>The trial waited for %1 s while its window was not to be seen.</source>
+        <translation>Der Durchgang hat %1 s lang gewartet, solange sein Fenster nicht zu sehen war.</translation>
     </message>
 </context>
 <context>

@@ -3,13 +3,19 @@
 #include <QCoreApplication>
 #include <QStringList>
 #include <algorithm>
+#include <cmath>
 
 namespace vallecula::gui {
 namespace {
 
-/// A step's pixels and what else it leaves out save a third of a frame at most: 1.5 for 85 to 70 % a side, with nothing
-/// else to draw. What seems more or less came from other programs meanwhile.
-constexpr double kSavesLeast = 1.02, kSavesMost = 1.6, kSavesUnknown = 2.2;
+/// What a step saves, as the cost of the one before over its own. Pixels and what else is left out make 1.5 at most,
+/// with nothing else to draw; what seems more or less came from other programs meanwhile.
+constexpr double kSavesLeast = 1.02, kSavesMost = 1.6, kSavesUnseen = 1.05;
+constexpr double kAgree = 0.1;       ///< two seconds of one step tell the same
+constexpr double kSoonS = 10.0;      ///< a fall so soon after a step was taken back undoes it
+constexpr int kMostDoublings = 4;    ///< of the calm that is waited for after it
+constexpr double kTryS = 60.0;       ///< of room at a step, and the one before is tried, whatever was seen of it
+constexpr double kForgivenS = 60.0;  ///< without a fall, and one of them is taken off
 
 }  // namespace
 
@@ -19,10 +25,18 @@ QualityGovernor::Mode QualityGovernor::mode_of(const QString& setting) {
 
 void QualityGovernor::set_mode(Mode mode) {
   mode_ = mode;
-  window_begins_s_ = -1.0;
-  calm_s_ = given_up_at_ = 0.0;
+  saves_ = {};
+  doublings_ = 0;
+  pause();
   if (mode == Mode::high) step_ = 0;
   if (mode == Mode::low) step_ = static_cast<int>(kQualities.size()) - 1;
+}
+
+/// What was begun to be seen is not gone on with.
+void QualityGovernor::pause() {
+  window_begins_s_ = -1.0;
+  busy_s_ = calm_s_ = room_s_ = given_up_at_ = first_second_ = 0.0;
+  frames_ = 0;
 }
 
 void QualityGovernor::hold(int step) {
@@ -32,7 +46,7 @@ void QualityGovernor::hold(int step) {
 
 bool QualityGovernor::take(int step) {
   const int within = std::clamp(step, 0, static_cast<int>(kQualities.size()) - 1);
-  calm_s_ = given_up_at_ = 0.0;
+  calm_s_ = room_s_ = given_up_at_ = first_second_ = 0.0;
   const bool changed = within != step_;
   step_ = within;
   return changed;
@@ -41,9 +55,8 @@ bool QualityGovernor::take(int step) {
 bool QualityGovernor::frame(double now_s, double busy_s) {
   if (mode_ != Mode::automatic) return false;
   if (window_begins_s_ < 0.0 || now_s < window_begins_s_ || now_s - window_begins_s_ > 3.0 * kWindowS) {
-    window_begins_s_ = now_s;  // the first frame, or the first after a pause: what it cost belongs to no second
-    busy_s_ = calm_s_ = given_up_at_ = 0.0;
-    frames_ = 0;
+    pause();  // the first frame, or the first after a pause: what it cost belongs to no second
+    window_begins_s_ = now_s;
     return false;
   }
   busy_s_ += busy_s;
@@ -54,21 +67,45 @@ bool QualityGovernor::frame(double now_s, double busy_s) {
   window_begins_s_ = now_s;
   busy_s_ = 0.0;
   frames_ = 0;
-  const double before = cost_of_step_before(share);
+  return second(share, length);
+}
+
+bool QualityGovernor::second(double share, double length_s) {
+  see_what_was_saved(share);
+  since_climb_s_ += length_s;
+  since_fall_s_ += length_s;
   if (share > kBusyMost) {
+    if (since_climb_s_ < kSoonS) doublings_ = std::min(doublings_ + 1, kMostDoublings);
+    since_fall_s_ = 0.0;
     const bool changed = take(step_ + 1);
     if (changed) given_up_at_ = share;
     return changed;
   }
-  calm_s_ = before < kBusyAgain ? calm_s_ + length : 0.0;
-  return calm_s_ >= kCalmS && take(step_ - 1);
+  if (since_fall_s_ > kForgivenS) {
+    doublings_ = std::max(0, doublings_ - 1);
+    since_fall_s_ = 0.0;
+  }
+  const double saves = saves_[static_cast<std::size_t>(step_)];
+  const double before = share * (saves > 0.0 ? saves : kSavesUnseen);
+  calm_s_ = before < kBusyAgain ? calm_s_ + length_s : 0.0;
+  room_s_ = share * kSavesLeast < kBusyAgain ? room_s_ + length_s : 0.0;
+  if (calm_s_ < std::ldexp(kCalmS, doublings_) && room_s_ < std::ldexp(kTryS, doublings_)) return false;
+  if (!take(step_ - 1)) return false;
+  since_climb_s_ = 0.0;
+  return true;
 }
 
-double QualityGovernor::cost_of_step_before(double share) {
-  double& saves = saves_[static_cast<std::size_t>(step_)];
-  if (given_up_at_ > 0.0) saves = std::clamp(given_up_at_ / share, kSavesLeast, kSavesMost);
-  given_up_at_ = 0.0;
-  return share * (saves > 0.0 ? saves : kSavesUnknown);
+/// A step that is given up in its turn met the same load as the one before; where it stays, the second after must tell
+/// the same, or the load has ended meanwhile.
+void QualityGovernor::see_what_was_saved(double share) {
+  if (given_up_at_ <= 0.0) return;
+  if (share <= kBusyMost && first_second_ <= 0.0) {
+    first_second_ = share;
+    return;
+  }
+  if (share > kBusyMost || std::abs(share - first_second_) < kAgree * first_second_)
+    saves_[static_cast<std::size_t>(step_)] = std::clamp(given_up_at_ / share, kSavesLeast, kSavesMost);
+  given_up_at_ = first_second_ = 0.0;
 }
 
 QString QualityGovernor::reduced() const {

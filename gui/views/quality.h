@@ -40,9 +40,10 @@ class QualityGovernor {
   void hold(int step);
   /// A frame of all views together, which ended at `now_s` and kept the window for `busy_s`. True when quality() is
   /// another from here on. The rule, in automatic: over the last second, above kBusyMost of the time a frame may take
-  /// at 30 a second a step is given up; three seconds in which the step before would keep the window for less than
-  /// kBusyAgain of it, and that is taken back. What it would cost is told by what this very step saved on this machine
-  /// when it was taken last, as a share of its cost; before that was seen, the most that any saves is reckoned with.
+  /// at 30 a second a step is given up; kCalmS in which the step before would keep the window for less than kBusyAgain
+  /// of it, and that is taken back. What it would cost is told by what this very step saved on this machine when it was
+  /// taken last, with whatever was on the screen then. A step that was taken back too early doubles the wait; what
+  /// was seen wrongly, since a load ended in that very second, is mended by a try after a minute.
   bool frame(double now_s, double busy_s);
   int step() const { return step_; }
   bool least() const { return step_ + 1 == static_cast<int>(kQualities.size()); }
@@ -55,12 +56,17 @@ class QualityGovernor {
 
  private:
   bool take(int step);
-  double cost_of_step_before(double share);
+  void pause();
+  bool second(double share, double length_s);
+  void see_what_was_saved(double share);
   Mode mode_ = Mode::automatic;
   int step_ = 0, frames_ = 0;
-  double window_begins_s_ = -1.0, busy_s_ = 0.0, calm_s_ = 0.0;
+  double window_begins_s_ = -1.0, busy_s_ = 0.0, calm_s_ = 0.0, room_s_ = 0.0;
   std::array<double, kQualities.size()> saves_{};  ///< cost of the step before over that of this one; 0: not seen yet
-  double given_up_at_ = 0.0;                       ///< share of the step before, until this one's first second is over
+  double given_up_at_ = 0.0;   ///< share of the step before, until it is seen what this one saves; 0: seen
+  double first_second_ = 0.0;  ///< share of this one's first second; 0: not over
+  double since_climb_s_ = 1e9, since_fall_s_ = 0.0;
+  int doublings_ = 0;  ///< of kCalmS
 };
 
 }  // namespace vallecula::gui

@@ -38,7 +38,7 @@ using namespace vallecula;
 using namespace vallecula::gui;
 
 constexpr int kSnapshots = 25, kTurnMs = 3000;
-constexpr double kSettlesS = 8.0;  // until the governor has found its step
+constexpr double kSettlesS = 8.0;  // the governor begins with everything and gives up a step a second
 
 /// Of one frame: until it is on the screen, and what this process computed for it, the driver's thread included. The
 /// second is the machine's own, whoever else it works for.
@@ -215,6 +215,7 @@ void lateness(Window& window, const std::string& patient, const QTemporaryDir& h
 
 /// The trial page as a trainee has it, in a window of 1280 x 800: pictures a second, of each whole second.
 void page_rates(const std::string& patient, const QTemporaryDir& home, double seconds, bool all_panels) {
+  GlView::governor().hold(0);
   GlView::governor().set_mode(QualityGovernor::Mode::automatic);
   TrialSetup setup = setup_of(patient, home.filePath(all_panels ? "page-all" : "page").toStdString(), true);
   setup.scenario = "term-tube";
@@ -223,10 +224,11 @@ void page_rates(const std::string& patient, const QTemporaryDir& home, double se
   window.show();
   bool ready = false;
   QObject::connect(&window, &MainWindow::prepared, [&] { ready = true; });
-  QObject::connect(&window, &MainWindow::trial_failed,
-                   [](const QString& why) { throw std::runtime_error(why.toStdString()); });
+  std::string failure;
+  QObject::connect(&window, &MainWindow::trial_failed, [&](const QString& why) { failure = why.toStdString(); });
   window.prepare(setup, true);
-  while (!ready) QApplication::processEvents(QEventLoop::WaitForMoreEvents);
+  while (!ready && failure.empty()) QApplication::processEvents(QEventLoop::WaitForMoreEvents);
+  if (!failure.empty()) throw std::runtime_error(failure);
   TrialPage& page = window.trial_page();
   TrialPanels& panels = page.panels();
   if (all_panels) {
@@ -249,7 +251,9 @@ void page_rates(const std::string& patient, const QTemporaryDir& home, double se
   for (const GlView* view : page.findChildren<GlView*>()) views += view->visibleRegion().isEmpty() ? 0 : 1;
   QObject::disconnect(heard);
   std::sort(rates.begin(), rates.end());
-  if (!rates.empty())
+  if (rates.empty())
+    std::printf("the trial page: the trial was over before anything was counted\n");
+  else
     std::printf(
         "the trial page, %s (%d views): frames/s least %.1f  p5 %.1f  p50 %.1f over %zu s; step %d at its end\n",
         all_panels ? "all panels side by side" : "as at first", views, rates.front(), rates[rates.size() / 20],

@@ -253,6 +253,7 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("FromBelow", "finished"),
     QT_TRANSLATE_NOOP("FromBelow", "the scenario's time was over"),
     QT_TRANSLATE_NOOP("FromBelow", "the device did not come back"),
+    QT_TRANSLATE_NOOP("FromBelow", "no picture came any more"),
     QT_TRANSLATE_NOOP("FromBelow", "interrupted"),
     QT_TRANSLATE_NOOP("FromBelow", "reset"),
     // What happened in a trial (gui/session/replay_events, fault_report, replay_film, replay_trial)

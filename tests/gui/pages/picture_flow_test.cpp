@@ -27,22 +27,33 @@ TEST(PictureFlow, TellsTheRateOfTheLastSecondAndNotOfTheWholeTrial) {
   EXPECT_NEAR(flow.per_second(), 25.0, 1e-6);
 }
 
-TEST(PictureFlow, FlowsAgainAfterASecondWithoutAGap) {
+TEST(PictureFlow, FlowsAgainAfterASecondAndSomePicturesWithoutAGap) {
   PictureFlow flow;
   flow.begin(0.0);
   double now_s = pictures(flow, 0.0, 5.0, 20.0);
   EXPECT_TRUE(flow.flows(now_s));
   EXPECT_EQ(flow.last_gap_s(), 0.0);
-  EXPECT_FALSE(flow.flows(now_s + 0.6)) << "none has come since";
+  EXPECT_FALSE(flow.flows(now_s + 2.1)) << "none has come since";
   flow.came(now_s += 14.0);
   EXPECT_FALSE(flow.flows(now_s)) << "one picture is no flow";
   EXPECT_NEAR(flow.last_gap_s(), 14.0, 1e-9);
-  now_s = pictures(flow, now_s, now_s + 0.8, 5.0);
-  EXPECT_FALSE(flow.flows(now_s));
-  now_s = pictures(flow, now_s, now_s + 0.4, 5.0);
+  now_s = pictures(flow, now_s, now_s + 0.8, 20.0);
+  EXPECT_FALSE(flow.flows(now_s)) << "one has not looked yet";
+  flow.came(now_s += 0.9);
   EXPECT_TRUE(flow.flows(now_s));
+  EXPECT_NEAR(flow.last_gap_s(), 14.0, 1e-9) << "a stutter is no gap";
   flow.begin(now_s);
   EXPECT_EQ(flow.last_gap_s(), 0.0);
+}
+
+TEST(PictureFlow, OfASlowMachineItFlowsToo) {
+  PictureFlow flow;
+  flow.begin(0.0);
+  flow.came(3.0);
+  double now_s = pictures(flow, 3.0, 4.9, 1.5);
+  EXPECT_FALSE(flow.flows(now_s));
+  now_s = pictures(flow, now_s, now_s + 2.0, 1.5);
+  EXPECT_TRUE(flow.flows(now_s)) << "the trial would not be held at this rate, so it is let go at it";
 }
 
 }  // namespace
