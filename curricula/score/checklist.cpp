@@ -89,8 +89,9 @@ Item passed_in_sight(const Attempt* attempt, const TrialLog& log) {
   while (entered != log.ticks.begin() && std::prev(entered)->intubation.place == LoggedPlace::larynx) --entered;
   const auto stood = std::count_if(entered, passed, [](const LogTick& t) { return !paused(t); });
   if (static_cast<double>(stood) * log.header.servo_period_s > kStandsS)
-    return not_seen(id, text, "The tip stood in the larynx for more than " + fixed(kStandsS, 0) +
-                                  " s before it passed, and hid it from the log");
+    return not_seen(id, text,
+                    "The tip stood in the larynx for more than " + fixed(kStandsS, 0) +
+                        " s before it passed, and hid it from the log");
   // Sight is sampled in some ticks only: the newest counts wherever the tip was.
   std::optional<double> seen;
   for (auto tick = entered; tick != log.ticks.begin();) {
@@ -160,8 +161,8 @@ void add_tube(const Score& score, const TrialLog& log, const Scenario& scenario,
   items.push_back(
       item("depth_good", "Tip at a good depth", tube.outcome == Outcome::good_depth, end_s, outcome_in_words(tube)));
   if (tube.oesophagus_breaths > 0)
-    items.push_back(item("oesophagus_recognised", "Tube in the oesophagus recognised in time", !tube.recognised_late,
-                         tube.recognised_late ? tube.recognised_late_at_s : -1.0,
+    items.push_back(item("oesophagus_recognised", "Tube in the oesophagus recognised in time",
+                         tube.oesophagus_in_time(), tube.recognised_late ? tube.recognised_late_at_s : -1.0,
                          std::to_string(tube.oesophagus_breaths) + " breaths were given there"));
   if (tube.attempts.size() > 1) items.push_back(ventilated_between(tube.attempts));
 }

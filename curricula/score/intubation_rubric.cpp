@@ -80,6 +80,8 @@ Criterion depth_neutral(const IntubationScore& score) {
 
 Criterion oesophagus_in_time(const IntubationScore& score, int breaths_to_confirm) {
   const std::string allowed = std::to_string(breaths_to_confirm) + " breaths in one stay";
+  if (!score.oesophagus_in_time() && !score.recognised_late)
+    return fact("oesophagus_in_time", false, -1.0, "The tube lay in the oesophagus to the end: it was not recognised");
   return fact("oesophagus_in_time", !score.recognised_late, score.recognised_late_at_s,
               score.recognised_late ? "The tube in the oesophagus was recognised late: more than " + allowed +
                                           at(score.recognised_late_at_s)

@@ -56,15 +56,17 @@ struct IntubationScore {
   double lowest_spo2_at_s = -1.0, lowest_heart_at_s = -1.0;
   std::optional<double> first_spo2_percent, first_heart_per_min;  ///< as the first attempt began
   int breaths_given = 0;                                          ///< in the whole trial, by mask and tube
-  bool co2_confirmed = false;          ///< the detector turned yellow while the tube lay where it lies at the end
-  std::optional<int> co2_breaths;      ///< breaths through it until then
-  int breaths_in_place = 0;            ///< breaths through it altogether
-  int oesophagus_entries = 0;          ///< times the tube's tip went in
-  int oesophagus_breaths = 0;          ///< given while it lay there
-  double oesophagus_s = 0.0;           ///< from the first of them in each stay until withdrawn, together
-  bool recognised_late = false;        ///< more than breaths_to_confirm in one stay
-  double recognised_late_at_s = -1.0;  ///< second of the trial of the first breath too many
-  Peak tip_load_n;                     ///< along the tube, of what stood before its tip
+  bool co2_confirmed = false;      ///< the detector turned yellow while the tube lay where it lies at the end
+  std::optional<int> co2_breaths;  ///< breaths through it until then
+  int breaths_in_place = 0;        ///< breaths through it altogether
+  int oesophagus_entries = 0;      ///< times the tube's tip went in
+  int oesophagus_breaths = 0;      ///< given while it lay there
+  double oesophagus_s = 0.0;       ///< from the first of them in each stay until withdrawn, together
+  /// The tube that lay in the oesophagus was drawn in time: it lies there no more, and no stay was too long.
+  bool oesophagus_in_time() const { return !recognised_late && outcome != Outcome::oesophagus; }
+  bool recognised_late = false;                   ///< more than breaths_to_confirm in one stay
+  double recognised_late_at_s = -1.0;             ///< second of the trial of the first breath too many
+  Peak tip_load_n;                                ///< along the tube, of what stood before its tip
   std::uint8_t tip_against = kNothingAgainstTip;  ///< what that was, a LoggedTubeLoad
   std::array<Peak, kTubeLoads> loads_n{};         ///< by what the tube touched, sums of magnitudes
   Peak hand_force_n;                              ///< model force on the hand that holds the tube

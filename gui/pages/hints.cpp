@@ -44,10 +44,9 @@ QString need_of(const engine::Snapshot& snapshot, bool blade_in) {
 }
 
 Banner need_before(const engine::Snapshot& snapshot, const QString& need, const QString& alert) {
-  const QString hand =
-      snapshot.state == engine::HapticState::lost
-          ? ' ' + QCoreApplication::translate("Hints", "Bring the grey blade back to the steel one.")
-          : QString();
+  const QString hand = snapshot.state == engine::HapticState::lost
+                           ? ' ' + QCoreApplication::translate("Hints", "Bring the grey blade back to the steel one.")
+                           : QString();
   return {need + hand, !alert.isEmpty() || snapshot.intubation.heart_per_min < kCompressions};
 }
 
@@ -72,8 +71,9 @@ QString hint_for(const engine::Snapshot& snapshot, double sight_percent, bool bl
           "No CO2 after these breaths: unless the heart rate rises, the tube is in the wrong place. Out, ventilate "
           "by mask, again.");
     if (now.in_hand == InHand::tube_with_stylet)
-      return QCoreApplication::translate("Hints",
-                                         "Through: T draws the stylet. Then bring the cord mark to the cords.");
+      return QCoreApplication::translate(
+          "Hints",
+          "Its tip is out of sight. Between the cords? Then T draws the stylet, and the cord mark goes to the cords.");
     return QCoreApplication::translate(
         "Hints", "Cord mark at the cords? Hold B for 5 or 6 breaths; watch the heart rate and the CO2 detector.");
   }

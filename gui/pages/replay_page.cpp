@@ -42,13 +42,7 @@ engine::Snapshot monitor_snapshot(const curricula::LogTick& tick) {
   snapshot.time_s = tick.time_s;
   snapshot.has_intubation = tick.has_intubation;
   if (curricula::paused(tick)) snapshot.faults = engine::kFaultDeviceInvalid;
-  const curricula::LogIntubation& i = tick.intubation;
-  snapshot.intubation.spo2 = i.spo2;
-  snapshot.intubation.sao2 = i.sao2;
-  snapshot.intubation.heart_per_min = i.heart_per_min;
-  snapshot.intubation.detector_yellow = i.detector_yellow;
-  snapshot.intubation.breaths_given = i.breaths_given;
-  snapshot.intubation.given_per_min = i.given_per_min;
+  snapshot.intubation = from_log(tick).intubation;
   return snapshot;
 }
 

@@ -65,7 +65,7 @@ std::vector<Row> result_figures(const TrialOutcome& outcome, const curricula::Sc
                     "from " + number(scenario.sight_percent, 0) + " %", ""});
   rows.push_back(attempt_row(
       score, scenario, score.intubation && score.intubation->attempts.size() > 1 ? "Longest attempt" : "Attempt"));
-  rows.push_back(limit_row(score, "Over the target", number(score.time_over_target_s, 1) + " s", "time_over_target_s",
+  rows.push_back(limit_row(score, "Over the target, tongue", number(score.time_over_target_s, 1) + " s", "time_over_target_s",
                            pass.time_over_target_s, "s"));
   rows.push_back(limit_row(score, "Over the device limit", number(score.time_over_force_limit_s, 1) + " s",
                            "time_over_force_limit_s", pass.time_over_device_limit_s, "s"));

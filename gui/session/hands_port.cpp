@@ -9,6 +9,8 @@ namespace vallecula::gui {
 namespace {
 
 constexpr std::uint32_t kDeviceButtons = 0xffff;  // the bits above are engine::Action's
+/// A bond that a pause has cut is whole again after engine::kRecoveryTime; until then the tissue pushes the blade off.
+constexpr double kReturnS = 1.0;
 /// A pause leaves these as they are; the others are asked for in time, which stands.
 constexpr std::uint32_t kStandingActions = engine::kActionStyletOut | engine::kActionCatheter | engine::kEyeActions |
                                            engine::kActionExtend | engine::kActionAided;
@@ -124,6 +126,19 @@ void HandsPort::lead(const engine::Pose& device, engine::PortInput& input) noexc
   led_in_.store(false, std::memory_order_relaxed);
 }
 
+/// A lifted blade that no hand has would be asked for more than the device's limit, for ever, if it were held where it
+/// was left while its bond is weak: it sets out from where the scene has it.
+engine::Pose HandsPort::back_in_place(const engine::Pose& blade) noexcept {
+  if (!returns_from_) return blade;
+  const double share = (now_s_ - returns_at_s_) / kReturnS;
+  if (share >= 1.0) {
+    returns_from_.reset();
+    return blade;
+  }
+  return {returns_from_->position + share * (blade.position - returns_from_->position),
+          returns_from_->rotation.slerp(share, blade.rotation)};
+}
+
 void HandsPort::take_turns(const device::DeviceReading& reading, engine::PortInput& input) noexcept {
   const std::uint32_t changes = actions_->changes();
   // The press that ends a pause changes nothing.
@@ -140,11 +155,16 @@ void HandsPort::take_turns(const device::DeviceReading& reading, engine::PortInp
     held_ = shown;
     device_ = input.pose;
   }
+  if (works && !valid_ && seen_ && held_.in_hand() == Tool::tube) {
+    returns_from_ = seen_;
+    returns_at_s_ = now_s_;
+  }
+  if (held_.in_hand() == Tool::blade) returns_from_.reset();
   changes_ = changes;
   buttons_ = reading.buttons;
   valid_ = works;
   in_hand_.store(held_.in_hand(), std::memory_order_relaxed);
-  input.pose = shown.blade();
+  input.pose = works ? back_in_place(shown.blade()) : shown.blade();
   input.second_pose = shown.tube();
   input.second_valid = reading.valid;
 }

@@ -53,6 +53,7 @@ class HandsPort final : public engine::HapticPort {
 
  private:
   void take_turns(const device::DeviceReading& reading, engine::PortInput& input) noexcept;
+  engine::Pose back_in_place(const engine::Pose& blade) noexcept;
   void take_hold(std::uint32_t holds, const engine::Pose& device) noexcept;
   void lead(const engine::Pose& device, engine::PortInput& input) noexcept;
 
@@ -68,9 +69,11 @@ class HandsPort final : public engine::HapticPort {
   std::atomic<bool> led_in_{false};
   double now_s_ = 0.0;
   std::atomic<double> waited_s_{0.0};
-  bool valid_ = false;                ///< in the last tick
-  std::optional<engine::Pose> seen_;  ///< where the scene holds the blade; none: there was no tick yet
-  engine::Pose device_;               ///< of the last valid tick
+  std::optional<engine::Pose> returns_from_;  ///< where a pause had the blade that no hand has, on its way back
+  double returns_at_s_ = 0.0;                 ///< when it set out
+  bool valid_ = false;                        ///< in the last tick
+  std::optional<engine::Pose> seen_;          ///< where the scene holds the blade; none: there was no tick yet
+  engine::Pose device_;                       ///< of the last valid tick
   std::atomic<Tool> in_hand_{Tool::blade};
 };
 

@@ -2112,10 +2112,6 @@ Sekunden sind eine Obergrenze, kein Ziel.</translation>
         <translation>Intubationsversuch</translation>
     </message>
     <message>
-        <source>Over the target</source>
-        <translation>Über dem Ziel</translation>
-    </message>
-    <message>
         <source>Over the device limit</source>
         <translation>Über der Gerätegrenze</translation>
     </message>
@@ -4943,6 +4939,14 @@ Sekunden sind eine Obergrenze, kein Ziel.</translation>
         <source>no picture came any more</source>
         <translation>es kam kein Bild mehr</translation>
     </message>
+    <message>
+        <source>The tube lay in the oesophagus to the end: it was not recognised</source>
+        <translation>Der Tubus lag bis zum Ende im Ösophagus: Es wurde nicht erkannt</translation>
+    </message>
+    <message>
+        <source>Over the target, tongue</source>
+        <translation>Über dem Ziel, Zunge</translation>
+    </message>
 </context>
 <context>
     <name>GivenLabels</name>
@@ -4980,10 +4984,6 @@ Sekunden sind eine Obergrenze, kein Ziel.</translation>
     <message>
         <source>No CO2 after these breaths: unless the heart rate rises, the tube is in the wrong place. Out, ventilate by mask, again.</source>
         <translation>Kein CO2 nach diesen Beatmungen: Wenn die Herzfrequenz nicht steigt, liegt der Tubus falsch. Heraus, mit Maske beatmen, erneut.</translation>
-    </message>
-    <message>
-        <source>Through: T draws the stylet. Then bring the cord mark to the cords.</source>
-        <translation>Hindurch: T zieht den Führungsstab. Dann bringen Sie die Marke an die Stimmlippen.</translation>
     </message>
     <message>
         <source>Cord mark at the cords? Hold B for 5 or 6 breaths; watch the heart rate and the CO2 detector.</source>
@@ -5032,6 +5032,10 @@ Sekunden sind eine Obergrenze, kein Ziel.</translation>
     <message>
         <source>Bring the grey blade back to the steel one.</source>
         <translation>Den grauen Spatel zum stählernen zurückführen.</translation>
+    </message>
+    <message>
+        <source>Its tip is out of sight. Between the cords? Then T draws the stylet, and the cord mark goes to the cords.</source>
+        <translation>Seine Spitze ist nicht mehr zu sehen. Zwischen den Stimmlippen? Dann zieht T den Führungsstab, und die Stimmlippenmarke kommt an die Stimmlippen.</translation>
     </message>
 </context>
 <context>

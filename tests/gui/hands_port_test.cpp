@@ -231,6 +231,41 @@ device::Trajectory lead() {
   return device::Trajectory({from, to});
 }
 
+TEST_F(HandsPortTest, ABladeThatNoHandHasComesBackToItsPlaceAfterAPauseFromWhereItIs) {
+  HandsPort port(blade_, tube_, kChange, plan_, actions_);
+  const Vec3 left(0.01, 0.02, 0.03), pushed = left + Vec3(0, 0.0045, 0);
+  blade_device_.reading.position_m = {left.x(), left.y(), left.z()};
+  tick(port);
+  actions_.change_hand();
+  EXPECT_EQ(tick(port).pose.position, left);
+  EXPECT_EQ(port.in_hand(), Tool::tube);
+  const auto seen_at = [&](const Vec3& at) {
+    time_s_ += 0.001;
+    const engine::PortInput input = port.read(time_s_);
+    port.see_tool({at, engine::Quat::Identity()});
+    port.write(Vec3::Zero());
+    port.write_second(Vec3::Zero());
+    return input;
+  };
+  blade_.freeze(true);
+  for (int i = 0; i < 50; ++i) EXPECT_FALSE(seen_at(pushed).valid);
+  blade_.freeze(false);
+  seen_at(pushed);
+  blade_.confirm();
+  const engine::PortInput first = seen_at(pushed);
+  ASSERT_TRUE(first.valid);
+  EXPECT_LT((first.pose.position - pushed).norm(), 1e-9) << "it hangs nowhere but where it is";
+  Vec3 before = first.pose.position;
+  for (int i = 1; i < 1000; ++i) {
+    const Vec3 now = seen_at(pushed).pose.position;
+    ASSERT_LT((now - before).norm(), 1e-5) << "nothing jumps";
+    ASSERT_LE((now - left).norm(), (before - left).norm());
+    before = now;
+  }
+  seen_at(left);
+  EXPECT_EQ(seen_at(left).pose.position, left) << "where it was left";
+}
+
 TEST_F(HandsPortTest, ALedBladeIsTakenOverWithoutAJumpWhereverTheHandIs) {
   HandsPort port(blade_, plan_, actions_);
   port.lead_in(lead(), 100);

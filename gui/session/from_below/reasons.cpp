@@ -143,6 +143,7 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("FromBelow", "no picture"),
     QT_TRANSLATE_NOOP("FromBelow", "ended by trainee"),
     QT_TRANSLATE_NOOP("FromBelow", "no source given"),
+    QT_TRANSLATE_NOOP("FromBelow", "The tube lay in the oesophagus to the end: it was not recognised"),
 };
 
 }  // namespace

@@ -170,7 +170,7 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("FromBelow", "Time to sight"),
     QT_TRANSLATE_NOOP("FromBelow", "Longest attempt"),
     QT_TRANSLATE_NOOP("FromBelow", "Attempt"),
-    QT_TRANSLATE_NOOP("FromBelow", "Over the target"),
+    QT_TRANSLATE_NOOP("FromBelow", "Over the target, tongue"),
     QT_TRANSLATE_NOOP("FromBelow", "Over the device limit"),
     QT_TRANSLATE_NOOP("FromBelow", "Paused"),
     QT_TRANSLATE_NOOP("FromBelow", "Computer"),

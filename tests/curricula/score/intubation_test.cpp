@@ -350,6 +350,13 @@ TEST(IntubationScore, TheOesophagusIsCountedAndRecognisedLateOrNot) {
   const Score to_the_end = score_of(there(50), s);
   EXPECT_NEAR(to_the_end.intubation->oesophagus_s, 18.0, 1e-9);
   EXPECT_EQ(to_the_end.intubation->outcome, Outcome::oesophagus);
+  EXPECT_FALSE(to_the_end.intubation->oesophagus_in_time());
+  EXPECT_FALSE(late.intubation->oesophagus_in_time());
+  EXPECT_TRUE(in_time.intubation->oesophagus_in_time());
+  s.intubation->breaths_to_confirm = 1000;
+  const Score never_drawn = score_of(there(50), s);
+  EXPECT_FALSE(never_drawn.intubation->recognised_late) << "few breaths for what was allowed";
+  EXPECT_FALSE(never_drawn.intubation->oesophagus_in_time()) << "and yet nobody has recognised it";
   EXPECT_FALSE(to_the_end.intubation->depth_m);
 }
 
