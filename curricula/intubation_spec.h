@@ -40,7 +40,7 @@ struct IntubationPass {
   std::optional<int> attempts;
   bool co2_confirmed = false;           ///< within breaths_to_confirm
   bool depth_neutral = false;           ///< a tube in the trachea lies in the middle third with the head neutral, too
-  bool oesophagus_in_time = false;      ///< never more than breaths_to_confirm breaths in one stay there
+  bool oesophagus_in_time = false;      ///< never more than breaths_to_confirm breaths in one stay there, nor there at the end
   bool no_severe_desaturation = false;  ///< in no attempt a fall by 20 points or more
 };
 

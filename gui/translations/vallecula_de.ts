@@ -3984,8 +3984,8 @@ Sekunden sind eine Obergrenze, kein Ziel.</translation>
         <translation>ein Tubus in der Trachea liegt auch bei neutralem Kopf im mittleren Drittel</translation>
     </message>
     <message>
-        <source>never more than breaths_to_confirm breaths in one stay in the oesophagus</source>
-        <translation>nie mehr als breaths_to_confirm Beatmungen in einem Aufenthalt im Ösophagus</translation>
+        <source>never more than breaths_to_confirm breaths in one stay in the oesophagus, and not there at the end</source>
+        <translation>nie mehr als breaths_to_confirm Beatmungen in einem Aufenthalt im Ösophagus, und nicht dort am Ende</translation>
     </message>
     <message>
         <source>in no attempt a fall by 20 points or more</source>
