@@ -238,7 +238,9 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("FromBelow", "at most, from the view to the cords passed"),
     QT_TRANSLATE_NOOP("FromBelow", "within breaths_to_confirm"),
     QT_TRANSLATE_NOOP("FromBelow", "a tube in the trachea lies in the middle third with the head neutral, too"),
-    QT_TRANSLATE_NOOP("FromBelow", "never more than breaths_to_confirm breaths in one stay in the oesophagus, and not there at the end"),
+    QT_TRANSLATE_NOOP(
+        "FromBelow",
+        "never more than breaths_to_confirm breaths in one stay in the oesophagus, and not there at the end"),
     QT_TRANSLATE_NOOP("FromBelow", "in no attempt a fall by 20 points or more"),
 };
 
