@@ -8431,7 +8431,7 @@ Gerät: %3</translation>
     </message>
     <message>
         <source>Since breath</source>
-        <translation>Ohne Atemzug</translation>
+        <translation>Atempause</translation>
     </message>
     <message>
         <source>Given %1/min</source>
