@@ -50,6 +50,12 @@ Banner need_before(const engine::Snapshot& snapshot, const QString& need, const 
   return {need + hand, !alert.isEmpty() || snapshot.intubation.heart_per_min < kCompressions};
 }
 
+QString levering_words(double gum_n, double target_n) {
+  if (!(gum_n > target_n)) return {};
+  return QCoreApplication::translate("Hints",
+                                     "The blade presses on the upper gum: lift along its handle, do not tip it back.");
+}
+
 QString hint_for(const engine::Snapshot& snapshot, double sight_percent, bool blade_in, const QString& other_hand) {
   using engine::InHand;
   using engine::TipPlace;

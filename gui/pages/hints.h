@@ -21,6 +21,9 @@ struct Banner {
 /// `need` of need_of and not empty; `alert`: what the device wants, else empty.
 Banner need_before(const engine::Snapshot& snapshot, const QString& need, const QString& alert);
 
+/// What to say of a blade that presses on the upper gum with so many N; empty: within its target.
+QString levering_words(double gum_n, double target_n);
+
 /// Of a scene with an intubation. `sight_percent`: from where on the glottis counts as in sight; `blade_in`: the
 /// blade's tip is in the mouth; `other_hand`: the key that takes the tube, empty where a hand
 /// has it.

@@ -79,7 +79,7 @@ void TrialPage::start() {
   frames_ = 0;
   since_start_.start();
   flow_.begin(run_s());
-  seen_again_s_ = -1.0;
+  seen_again_s_ = levers_until_s_ = -1.0;
   since_shown_.start();
   since_frame_.start();
   show_buttons();
@@ -149,7 +149,7 @@ void TrialPage::begin_anew(bool at_vallecula) {
     session_->picture_shown();
   }
   flow_.begin(run_s());
-  seen_again_s_ = -1.0;
+  seen_again_s_ = levers_until_s_ = -1.0;
   since_shown_.restart();
   panels_->distractions().serve(&session_->dual_task(), session_->by_person());
   frames_ = 0;

@@ -182,7 +182,9 @@ class TrialPage : public QWidget {
   int frames_ = 0;
   PictureFlow flow_;
   double seen_again_s_ = -1.0;  ///< until when the trial waited for its picture; < 0: it has not, or it was told
-  bool put_away_ = false;       ///< the window was, in the last gap
+  QString levers_;              ///< what is said of a blade that levers
+  double levers_until_s_ = -1.0;
+  bool put_away_ = false;  ///< the window was, in the last gap
 };
 
 }  // namespace vallecula::gui

@@ -26,6 +26,7 @@ namespace {
 
 constexpr int kRestMs = 500;
 constexpr double kWaitToldS = 8.0;
+constexpr double kLeveringToldS = 2.0;  // after it has ended: long enough to be read
 
 /// For a device in the hand that is no mouse.
 QString device_help(const device::DeviceInfo& info) {
@@ -201,7 +202,9 @@ void TrialPage::show_running(const engine::Snapshot& snapshot) {
 void TrialPage::show_words(const engine::Snapshot& snapshot, const QString& pause) {
   const QString fault = in_words(session_->fault()), waited = waited_words();
   const QString alert = banner_for(snapshot, fault, pause);
-  const bool hinted = snapshot.has_intubation && curricula::rules_of(session_->scenario().attempt.mode).assistance;
+  const curricula::Scenario& scenario = session_->scenario();
+  const bool assisted = curricula::rules_of(scenario.attempt.mode).assistance;
+  const bool hinted = snapshot.has_intubation && assisted;
   if (session_->led_in() && pause.isEmpty())
     return show_banner({tr("The blade is being led to the vallecula; then it is yours."), true});
   if (hinted && pause.isEmpty() && fault.isEmpty()) {
@@ -209,8 +212,14 @@ void TrialPage::show_words(const engine::Snapshot& snapshot, const QString& paus
     if (!need.isEmpty()) return show_banner(need_before(snapshot, need, alert));
   }
   if (!alert.isEmpty()) return show_banner({alert, true});
+  const double gum_n = snapshot.loads[static_cast<std::size_t>(engine::Structure::gum)].force_n.norm();
+  if (const QString levers = levering_words(gum_n, scenario.targets.gum_force_n); !levers.isEmpty()) {
+    levers_ = levers;
+    levers_until_s_ = run_s() + kLeveringToldS;
+  }
+  if (assisted && run_s() < levers_until_s_) return show_banner({levers_, true});
   if (!waited.isEmpty() || !hinted) return show_banner({waited});
-  show_banner({hint_for(snapshot, session_->scenario().sight_percent, operator_view_->blade_in(),
+  show_banner({hint_for(snapshot, scenario.sight_percent, operator_view_->blade_in(),
                         key_to_the_tube(session_->takes_turns(), session_->in_hand()))});
 }
 

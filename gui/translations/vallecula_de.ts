@@ -5037,6 +5037,10 @@ Sekunden sind eine Obergrenze, kein Ziel.</translation>
         <source>Its tip is out of sight. Between the cords? Then T draws the stylet, and the cord mark goes to the cords.</source>
         <translation>Seine Spitze ist nicht mehr zu sehen. Zwischen den Stimmlippen? Dann zieht T den Führungsstab, und die Stimmlippenmarke kommt an die Stimmlippen.</translation>
     </message>
+    <message>
+        <source>The blade presses on the upper gum: lift along its handle, do not tip it back.</source>
+        <translation>Der Spatel drückt auf die obere Zahnleiste: entlang seines Griffs anheben, nicht kippen.</translation>
+    </message>
 </context>
 <context>
     <name>ImportChoice</name>

@@ -198,6 +198,11 @@ TEST(Hint, DoesNotTellTracheaFromOesophagusBeforeTheDetectorDoes) {
   EXPECT_TRUE(says(hint(wrong), "No CO2"));
 }
 
+TEST(Hint, LeveringIsSaidOfMoreThanTheGumsTarget) {
+  EXPECT_EQ(levering_words(2.0, 2.0), QString());
+  EXPECT_TRUE(levering_words(2.1, 2.0).contains("along its handle"));
+}
+
 TEST(Hint, SaysNeverToPush) {
   auto now = at(engine::TipPlace::larynx);
   now.intubation.tip_load_n = 1.5;
