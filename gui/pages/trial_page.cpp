@@ -75,7 +75,7 @@ void TrialPage::start() {
     return;
   }
   running_ = true;
-  session_->picture_shown();  // it stands before one's eyes
+  session_->picture_expected();
   frames_ = 0;
   since_start_.start();
   flow_.begin(run_s());
@@ -146,7 +146,7 @@ void TrialPage::begin_anew(bool at_vallecula) {
   }
   if (running_) {
     since_start_.restart();
-    session_->picture_shown();
+    session_->picture_expected();
   }
   flow_.begin(run_s());
   seen_again_s_ = levers_until_s_ = -1.0;

@@ -12,11 +12,18 @@ class PictureWatch {
  public:
   /// A hand that has seen nothing for longer steers blind. Shorter ones come with any change of the window.
   static constexpr std::chrono::milliseconds kLongest{2000};
+  /// For the first one shaders are made, which takes seconds on a slow computer.
+  static constexpr std::chrono::milliseconds kFirst{10000};
 
   void shown() noexcept { last_ns_.store(now_ns(), std::memory_order_relaxed); }
-  /// Another attempt begins: it is watched from its first picture on.
+  /// One is to come, the first.
+  void expected() noexcept {
+    last_ns_.store(now_ns() + std::chrono::nanoseconds(kFirst - kLongest).count(), std::memory_order_relaxed);
+  }
+  /// Another attempt begins: it is watched once a picture is expected or has come.
   void begin_anew() noexcept { last_ns_.store(0, std::memory_order_relaxed); }
-  /// No picture has come for longer than kLongest. False before the first one: what nobody draws is not watched.
+  /// No picture has come for longer than kLongest. False before one is expected: what nobody draws is not
+  /// watched.
   bool stands() const noexcept {
     const std::int64_t last_ns = last_ns_.load(std::memory_order_relaxed);
     return last_ns != 0 && now_ns() - last_ns > std::chrono::nanoseconds(kLongest).count();

@@ -227,6 +227,9 @@ void TrialSession::freeze(Holder holder, bool on) {
 void TrialSession::picture_shown() {
   if (impl_->needs_eyes) impl_->picture.shown();
 }
+void TrialSession::picture_expected() {
+  if (impl_->needs_eyes) impl_->picture.expected();
+}
 bool TrialSession::frozen() const { return impl_->hands->frozen(); }
 bool TrialSession::frozen_by(Holder holder) const { return impl_->hands->frozen_by(holder); }
 PeaksSoFar TrialSession::peaks() const { return impl_->attempt->peaks(); }

@@ -98,6 +98,8 @@ class TrialSession {
   /// Holder::picture, an assessment too, once none has come for PictureWatch::kLongest: it is the caller who lets it
   /// go when pictures come again, or a reset. After ten minutes it is ended. Window's thread.
   void picture_shown();
+  /// Whoever draws it has begun to: the first picture may take PictureWatch::kFirst.
+  void picture_expected();
   bool frozen() const;                  ///< by anybody; any thread
   bool frozen_by(Holder holder) const;  ///< any thread
   /// No tick comes any more, and the hands are nobody's: waits for neither disk nor records. What is left to do is the
