@@ -1,14 +1,19 @@
 // How the pictures of a running trial come to the screen.
 #pragma once
 
+#include <chrono>
+
+#include "gui/session/picture_watch.h"
+
 namespace vallecula::gui {
 
 /// Times in s, of one clock that does not go back.
 class PictureFlow {
  public:
   static constexpr double kCountedS = 1.0;  ///< what a rate is of
-  static constexpr double kGapS = 2.0;      ///< longer between two pictures, and they stand
-  static constexpr double kFlowsS = 1.0;    ///< so long without such a gap, and so many pictures, and they flow again
+  /// Longer between two pictures, and they stand.
+  static constexpr double kGapS = std::chrono::duration<double>(PictureWatch::kLongest).count();
+  static constexpr double kFlowsS = 1.0;  ///< so long without such a gap, and so many pictures, and they flow again
   static constexpr int kFlowsAt = 5;
 
   void begin(double now_s);

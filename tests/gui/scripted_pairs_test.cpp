@@ -1,17 +1,14 @@
-// Every outcome of an intubation, by a scripted pair of hands on the built-in infant: the expert's on the mesh that is
-// shipped, the others on its coarse one (VALLECULA_SLOW=1: on the shipped one too).
+// Every outcome of an intubation, by a scripted pair of hands on the built-in infant.
 #include <gtest/gtest.h>
 
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
-#include <cstdlib>
 #include <map>
 
 #include "curricula/trial_log.h"
 #include "gui/session/builtin_patient.h"
 #include "tests/gui/block_patient.h"
-#include "tests/gui/coarse_infant.h"
 #include "tests/gui/program.h"
 
 namespace vallecula::gui::test {
@@ -52,11 +49,8 @@ class ScriptedPairs : public ::testing::Test {
   }
   /// What became of the tube by score.json.
   static std::string outcome(const std::string& scenario, const std::string& pair) {
-    return outcome(scenario, pair, std::getenv("VALLECULA_SLOW") != nullptr ? *patient_ : coarse_infant());
-  }
-  static std::string outcome(const std::string& scenario, const std::string& pair, const fs::path& patient) {
     const std::string out = (*box_ / (scenario + "-" + pair)).string();
-    const Outcome trial = box_->run({"trial", "--patient", patient.string(), "--scenario",
+    const Outcome trial = box_->run({"trial", "--patient", patient_->string(), "--scenario",
                                      (*box_ / "tubes.yaml").string() + ":" + scenario, "--device", "scripted:" + pair,
                                      "--headless", "--asap", "--out", out});
     EXPECT_EQ(trial.exit_code, 0) << trial.err;
@@ -71,7 +65,7 @@ Sandbox* ScriptedPairs::box_ = nullptr;
 fs::path* ScriptedPairs::patient_ = nullptr;
 
 TEST_F(ScriptedPairs, TheExpertsTubeLiesWellIsConfirmedAndReplaysToTheBit) {
-  EXPECT_EQ(outcome("usual", "expert", *patient_), "good-depth");
+  EXPECT_EQ(outcome("usual", "expert"), "good-depth");
   const curricula::TrialLog log = curricula::read_trial_log(*box_ / "usual-expert");
   EXPECT_TRUE(log.ticks.back().intubation.detector_yellow);
   EXPECT_EQ(log.ticks.back().intubation.in_hand, curricula::LoggedInHand::tube) << "the stylet is out";
